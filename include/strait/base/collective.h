@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_collective_h
+#define strait_base_collective_h
+
+#include <mpi.h>
+
+#include <functional>
+#include <string>
+
+namespace strait
+{
+  /**
+   * Run @p action on rank 0 only; if it throws there, every rank of @p comm
+   * throws the same exception type (InputError or ComputationError) with the
+   * same message. Collective: keeps an error of one rank from becoming a hang
+   * of the others.
+   */
+  void run_on_root(MPI_Comm comm, const std::function<void()> &action);
+
+  /**
+   * Collective: if @p error is non-empty on any rank, every rank throws an
+   * InputError with the message of the lowest such rank.
+   */
+  void throw_if_any(MPI_Comm comm, const std::string &error);
+
+  /** Collective: the string of rank 0 on every rank. */
+  std::string broadcast(MPI_Comm comm, std::string text);
+
+  /** Collective sum, minimum and maximum over the ranks. */
+  double    sum(MPI_Comm comm, double value);
+  double    maximum(MPI_Comm comm, double value);
+  double    minimum(MPI_Comm comm, double value);
+  long long sum(MPI_Comm comm, long long value);
+
+  /** Collective: sums of several values with one message. */
+  void sum_in_place(MPI_Comm comm, double *values, int count);
+} // namespace strait
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_command_line_h
+#define strait_base_command_line_h
+
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  /** What the user asked for: "strait [options] SCENE.prm". */
+  struct CommandLine
+  {
+    std::string              scene;     // empty only if no scene is needed
+    std::vector<std::string> overrides; // "Section/Parameter=value"; --output is the last
+    std::string              parameters_format; // "prm" or "md" if --parameters was given
+    bool                     dry_run = false;
+    bool                     quiet   = false;
+    bool                     version = false;
+    bool                     help    = false;
+  };
+
+  /**
+   * Read the arguments; argv[0] is skipped. Values follow their option or an
+   * equals sign (--output DIR, --output=DIR). Throws InputError for an unknown
+   * option (naming the nearest one), a missing value, no scene or two.
+   */
+  CommandLine parse_command_line(int argc, const char *const *argv);
+
+  /** The text of --help. */
+  std::string help_text();
+} // namespace strait
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_contact_parameters_h
+#define strait_base_contact_parameters_h
+
+#include <array>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace strait
+{
+  enum class ContactControl
+  {
+    load,
+    mean_gap
+  };
+
+  enum class ContactMethod
+  {
+    dual_cg,
+    polonsky_keer
+  };
+
+  /** The section Contact of a scene: elastic half-space against the substrate. */
+  struct ContactParameters
+  {
+    bool               enabled            = true;
+    std::array<int, 2> grid_points        = {{512, 512}}; // nx, ny
+    double             effective_modulus  = 1.;
+    ContactControl     control            = ContactControl::load;
+    ContactMethod      method             = ContactMethod::dual_cg;
+    double             tolerance          = 1e-8; // residual in units of h_rms
+    int                maximum_iterations = 1000;
+
+    static void declare(dealii::ParameterHandler &prm);
+    void        parse(dealii::ParameterHandler &prm);
+    void        check() const;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_exceptions_h
+#define strait_base_exceptions_h
+
+#include <stdexcept>
+#include <string>
+
+namespace strait
+{
+  /**
+   * Something the user can mend: a bad scene, input file or command line.
+   * The message is one sentence that says what is wrong, where, and what to
+   * do. The program prints it once and ends with status 2.
+   */
+  class InputError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
+   * A computation that could not be completed although the input was valid.
+   * The program prints the message once and ends with status 1.
+   */
+  class ComputationError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_fluid_parameters_h
+#define strait_base_fluid_parameters_h
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace strait
+{
+  enum class FlowDirection
+  {
+    x,
+    y
+  };
+
+  enum class FlowPreconditioner
+  {
+    boomeramg,
+    ml
+  };
+
+  enum class GapInterpolation
+  {
+    monotone_cubic,
+    bilinear
+  };
+
+  enum class Refinement
+  {
+    adaptive,
+    uniform
+  };
+
+  /** The section Fluid of a scene: Reynolds flow through the gap. */
+  struct FluidParameters
+  {
+    bool               enabled          = true;
+    double             viscosity        = 1.;
+    double             inlet_pressure   = 1.;
+    double             outlet_pressure  = 0.;
+    double             slip_length      = 0.; // <= 0
+    FlowDirection      direction        = FlowDirection::x;
+    unsigned int       element_degree   = 1;
+    FlowPreconditioner preconditioner   = FlowPreconditioner::boomeramg;
+    GapInterpolation   interpolation    = GapInterpolation::monotone_cubic;
+    Refinement         refinement       = Refinement::adaptive;
+    double             target_accuracy  = 0.02;
+    unsigned int       maximum_unknowns = 1000000;
+
+    static void declare(dealii::ParameterHandler &prm);
+    void        parse(dealii::ParameterHandler &prm);
+    void        check() const;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_log_h
+#define strait_base_log_h
+
+#include <mpi.h>
+
+#include <chrono>
+#include <fstream>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * What the user sees: lines on the screen of rank 0 and in a log file. All
+   * ranks may call everything; the others stay silent.
+   */
+  class Log
+  {
+  public:
+    enum class Screen
+    {
+      silent,  // nothing but the file
+      plain,   // lines only, for files and pipes
+      terminal // lines, and progress that overwrites itself
+    };
+
+    /** On standard output; a terminal is recognised. */
+    Log(MPI_Comm comm, bool quiet);
+
+    /** On @p stream, which must live longer than this object. */
+    Log(MPI_Comm comm, std::ostream &stream, Screen screen);
+
+    /** Removes what is left of the progress line. */
+    ~Log();
+
+    Log(const Log &)            = delete;
+    Log &operator=(const Log &) = delete;
+
+    /** A line, or several, on the screen and in the file. */
+    void line(const std::string &text);
+
+    /**
+     * The line "warning: TEXT", once for each text; kept for warnings().
+     */
+    void warn(const std::string &text);
+
+    /**
+     * A transient line: on a terminal it overwrites the one before, elsewhere
+     * it is printed at most every ten seconds. Not in the file.
+     */
+    void progress(const std::string &text);
+
+    /**
+     * Collective. From now on write to the file @p path as well, beginning with
+     * the lines so far. Throws InputError on all ranks if it cannot be written.
+     */
+    void attach_file(const std::string &path);
+
+    /** The texts of all warnings, on all ranks that gave them. */
+    const std::vector<std::string> &
+    warnings() const
+    {
+      return all_warnings;
+    }
+
+  private:
+    void clear_progress();
+
+    MPI_Comm                              comm;
+    std::ostream                         &stream;
+    Screen                                screen;
+    bool                                  on_root;
+    bool                                  progress_shown = false;
+    std::chrono::steady_clock::time_point last_progress;
+    std::string                           early_lines; // before the file is there
+    std::ofstream                         file;
+    std::vector<std::string>              all_warnings;
+  };
+} // namespace strait
+
+#endif

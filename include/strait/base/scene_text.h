@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_scene_text_h
+#define strait_base_scene_text_h
+
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  /** One "set NAME = VALUE" of a scene, or the opening of a subsection. */
+  struct SceneEntry
+  {
+    std::vector<std::string> section; // names from the outermost inwards
+    std::string              name;    // empty: the section is opened here
+    std::string              value;   // without comment
+    std::string              place;   // "FILE:LINE" or "--set ...", for messages
+    std::string              folder;  // relative paths in the value start here
+  };
+
+  /**
+   * Take a scene file apart: subsection, set, end, comments (#) and
+   * continued lines (\). Gives the entries in the order of the file. Throws
+   * InputError for a line that is none of these, an "end" too many or too few.
+   */
+  std::vector<SceneEntry>
+  lex_scene(const std::string &text, const std::string &file, const std::string &folder);
+
+  /**
+   * The entry of an override "Section/Parameter=value" or
+   * "Section/Subsection/Parameter=value". Throws InputError for another form.
+   */
+  SceneEntry lex_override(const std::string &text, const std::string &folder);
+} // namespace strait
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_timers_h
+#define strait_base_timers_h
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * Wall-clock time of nested parts of the program on this rank. A part is
+   * timed while the Scope that it gave exists; scopes must end in the reverse
+   * order of their beginning. Entering a part again adds to its time.
+   */
+  class Timers
+  {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    class Scope
+    {
+    public:
+      ~Scope();
+      Scope(const Scope &)            = delete;
+      Scope &operator=(const Scope &) = delete;
+
+    private:
+      friend class Timers;
+      Scope(Timers &timers, std::size_t part, std::size_t parent);
+
+      Timers           &timers;
+      std::size_t       part;
+      std::size_t       parent;
+      Clock::time_point start = Clock::now();
+    };
+
+    /** One row of the table of times. */
+    struct Part
+    {
+      std::string path;  // "contact/transforms"
+      int         depth; // 0: the whole
+      double      seconds;
+      long        calls;
+    };
+
+    Timers();
+
+    /** Time @p name as a part of the innermost part that is being timed. */
+    [[nodiscard]] Scope scope(const std::string &name);
+
+    /** Seconds spent in the finished scopes of the part @p path; 0 if none. */
+    double seconds(const std::string &path) const;
+
+    /** Seconds since this object was made. */
+    double total() const;
+
+    /**
+     * The whole, and depth first the parts in the order in which they first
+     * appeared; what the parts of a part leave over is its part "other".
+     */
+    std::vector<Part> table() const;
+
+    /** The table as text, one indented line a part. */
+    std::string summary() const;
+
+  private:
+    struct Node
+    {
+      std::string              name;
+      std::size_t              parent;
+      std::vector<std::size_t> children;
+      double                   seconds = 0.;
+      long                     calls   = 0;
+    };
+
+    std::string path(std::size_t node) const;
+    void
+    append(std::vector<Part> &rows, std::size_t node, int depth, double seconds) const;
+
+    Clock::time_point start = Clock::now();
+    std::vector<Node> nodes; // the first is the whole
+    std::size_t       innermost = 0;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_contact_area_h
+#define strait_contact_contact_area_h
+
+#include <strait/spectral/slab_field.h>
+
+#include <cstdint>
+
+namespace strait
+{
+  /** How much of a periodic grid carries pressure. */
+  struct ContactArea
+  {
+    /** Points with pressure > 0 over all points. */
+    double fraction = 0;
+
+    /**
+     * The fraction that a continuum would have, A − 0.118 S a: a grid counts
+     * too much along the contact line (Yastrebov, Anciaux, Molinari 2017).
+     */
+    double corrected_fraction = 0;
+
+    /** Neighbouring pairs of points of which exactly one is in contact: S/a. */
+    std::int64_t n_boundary_edges = 0;
+  };
+
+  /** Collective. */
+  ContactArea contact_area(const SlabField &pressure);
+} // namespace strait
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_grid_transfer_h
+#define strait_contact_grid_transfer_h
+
+#include <strait/spectral/slab_field.h>
+
+namespace strait
+{
+  /** Whether a grid of half the points each way has at least 32 × 32. */
+  bool can_be_coarsened(const PeriodicGrid &grid);
+
+  /**
+   * Every second point of every second row of @p fine, whose grid
+   * can_be_coarsened(). Collective.
+   */
+  SlabField restrict_by_injection(const SlabField &fine);
+
+  /**
+   * Bilinear interpolation of @p coarse to the grid of twice the points each way
+   * of @p fine_layout. Collective.
+   */
+  SlabField prolong_bilinearly(const SlabField &coarse, const SlabLayoutPtr &fine_layout);
+} // namespace strait
+
+#endif

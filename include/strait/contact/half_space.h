@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_half_space_h
+#define strait_contact_half_space_h
+
+#include <strait/spectral/fourier_transform.h>
+
+#include <functional>
+
+namespace strait
+{
+  /**
+   * A periodic elastic half-space: u = G p with u~(q) = 2 p~(q) / (q E*) for
+   * q ≠ 0 and u~(0) = 0 (Johnson, Contact Mechanics, 1985). p > 0 presses, u > 0
+   * points away from the substrate.
+   */
+  class HalfSpace
+  {
+  public:
+    /** @p contact_modulus is E* > 0. Collective. */
+    HalfSpace(const SlabLayoutPtr &layout, double contact_modulus);
+
+    /**
+     * u = G p, one value a local grid point; @p pressure and @p displacement may
+     * be the same. Returns the mean of p·u over all grid points. Collective; one
+     * FFT pair.
+     */
+    double apply(const double *pressure, double *displacement);
+
+    /**
+     * The same for callers that run over the rows before and after: before(row)
+     * may still write the local row of the pressure, after(row, work), with the
+     * mean of p·u, finds the displacement of the row. before() runs from the last
+     * row to the first, and finds its row of scratch() unharmed. Collective.
+     */
+    double apply(const double                            *pressure,
+                 double                                  *displacement,
+                 const std::function<void(int)>          &before,
+                 const std::function<void(int, double)>  &after);
+
+    /** Room for one value a local grid point, valid until the next apply(). */
+    double *
+    scratch()
+    {
+      return transform.scratch();
+    }
+
+    long
+    n_fft_pairs() const
+    {
+      return transform.n_pairs();
+    }
+
+    double
+    contact_modulus() const
+    {
+      return modulus;
+    }
+
+    const SlabLayout &
+    layout() const
+    {
+      return transform.layout();
+    }
+
+    /** Bytes on this rank. */
+    std::size_t
+    memory_consumption() const
+    {
+      return transform.memory_consumption();
+    }
+
+  private:
+    FourierTransform transform;
+    double           modulus;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_flow_element_matrix_h
+#define strait_flow_element_matrix_h
+
+#include <strait/interface/moment_set.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <vector>
+
+namespace strait
+{
+  /**
+   * Element matrices of a Lagrange element FE_Q(p) on rectangles, from the
+   * moments of the coefficient c:
+   *   A_ij = ∫ c ∇φ_i·∇φ_j,
+   * exact for the quadrature that made the moments, in deal.II's numbering.
+   */
+  class ElementMatrix
+  {
+  public:
+    explicit ElementMatrix(const MomentSet &set);
+
+    unsigned int
+    n_dofs() const
+    {
+      return n;
+    }
+
+    /** A of a cell of @p hx × @p hy with the given @p moments. */
+    void stiffness(const double               *moments,
+                   double                      hx,
+                   double                      hy,
+                   dealii::FullMatrix<double> &matrix) const;
+
+    /**
+     * uᵀAu formed from differences to the first value, so that a small gradient on
+     * a large constant loses no digits.
+     */
+    static double energy(const dealii::FullMatrix<double> &matrix,
+                         const std::vector<double>        &u);
+
+    /** ∫ ∇u·curl v with curl v = (∂v/∂y, −∂v/∂x); the same on any rectangle. */
+    double gradient_times_curl(const std::vector<double> &u,
+                               const std::vector<double> &v) const;
+
+  private:
+    struct Term
+    {
+      int    moment;
+      double along_x; // from ∂x∂x, to be scaled with hy/hx
+      double along_y; // from ∂y∂y, to be scaled with hx/hy
+    };
+
+    unsigned int                   n;
+    std::vector<std::vector<Term>> terms; // per (i, j <= i), row by row
+    dealii::FullMatrix<double>     curl_matrix;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_flow_potential_problem_h
+#define strait_flow_potential_problem_h
+
+#include <strait/flow/element_matrix.h>
+#include <strait/flow/flow_mesh.h>
+#include <strait/flow/linear_solver.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/distributed/solution_transfer.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * One of the two variational problems that enclose the leak rate, on the current
+   * mesh:
+   * - pressure: p = 1 at the inlet, 0 at the outlet; minimises ∫ K |∇p|², whose
+   *   minimum is Q/Δp;
+   * - stream_function: ψ = ±(coordinate across)/(length across) + periodic part,
+   *   free at the reservoirs; its curl is a flux of total 1 without sources, and
+   *   it minimises ∫ |∇ψ|²/K, whose minimum is Δp/Q.
+   * Both are conforming, so each energy is too large and falls under refinement:
+   * the first gives an upper, the second a lower bound of the leak rate.
+   */
+  class PotentialProblem
+  {
+  public:
+    enum class Kind
+    {
+      pressure,
+      stream_function
+    };
+    using Vector   = Multigrid::Vector;
+    using Source   = std::function<double(const dealii::Point<2> &)>;
+    using Iterator = dealii::DoFHandler<2>::active_cell_iterator;
+
+    PotentialProblem(Kind kind, FlowMesh &mesh, const MomentSet &set);
+
+    /** Number the unknowns of the current mesh. Collective. */
+    void set_up();
+
+    /**
+     * Ask @p gap for the coefficient on all cells and assemble. @p source, if
+     * given, is the right-hand side f of −∇·(K∇p) = f (for verification).
+     * Collective.
+     */
+    void assemble(const GapField &gap, const Source &source = {});
+
+    /**
+     * Solve from the interpolated solution of the mesh before, until the energy is
+     * known to the relative @p accuracy. Collective.
+     */
+    LinearSolve solve(FlowPreconditioner preconditioner, double accuracy);
+
+    /** ∫ coefficient |∇·|². Collective. */
+    double energy() const;
+
+    /** Keep the solution for the mesh that is about to be refined. */
+    void prepare_for_refinement();
+
+    /** Values of the potential on @p cell, up to a constant for ψ. */
+    void cell_values(const Iterator &cell, std::vector<double> &values) const;
+
+    /** Energy of the cell that is number @p owned_cell among the owned ones. */
+    double cell_energy(std::size_t owned_cell, const std::vector<double> &values) const;
+
+    /**
+     * |∇| of the potential at the vertices, the mean over the cells that meet
+     * there, at the unknowns of the vertices; for pictures. Collective.
+     */
+    Vector vertex_slopes() const;
+
+    /** Mean of the coefficient over the owned cell number @p owned_cell. */
+    double
+    mean_coefficient(const std::size_t owned_cell) const
+    {
+      return answers[owned_cell].moments[0];
+    }
+
+    /** True where the coefficient does not vanish. */
+    bool
+    is_active(const std::size_t owned_cell) const
+    {
+      return answers[owned_cell].moments[0] > 0;
+    }
+
+    /** Unknowns that the solver really solves for. */
+    dealii::types::global_dof_index
+    n_unknowns() const
+    {
+      return n_active_unknowns;
+    }
+
+    const dealii::DoFHandler<2> &
+    dof_handler() const
+    {
+      return dofs;
+    }
+
+    const ElementMatrix &
+    element_matrix() const
+    {
+      return element;
+    }
+
+    /** The solution, with ghost values. */
+    const Vector &
+    solution() const
+    {
+      return ghosted;
+    }
+
+  private:
+    void make_constraints();
+    void pin_one_value();
+    void pin_unreached_rows();
+    void affine_part(const GridCell &cell, std::vector<double> &values) const;
+    void add_source(const Iterator         &cell,
+                    const Source           &source,
+                    dealii::Vector<double> &rhs) const;
+
+    Kind                              kind;
+    FlowMesh                         &mesh;
+    ElementMatrix                     element;
+    dealii::FE_Q<2>                   fe;
+    dealii::DoFHandler<2>             dofs;
+    dealii::IndexSet                  owned, relevant;
+    dealii::AffineConstraints<double> constraints;
+    Multigrid::Matrix                 matrix;
+    Vector                            right_hand_side, distributed, ghosted;
+    std::vector<GridCell>             cells; // owned, in the order of iteration
+    CellAnswers                       answers;
+    dealii::types::global_dof_index   n_active_unknowns = 0;
+
+    using Transfer = dealii::parallel::distributed::SolutionTransfer<2, Vector>;
+    std::unique_ptr<Transfer> transfer;
+  };
+} // namespace strait
+
+#endif

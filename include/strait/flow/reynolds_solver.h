@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_flow_reynolds_solver_h
+#define strait_flow_reynolds_solver_h
+
+#include <strait/flow/potential_problem.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  /** The leak rate Q of one gap and how it was found. */
+  struct FlowResult
+  {
+    double leak_rate = 0.; // best value within the bracket
+    double lower     = 0.; // from the stream function
+    double upper     = 0.; // from the pressure
+
+    unsigned long long cells       = 0;
+    unsigned long long unknowns    = 0; // of both problems, on the last mesh
+    unsigned int       refinements = 0;
+    unsigned int       iterations  = 0; // of the linear solver, all meshes
+    std::string        status      = "ok";
+
+    /** Relative width of the bracket. */
+    double
+    relative_width() const
+    {
+      return upper > 0 ? (upper - lower) / upper : 0.;
+    }
+  };
+
+  /**
+   * The Reynolds equation ∇·(K ∇p_f) = 0 in a percolating gap, on a mesh that is
+   * refined until the leak rate is bracketed as closely as asked.
+   *
+   * The pressure problem gives an upper, the stream-function problem on the same
+   * mesh a lower bound, and the part of their difference that a cell is responsible
+   * for, ∫ K |∇p + Q_lower/Δp K⁻¹ curl ψ|², marks the cells to refine: it is zero
+   * where the flux of both agrees. The bounds hold for the coefficient as it is
+   * integrated on the grid of the gap; where the gap goes to zero, the quadrature
+   * of 1/K makes the lower one asymptotic rather than proven.
+   */
+  class ReynoldsSolver
+  {
+  public:
+    /** Called after each mesh with what is known so far. */
+    using Observer = std::function<void(const FlowResult &)>;
+
+    /** @p gap and @p fluid must outlive the solver. */
+    ReynoldsSolver(const FluidParameters       &fluid,
+                   const GapField              &gap,
+                   const std::vector<FlowPath> &paths);
+
+    /** Run the adaptive cycle. Collective. */
+    FlowResult run(const Observer &observer = {});
+
+    /** The mesh and the pressure (1 at the inlet, 0 at the outlet) of run(). */
+    const FlowMesh &
+    mesh() const
+    {
+      return flow_mesh;
+    }
+
+    const PotentialProblem &
+    pressure() const
+    {
+      return pressure_problem;
+    }
+
+    /** The stream function of run(), for a leak of 1. */
+    const PotentialProblem &
+    stream_function() const
+    {
+      return stream_problem;
+    }
+
+  private:
+    void solve_on_mesh(FlowResult &result);
+
+    /** Each cell's share of upper − lower, in units of Q/Δp. */
+    dealii::Vector<float> indicator(double conductance_lower) const;
+
+    /** @return false, without refining, if the unknowns would become too many. */
+    bool refine(const FlowResult &result);
+
+    const FluidParameters &parameters;
+    const GapField        &gap_field;
+    double                 pressure_drop;
+    FlowMesh               flow_mesh;
+    PotentialProblem       pressure_problem;
+    PotentialProblem       stream_problem;
+    dealii::Vector<float>  shares;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_interface_gap_interpolant_h
+#define strait_interface_gap_interpolant_h
+
+#include <strait/base/fluid_parameters.h>
+
+#include <array>
+
+namespace strait
+{
+  /** Gap at the 4 × 4 grid points around a grid cell, [iy][ix]; the cell's own
+   *  corners are [1][1], [1][2], [2][1] and [2][2]. */
+  using GapStencil = std::array<std::array<double, 4>, 4>;
+
+  /**
+   * The gap between grid points. Monotone cubic: in each grid line a cubic Hermite
+   * polynomial with the harmonic mean of adjacent slopes, zero at extrema
+   * (Fritsch and Butland 1984), along the flow first and then across; it stays
+   * between the values at the ends of its interval. Bilinear: for verification.
+   *
+   * Both obey the rule of the grid: positive on an edge between two open points,
+   * zero on a cell that is open at no corner or only at two opposite ones, which
+   * are no neighbours to the percolation verdict.
+   */
+  class GapInterpolant
+  {
+  public:
+    GapInterpolant(GapInterpolation kind_, FlowDirection direction_)
+      : kind(kind_)
+      , direction(direction_)
+    {
+    }
+
+    /** False where the gap vanishes on the whole cell. */
+    static bool may_be_open(const GapStencil &gap);
+
+    /**
+     * The gap, not below zero, at the n × n points (x[i], x[j]) of the unit cell,
+     * 0 <= x <= 1; result[j·n + i]. Call only where may_be_open().
+     */
+    void evaluate(const GapStencil &gap,
+                  int               n,
+                  const double     *x,
+                  const double     *y,
+                  double           *result) const;
+
+  private:
+    GapInterpolation kind;
+    FlowDirection    direction;
+  };
+} // namespace strait
+
+#endif

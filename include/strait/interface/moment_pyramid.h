@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_interface_moment_pyramid_h
+#define strait_interface_moment_pyramid_h
+
+#include <strait/interface/moment_set.h>
+#include <strait/spectral/slab_field.h>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * A square cell of the quadtree over the grid: its edge is 2^exponent grid
+   * spacings (negative: a fraction), and (i, j) counts cells of that size from the
+   * origin.
+   */
+  struct GridCell
+  {
+    int exponent = 0;
+    int i        = 0;
+    int j        = 0;
+  };
+
+  /**
+   * Moments of a coefficient on every quadtree cell of two grid spacings or more,
+   * summed bottom-up, so that any coarse cell is looked up in O(1). A rank holds
+   * the cells whose first grid row it owns. 5/3 · 8 B a grid point at degree 1.
+   */
+  class MomentPyramid
+  {
+  public:
+    /** Writes the moments of the grid cell (ix, local row) and returns its flags
+     *  (1: open somewhere, 2: closed somewhere). */
+    using Leaf = std::function<unsigned char(int ix, int row, double *moments)>;
+
+    MomentPyramid(SlabLayoutPtr layout, MomentSet set, int n_halvings);
+
+    /** Sum up all levels from the grid cells of this rank. Collective. */
+    void build(const Leaf &leaf);
+
+    /** Moments of a cell of this rank with 1 <= exponent <= n_halvings. */
+    const double *moments(const GridCell &cell) const;
+    unsigned char flags(const GridCell &cell) const;
+
+    std::size_t memory_consumption() const;
+
+  private:
+    // Rows of cells that this rank's grid rows touch; the first may belong to the
+    // rank before, which is sent this rank's share of it.
+    struct Level
+    {
+      int                        n_columns = 0;
+      int                        first_row = 0;
+      int                        n_rows    = 0;
+      std::vector<double>        moments;
+      std::vector<unsigned char> flags;
+    };
+
+    void        sum_grid_cells(const Leaf &leaf);
+    void        sum_children(const Level &fine, Level &coarse) const;
+    void        complete_first_rows();
+    std::size_t position(const Level &level, const GridCell &cell) const;
+
+    SlabLayoutPtr      layout;
+    MomentSet          set;
+    std::vector<Level> levels; // levels[e − 1] has cells of exponent e
+  };
+} // namespace strait
+
+#endif

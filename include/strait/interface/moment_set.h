@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_interface_moment_set_h
+#define strait_interface_moment_set_h
+
+#include <array>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * The monomials x^a y^b on the unit cell whose mean values, weighted with a
+   * coefficient, determine the stiffness matrix of a square Lagrange element of
+   * given degree p exactly: a <= 2p−2, b <= 2p or a <= 2p, b <= 2p−2. These are 5
+   * for p = 1 and 21 for p = 2.
+   */
+  class MomentSet
+  {
+  public:
+    explicit MomentSet(unsigned int degree);
+
+    unsigned int
+    degree() const
+    {
+      return element_degree;
+    }
+
+    /** Number of moments. */
+    int
+    size() const
+    {
+      return static_cast<int>(exponents.size());
+    }
+
+    /** Position of x^a y^b; it must be in the set. */
+    int
+    index(const int a, const int b) const
+    {
+      return positions[a][b];
+    }
+
+    /** Add weight·x^a y^b for all (a, b) to @p moments. */
+    void add_point(double *moments, double x, double y, double weight) const;
+
+    /**
+     * Add to the moments of a cell those of its child in quadrant
+     * (@p right, @p upper), each 0 or 1. All moments are means over their own cell
+     * in its own unit coordinates.
+     */
+    void
+    add_child(double *parent, const double *child, int right, int upper) const
+    {
+      for (const Transfer &t : transfers[2 * upper + right])
+        parent[t.to] += t.factor * child[t.from];
+    }
+
+  private:
+    struct Exponents
+    {
+      int a;
+      int b;
+    };
+    struct Transfer
+    {
+      int    to;
+      int    from;
+      double factor;
+    };
+
+    unsigned int                         element_degree;
+    std::vector<Exponents>               exponents;
+    std::array<std::array<int, 5>, 5>    positions;
+    std::array<std::vector<Transfer>, 4> transfers;
+  };
+} // namespace strait
+
+#endif

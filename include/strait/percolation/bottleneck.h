@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_percolation_bottleneck_h
+#define strait_percolation_bottleneck_h
+
+#include <strait/percolation/flow_lattice.h>
+#include <strait/spectral/slab_field.h>
+
+namespace strait
+{
+  /** The narrowest point of the widest way from inlet to outlet. */
+  struct Bottleneck
+  {
+    GridPoint point;
+    double    value = 0.;
+  };
+
+  /**
+   * The largest value v such that the points with @p openness >= v connect inlet and
+   * outlet, over the four nearest neighbours as in find_clusters(), and the point
+   * where a way that realises it is narrowest.
+   *
+   * With openness = gap the value is the gap of the critical constriction; where
+   * closed points carry a negative number that tells how firmly they are closed,
+   * its sign is the verdict on percolation, and both sides of the threshold say how
+   * far it is. Runs on rank 0, whose memory it needs for 20 B a grid point; the
+   * result is the same on all ranks. Collective.
+   */
+  Bottleneck find_bottleneck(const SlabField &openness, FlowDirection direction);
+} // namespace strait
+
+#endif

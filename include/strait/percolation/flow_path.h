@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_percolation_flow_path_h
+#define strait_percolation_flow_path_h
+
+#include <strait/base/fluid_parameters.h>
+#include <strait/percolation/flow_lattice.h>
+#include <strait/spectral/slab_field.h>
+
+#include <vector>
+
+namespace strait
+{
+  /** A way for the fluid from the inlet to the outlet. */
+  struct FlowPath
+  {
+    std::vector<GridPoint> points;
+    GridPoint              bottleneck;           // where the gap is smallest
+    double                 bottleneck_gap  = 0.; // there
+    double                 path_resistance = 0.; // ∫ ds / gap³ along the path
+  };
+
+  /**
+   * Paths from inlet to outlet in the order of their resistance ∫ ds/gap³, at most
+   * @p n_paths. Each further path avoids the throats of those before it (the
+   * points, within two grid spacings, that offer more than 5 % of the largest
+   * resistance per length), and is dropped, with all that would follow, once it
+   * resists more than 2·10⁴ times as much as the first.
+   *
+   * Dijkstra's algorithm over the eight neighbours; a diagonal step is paid for at
+   * the harmonic worst of its ends and its middle. @p gap is positive where the
+   * fluid percolates (percolating_gap()). Runs on rank 0, whose memory it needs
+   * for 25 B a grid point; the result is the same on all ranks. Collective.
+   */
+  std::vector<FlowPath>
+  find_flow_paths(const SlabField &gap, FlowDirection direction, unsigned int n_paths);
+} // namespace strait
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_spectral_periodic_grid_h
+#define strait_spectral_periodic_grid_h
+
+#include <cstdint>
+
+namespace strait
+{
+  /**
+   * A periodic, regular grid of nx × ny points on a box of lx × ly.
+   * Point (ix, iy) lies at (ix·dx, iy·dy); its global index is iy·nx + ix.
+   * Lengths in the scene's unit of length.
+   */
+  struct PeriodicGrid
+  {
+    int    nx = 0;
+    int    ny = 0;
+    double lx = 1.;
+    double ly = 1.;
+
+    double
+    dx() const
+    {
+      return lx / nx;
+    }
+
+    double
+    dy() const
+    {
+      return ly / ny;
+    }
+
+    std::int64_t
+    n_points() const
+    {
+      return static_cast<std::int64_t>(nx) * ny;
+    }
+
+    bool
+    operator==(const PeriodicGrid &other) const
+    {
+      return nx == other.nx && ny == other.ny && lx == other.lx && ly == other.ly;
+    }
+  };
+} // namespace strait
+
+#endif

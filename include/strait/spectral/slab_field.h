@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_spectral_slab_field_h
+#define strait_spectral_slab_field_h
+
+#include <strait/spectral/periodic_grid.h>
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * How the rows (constant y) of a periodic grid are dealt out to the ranks:
+   * contiguous blocks that ascend with the rank, as FFTW-MPI wants them. A rank
+   * may own no row.
+   */
+  class SlabLayout
+  {
+  public:
+    SlabLayout(const PeriodicGrid &grid, MPI_Comm communicator);
+
+    const PeriodicGrid &
+    grid() const
+    {
+      return periodic_grid;
+    }
+
+    MPI_Comm
+    communicator() const
+    {
+      return comm;
+    }
+
+    int
+    rank() const
+    {
+      return my_rank;
+    }
+
+    int
+    n_ranks() const
+    {
+      return static_cast<int>(row_starts.size()) - 1;
+    }
+
+    /** First row of this rank, and how many it has. */
+    int
+    first_row() const
+    {
+      return row_starts[my_rank];
+    }
+
+    int
+    n_rows() const
+    {
+      return row_starts[my_rank + 1] - row_starts[my_rank];
+    }
+
+    int
+    first_row_of(const int rank) const
+    {
+      return row_starts[rank];
+    }
+
+    /** Number of grid points of this rank. */
+    std::size_t
+    n_local_points() const
+    {
+      return static_cast<std::size_t>(n_rows()) * periodic_grid.nx;
+    }
+
+    /** The rank that owns row @p row, 0 <= row < ny. */
+    int owner_of_row(int row) const;
+
+  private:
+    PeriodicGrid     periodic_grid;
+    MPI_Comm         comm;
+    int              my_rank = 0;
+    std::vector<int> row_starts;
+  };
+
+  using SlabLayoutPtr = std::shared_ptr<const SlabLayout>;
+
+  SlabLayoutPtr make_layout(const PeriodicGrid &grid, MPI_Comm communicator);
+
+  /**
+   * One real number per grid point, in slabs: this rank holds its rows one
+   * after the other, x fastest, without padding.
+   */
+  class SlabField
+  {
+  public:
+    SlabField() = default;
+
+    explicit SlabField(SlabLayoutPtr layout, const double value = 0.)
+      : slab_layout(std::move(layout))
+      , values(slab_layout->n_local_points(), value)
+    {
+    }
+
+    const SlabLayout &
+    layout() const
+    {
+      return *slab_layout;
+    }
+
+    const SlabLayoutPtr &
+    layout_pointer() const
+    {
+      return slab_layout;
+    }
+
+    const PeriodicGrid &
+    grid() const
+    {
+      return slab_layout->grid();
+    }
+
+    /** True before a layout was given. */
+    bool
+    empty() const
+    {
+      return slab_layout == nullptr;
+    }
+
+    /** Number of local points. */
+    std::size_t
+    size() const
+    {
+      return values.size();
+    }
+
+    double *
+    data()
+    {
+      return values.data();
+    }
+
+    const double *
+    data() const
+    {
+      return values.data();
+    }
+
+    double &
+    operator[](const std::size_t local_index)
+    {
+      return values[local_index];
+    }
+
+    double
+    operator[](const std::size_t local_index) const
+    {
+      return values[local_index];
+    }
+
+    /** Value at column @p ix of the local row @p local_row. */
+    double &
+    operator()(const int ix, const int local_row)
+    {
+      return values[static_cast<std::size_t>(local_row) * grid().nx + ix];
+    }
+
+    double
+    operator()(const int ix, const int local_row) const
+    {
+      return values[static_cast<std::size_t>(local_row) * grid().nx + ix];
+    }
+
+    std::vector<double>::iterator
+    begin()
+    {
+      return values.begin();
+    }
+
+    std::vector<double>::iterator
+    end()
+    {
+      return values.end();
+    }
+
+    std::vector<double>::const_iterator
+    begin() const
+    {
+      return values.begin();
+    }
+
+    std::vector<double>::const_iterator
+    end() const
+    {
+      return values.end();
+    }
+
+  private:
+    SlabLayoutPtr       slab_layout;
+    std::vector<double> values;
+  };
+
+  /** Collective: mean, root mean square (about the mean), smallest, largest. */
+  double mean(const SlabField &field);
+  double rms(const SlabField &field);
+  double min_value(const SlabField &field);
+  double max_value(const SlabField &field);
+
+  /**
+   * Collective: the rows @p rows (global numbers, any order, taken modulo ny)
+   * of @p field, one after the other. Each rank may ask for other rows. The
+   * second form serves any row-distributed array of @p row_length doubles a row
+   * that is laid out like @p layout.
+   */
+  std::vector<double> fetch_rows(const SlabField &field, const std::vector<int> &rows);
+  std::vector<double> fetch_rows(const SlabLayout       &layout,
+                                 const double           *local_rows,
+                                 int                     row_length,
+                                 const std::vector<int> &rows);
+
+  /** Collective: the whole field on rank 0 (empty elsewhere), row by row. */
+  std::vector<double> gather_on_root(const SlabField &field);
+
+  /** Collective: distribute a whole field that rank 0 holds, row by row. */
+  SlabField scatter_from_root(const SlabLayoutPtr       &layout,
+                              const std::vector<double> &whole);
+} // namespace strait
+
+#endif

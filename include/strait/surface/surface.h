@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_surface_surface_h
+#define strait_surface_surface_h
+
+#include <strait/base/surface_parameters.h>
+#include <strait/spectral/slab_field.h>
+
+#include <memory>
+
+namespace strait
+{
+  /** A rough, rigid, periodic substrate that can be sampled on any grid. */
+  class Surface
+  {
+  public:
+    virtual ~Surface() = default;
+
+    /**
+     * The height h at every point of the grid of @p layout, whose box must be
+     * the Size of the scene; scene's unit of length. Collective.
+     * Throws InputError (on all ranks) where the surface cannot be had on this
+     * grid: a height map of another size, an expression that is not finite.
+     */
+    virtual SlabField heights(const SlabLayoutPtr &layout) const = 0;
+  };
+
+  /**
+   * The surface that the section Surface of a scene describes, inverted and
+   * rotated if it says so. A file is read here, on rank 0. Collective.
+   * Throws InputError (on all ranks) for a bad file or expression, a box that
+   * does not fit the kind, or a spectrum without a single wave.
+   */
+  std::unique_ptr<const Surface> make_surface(const SurfaceParameters &parameters,
+                                              MPI_Comm                 communicator);
+} // namespace strait
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/choices.h>
+#include <strait/base/exceptions.h>
+#include <strait/base/fluid_parameters.h>
+#include <strait/base/text.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace strait
+{
+  namespace
+  {
+    const Choices<FlowDirection> directions = {{FlowDirection::x, "x"},
+                                               {FlowDirection::y, "y"}};
+
+    const Choices<FlowPreconditioner> preconditioners = {{FlowPreconditioner::boomeramg,
+                                                          "boomeramg"},
+                                                         {FlowPreconditioner::ml, "ml"}};
+
+    const Choices<GapInterpolation> interpolations = {
+      {GapInterpolation::monotone_cubic, "monotone cubic"},
+      {GapInterpolation::bilinear, "bilinear"}};
+
+    const Choices<Refinement> refinements = {{Refinement::adaptive, "adaptive"},
+                                             {Refinement::uniform, "uniform"}};
+  } // namespace
+
+  void
+  FluidParameters::declare(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    const FluidParameters standard;
+    prm.enter_subsection("Fluid");
+    prm.declare_entry("Enabled",
+                      "true",
+                      Bool(),
+                      "Let a fluid leak through the gap. false: contact only.");
+    prm.declare_entry("Viscosity",
+                      to_text(standard.viscosity),
+                      Double(),
+                      "eta: dynamic viscosity of the fluid [pressure * time].");
+    prm.declare_entry("Inlet pressure",
+                      to_text(standard.inlet_pressure),
+                      Double(),
+                      "Fluid pressure at the inlet, x = 0 or y = 0 [pressure].");
+    prm.declare_entry("Outlet pressure",
+                      to_text(standard.outlet_pressure),
+                      Double(),
+                      "Fluid pressure at the outlet, x = Lx or y = Ly [pressure].");
+    prm.declare_entry(
+      "Slip length",
+      to_text(standard.slip_length),
+      Double(),
+      "d0, zero or negative: the conductivity is (g - 2|d0|)^3 / (12 eta), "
+      "zero where the gap g is below 2|d0| [length].");
+    prm.declare_entry("Direction",
+                      directions.name(standard.direction),
+                      Selection(directions.pattern()),
+                      "The direction of the mean flow; the box is periodic across it.");
+    prm.declare_entry(
+      "Element degree",
+      std::to_string(standard.element_degree),
+      Integer(),
+      "Polynomial degree of the fluid pressure, 1 to 4 [1]; 1 is the robust "
+      "choice on rough gaps.");
+    prm.declare_entry("Preconditioner",
+                      preconditioners.name(standard.preconditioner),
+                      Selection(preconditioners.pattern()),
+                      "Algebraic multigrid of the flow equations: hypre's BoomerAMG or "
+                      "Trilinos' ML.");
+    prm.declare_entry("Gap interpolation",
+                      interpolations.name(standard.interpolation),
+                      Selection(interpolations.pattern()),
+                      "The gap between the grid points.");
+    prm.declare_entry(
+      "Refinement",
+      refinements.name(standard.refinement),
+      Selection(refinements.pattern()),
+      "adaptive: refine where the leak rate is decided; uniform: refine all "
+      "cells.");
+    prm.declare_entry(
+      "Target accuracy",
+      to_text(standard.target_accuracy),
+      Double(),
+      "Relative accuracy of the leak rate at which refinement stops, between "
+      "0 and 1 [1].");
+    prm.declare_entry(
+      "Maximum unknowns",
+      std::to_string(standard.maximum_unknowns),
+      Integer(),
+      "Refinement stops before the flow has more unknowns than this [1].");
+    prm.leave_subsection();
+  }
+
+  void
+  FluidParameters::parse(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Fluid");
+    enabled          = prm.get_bool("Enabled");
+    viscosity        = prm.get_double("Viscosity");
+    inlet_pressure   = prm.get_double("Inlet pressure");
+    outlet_pressure  = prm.get_double("Outlet pressure");
+    slip_length      = prm.get_double("Slip length");
+    direction        = directions.value(prm.get("Direction"));
+    element_degree   = static_cast<unsigned int>(prm.get_integer("Element degree"));
+    preconditioner   = preconditioners.value(prm.get("Preconditioner"));
+    interpolation    = interpolations.value(prm.get("Gap interpolation"));
+    refinement       = refinements.value(prm.get("Refinement"));
+    target_accuracy  = prm.get_double("Target accuracy");
+    maximum_unknowns = static_cast<unsigned int>(prm.get_integer("Maximum unknowns"));
+    prm.leave_subsection();
+  }
+
+  void
+  FluidParameters::check() const
+  {
+    if (!(viscosity > 0.))
+      throw InputError("Fluid/Viscosity is " + to_text(viscosity) +
+                       " but must be positive.");
+    if (enabled && inlet_pressure == outlet_pressure)
+      throw InputError("Fluid/Inlet pressure and Outlet pressure are both " +
+                       to_text(inlet_pressure) +
+                       ", so nothing drives a flow; change one or set Fluid/Enabled = "
+                       "false.");
+    if (slip_length > 0.)
+      throw InputError("Fluid/Slip length is " + to_text(slip_length) +
+                       " but only zero or negative values are supported.");
+    if (element_degree < 1 || element_degree > 4)
+      throw InputError("Fluid/Element degree is " +
+                       std::to_string(static_cast<int>(element_degree)) +
+                       " but must lie between 1 and 4.");
+    if (!(target_accuracy > 0. && target_accuracy < 1.))
+      throw InputError("Fluid/Target accuracy is " + to_text(target_accuracy) +
+                       " but must lie between 0 and 1.");
+    if (static_cast<int>(maximum_unknowns) < 1)
+      throw InputError("Fluid/Maximum unknowns is " +
+                       std::to_string(static_cast<int>(maximum_unknowns)) +
+                       " but must be at least 1.");
+  }
+} // namespace strait

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/base/log.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr std::chrono::seconds plain_progress_interval(10);
+
+    Log::Screen
+    standard_screen(const bool quiet)
+    {
+      if (quiet)
+        return Log::Screen::silent;
+      return isatty(STDOUT_FILENO) != 0 ? Log::Screen::terminal : Log::Screen::plain;
+    }
+  } // namespace
+
+  Log::Log(MPI_Comm comm, const bool quiet)
+    : Log(comm, std::cout, standard_screen(quiet))
+  {
+  }
+
+  Log::Log(MPI_Comm comm, std::ostream &stream, const Screen screen)
+    : comm(comm)
+    , stream(stream)
+    , screen(screen)
+    , last_progress(std::chrono::steady_clock::now())
+  {
+    int rank = 0;
+    MPI_Comm_rank(comm, &rank);
+    on_root = rank == 0;
+  }
+
+  Log::~Log()
+  {
+    clear_progress();
+  }
+
+  void
+  Log::line(const std::string &text)
+  {
+    if (!on_root)
+      return;
+    clear_progress();
+    if (screen != Screen::silent)
+      stream << text << std::endl;
+    if (file.is_open())
+      file << text << std::endl;
+    else
+      early_lines += text + "\n";
+  }
+
+  void
+  Log::warn(const std::string &text)
+  {
+    if (std::find(all_warnings.begin(), all_warnings.end(), text) != all_warnings.end())
+      return;
+    all_warnings.push_back(text);
+    line("warning: " + text);
+  }
+
+  void
+  Log::progress(const std::string &text)
+  {
+    if (!on_root || screen == Screen::silent)
+      return;
+    if (screen == Screen::terminal)
+      {
+        stream << "\r" << text << "\x1b[K" << std::flush;
+        progress_shown = true;
+        return;
+      }
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_progress < plain_progress_interval)
+      return;
+    last_progress = now;
+    stream << text << std::endl;
+  }
+
+  void
+  Log::attach_file(const std::string &path)
+  {
+    run_on_root(comm, [&]() {
+      file.open(path);
+      file << early_lines << std::flush;
+      if (!file)
+        throw InputError("Cannot write the log file '" + path +
+                         "'; choose another Output/Directory.");
+      early_lines.clear();
+    });
+  }
+
+  void
+  Log::clear_progress()
+  {
+    if (progress_shown)
+      stream << "\r\x1b[K" << std::flush;
+    progress_shown = false;
+  }
+} // namespace strait

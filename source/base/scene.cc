@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/choices.h>
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/base/parameter_table.h>
+#include <strait/base/scene.h>
+#include <strait/base/scene_text.h>
+#include <strait/base/text.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace strait
+{
+  namespace
+  {
+    const Choices<FieldOutput> field_outputs = {{FieldOutput::none, "none"},
+                                                {FieldOutput::last, "last"},
+                                                {FieldOutput::all, "all"}};
+
+    const auto in_order = dealii::ParameterHandler::ShortText |
+                          dealii::ParameterHandler::KeepDeclarationOrder;
+
+    std::string
+    read_file(const std::string &path)
+    {
+      if (std::filesystem::is_directory(path))
+        throw InputError("The scene '" + path + "' is a folder; give a .prm file.");
+      std::ifstream in(path);
+      if (!in)
+        throw InputError("Cannot read the scene file '" + path +
+                         "'; check the path and its permissions.");
+      std::ostringstream text;
+      text << in.rdbuf();
+      return text.str();
+    }
+
+    /** A path in a scene counts from the scene's folder, not from where we are. */
+    void
+    anchor_path(SceneEntry &entry)
+    {
+      const bool is_path = entry.section == std::vector<std::string>{"Surface"} &&
+                           entry.name == "File" && !entry.value.empty();
+      if (is_path)
+        entry.value =
+          (std::filesystem::path(entry.folder) / entry.value).lexically_normal().string();
+    }
+  } // namespace
+
+  void
+  ProgrammeParameters::declare(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.enter_subsection("Load programme");
+    prm.declare_entry(
+      "Pressures",
+      "0.05, 0.1",
+      List(Double()),
+      "One step each, in this order: nominal pressures [pressure], or mean "
+      "gaps [length] if Contact/Control = mean gap.");
+    prm.leave_subsection();
+  }
+
+  void
+  ProgrammeParameters::parse(dealii::ParameterHandler &prm)
+  {
+    pressures.clear();
+    prm.enter_subsection("Load programme");
+    for (const std::string &value : split(prm.get("Pressures"), ','))
+      if (!value.empty())
+        pressures.push_back(std::stod(value));
+    prm.leave_subsection();
+  }
+
+  void
+  ProgrammeParameters::check() const
+  {
+    if (pressures.empty())
+      throw InputError("Load programme/Pressures is empty; list at least one value.");
+  }
+
+  void
+  OutputParameters::declare(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.enter_subsection("Output");
+    prm.declare_entry("Directory",
+                      "output",
+                      Anything(),
+                      "Folder of the results, made if it does not exist; a relative path "
+                      "starts at the current folder.");
+    prm.declare_entry(
+      "Fields",
+      field_outputs.name(FieldOutput::none),
+      Selection(field_outputs.pattern()),
+      "Steps whose fields are written: gap, pressure and labels on the grid "
+      "(HDF5), the flow on its mesh (VTU).");
+    prm.declare_entry(
+      "Pictures",
+      "true",
+      Bool(),
+      "Draw a picture of each step and of the leak rate against the load.");
+    prm.leave_subsection();
+  }
+
+  void
+  OutputParameters::parse(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Output");
+    directory = prm.get("Directory");
+    fields    = field_outputs.value(prm.get("Fields"));
+    pictures  = prm.get_bool("Pictures");
+    prm.leave_subsection();
+  }
+
+  void
+  OutputParameters::check() const
+  {
+    if (directory.empty())
+      throw InputError("Output/Directory is empty; name a folder for the results.");
+  }
+
+  void
+  Scene::declare(dealii::ParameterHandler &prm)
+  {
+    SurfaceParameters::declare(prm);
+    ContactParameters::declare(prm);
+    FluidParameters::declare(prm);
+    ProgrammeParameters::declare(prm);
+    OutputParameters::declare(prm);
+  }
+
+  void
+  Scene::parse(dealii::ParameterHandler &prm)
+  {
+    surface.parse(prm);
+    contact.parse(prm);
+    fluid.parse(prm);
+    programme.parse(prm);
+    output.parse(prm);
+    std::ostringstream text;
+    prm.print_parameters(text, in_order);
+    resolved = text.str();
+  }
+
+  void
+  Scene::check() const
+  {
+    surface.check();
+    contact.check();
+    fluid.check();
+    programme.check();
+    output.check();
+
+    if (contact.enabled)
+      for (const double value : programme.pressures)
+        if (!(value > 0.))
+          throw InputError(
+            "Load programme/Pressures contains " + to_text(value) +
+            (contact.control == ContactControl::load
+               ? ", a load that never makes contact; give positive nominal "
+                 "pressures."
+               : "; give positive mean gaps (Contact/Control = mean gap)."));
+    if (!contact.enabled && !fluid.enabled)
+      throw InputError(
+        "Contact/Enabled and Fluid/Enabled are both false, so there is "
+        "nothing to compute.");
+  }
+
+  std::vector<std::string>
+  Scene::warnings() const
+  {
+    const double shorter_side = std::min(surface.size[0], surface.size[1]);
+    if (surface.kind == SurfaceKind::self_affine &&
+        surface.roll_off_wavelength > shorter_side)
+      return {
+        "Surface/Roll-off wavelength exceeds the shorter side of the box, so the "
+        "surface is not isotropic."};
+    return {};
+  }
+
+  Scene
+  read_scene(const std::string &path, const Overrides &overrides)
+  {
+    // Files and the current folder are rank 0's; from the broadcast on, every
+    // rank does the same with the same text and meets the same errors.
+    namespace fs = std::filesystem;
+    std::string text, folder, here;
+    run_on_root(MPI_COMM_WORLD, [&]() {
+      text   = read_file(path);
+      here   = fs::current_path().string();
+      folder = fs::absolute(path).parent_path().string();
+    });
+    text   = broadcast(MPI_COMM_WORLD, text);
+    folder = broadcast(MPI_COMM_WORLD, folder);
+    here   = broadcast(MPI_COMM_WORLD, here);
+
+    std::vector<SceneEntry> entries = lex_scene(text, path, folder);
+    for (const std::string &override_text : overrides)
+      entries.push_back(lex_override(override_text, here));
+
+    dealii::ParameterHandler prm;
+    Scene::declare(prm);
+    const ParameterTable table(prm);
+    for (SceneEntry &entry : entries)
+      {
+        anchor_path(entry);
+        table.assign(prm, entry);
+      }
+    Scene scene;
+    scene.parse(prm);
+    scene.check();
+    return scene;
+  }
+
+  void
+  print_parameters(std::ostream &out, const std::string &format)
+  {
+    dealii::ParameterHandler prm;
+    Scene::declare(prm);
+    if (format == "md")
+      print_markdown(out, ParameterTable(prm));
+    else if (format == "prm")
+      prm.print_parameters(out,
+                           dealii::ParameterHandler::Text |
+                             dealii::ParameterHandler::KeepDeclarationOrder);
+    else
+      throw InputError("--parameters " + format + ": the formats are prm and md.");
+  }
+} // namespace strait

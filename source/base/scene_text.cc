@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/base/scene_text.h>
+#include <strait/base/text.h>
+
+#include <sstream>
+
+namespace strait
+{
+  namespace
+  {
+    struct Line
+    {
+      std::string text;
+      int         number;
+    };
+
+    /** Lines without comments, continued lines joined, blank ones dropped. */
+    std::vector<Line>
+    logical_lines(const std::string &text)
+    {
+      std::vector<Line>  lines;
+      std::istringstream in(text);
+      bool               continued = false;
+      std::string        raw;
+      for (int number = 1; std::getline(in, raw); ++number)
+        {
+          std::string part = trim(raw.substr(0, raw.find('#')));
+          const bool  open = !part.empty() && part.back() == '\\';
+          if (open)
+            part = trim(part.substr(0, part.size() - 1));
+          if (continued)
+            lines.back().text = trim(lines.back().text + " " + part);
+          else if (!part.empty() || open)
+            lines.push_back({part, number});
+          continued = open;
+        }
+      return lines;
+    }
+
+    /** First word in lower case, and what follows it. */
+    std::pair<std::string, std::string>
+    first_word(const std::string &line)
+    {
+      const auto  end  = line.find_first_of(" \t");
+      std::string word = line.substr(0, end);
+      for (char &letter : word)
+        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+      return {word, end == std::string::npos ? "" : trim(line.substr(end))};
+    }
+
+    /** White space inside a name counts as one blank. */
+    std::string
+    squeeze(const std::string &name)
+    {
+      std::istringstream       in(name);
+      std::vector<std::string> words;
+      for (std::string word; in >> word;)
+        words.push_back(word);
+      return join(words, " ");
+    }
+  } // namespace
+
+  std::vector<SceneEntry>
+  lex_scene(const std::string &text, const std::string &file, const std::string &folder)
+  {
+    std::vector<SceneEntry>  entries;
+    std::vector<std::string> section;
+    std::vector<std::string> opened_at;
+    for (const Line &line : logical_lines(text))
+      {
+        if (line.text.empty())
+          continue;
+        const std::string place = file + ":" + std::to_string(line.number);
+        const auto [word, rest] = first_word(line.text);
+        const auto equals       = rest.find('=');
+        if (word == "subsection" && !rest.empty())
+          {
+            section.push_back(squeeze(rest));
+            opened_at.push_back(place);
+            entries.push_back({section, "", "", place, folder});
+          }
+        else if (word == "set" && equals != std::string::npos)
+          entries.push_back({section,
+                             squeeze(rest.substr(0, equals)),
+                             trim(rest.substr(equals + 1)),
+                             place,
+                             folder});
+        else if (word == "end" && rest.empty())
+          {
+            if (section.empty())
+              throw InputError(place + ": this 'end' closes no subsection.");
+            section.pop_back();
+            opened_at.pop_back();
+          }
+        else
+          throw InputError(place + ": cannot read '" + line.text +
+                           "'; expected 'subsection NAME', 'set NAME = VALUE' or 'end'.");
+      }
+    if (!section.empty())
+      throw InputError(opened_at.back() + ": the subsection '" + section.back() +
+                       "' is not closed; add an 'end'.");
+    return entries;
+  }
+
+  SceneEntry
+  lex_override(const std::string &text, const std::string &folder)
+  {
+    const std::string place  = "--set \"" + text + "\"";
+    const auto        equals = text.find('=');
+    SceneEntry        entry{{}, "", "", place, folder};
+    if (equals != std::string::npos)
+      {
+        entry.section = split(text.substr(0, equals), '/');
+        for (std::string &part : entry.section)
+          part = squeeze(part);
+        entry.name = entry.section.back();
+        entry.section.pop_back();
+        entry.value = trim(text.substr(equals + 1));
+      }
+    if (entry.name.empty() || entry.section.empty())
+      throw InputError(place + ": expected \"Section/Parameter=value\".");
+    return entry;
+  }
+} // namespace strait

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+namespace strait
+{
+  namespace
+  {
+    bool
+    same_letter(const char a, const char b)
+    {
+      return std::tolower(static_cast<unsigned char>(a)) ==
+             std::tolower(static_cast<unsigned char>(b));
+    }
+  } // namespace
+
+  std::string
+  trim(const std::string &text)
+  {
+    const char *const blank = " \t\r\n";
+    const auto        first = text.find_first_not_of(blank);
+    if (first == std::string::npos)
+      return {};
+    return text.substr(first, text.find_last_not_of(blank) - first + 1);
+  }
+
+  std::vector<std::string>
+  split(const std::string &text, const char separator)
+  {
+    std::vector<std::string> parts;
+    std::size_t              start = 0;
+    while (true)
+      {
+        const std::size_t end = text.find(separator, start);
+        parts.push_back(trim(text.substr(start, end - start)));
+        if (end == std::string::npos)
+          return parts;
+        start = end + 1;
+      }
+  }
+
+  std::string
+  join(const std::vector<std::string> &parts, const std::string &separator)
+  {
+    std::string joined;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      joined += (i > 0 ? separator : "") + parts[i];
+    return joined;
+  }
+
+  std::string
+  to_text(const double value)
+  {
+    char       buffer[64];
+    const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value);
+    return {buffer, result.ptr};
+  }
+
+  int
+  edit_distance(const std::string &a, const std::string &b)
+  {
+    // distance[i][j]: of the first i letters of a from the first j of b
+    // (optimal string alignment).
+    std::vector<std::vector<int>> distance(a.size() + 1, std::vector<int>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i)
+      for (std::size_t j = 0; j <= b.size(); ++j)
+        {
+          if (i == 0 || j == 0)
+            {
+              distance[i][j] = static_cast<int>(i + j);
+              continue;
+            }
+          distance[i][j] = std::min(
+            {distance[i - 1][j] + 1,
+             distance[i][j - 1] + 1,
+             distance[i - 1][j - 1] + (same_letter(a[i - 1], b[j - 1]) ? 0 : 1)});
+          if (i > 1 && j > 1 && same_letter(a[i - 1], b[j - 2]) &&
+              same_letter(a[i - 2], b[j - 1]))
+            distance[i][j] = std::min(distance[i][j], distance[i - 2][j - 2] + 1);
+        }
+    return distance[a.size()][b.size()];
+  }
+
+  std::string
+  nearest_name(const std::string &word, const std::vector<std::string> &candidates)
+  {
+    std::string nearest;
+    int         smallest = 0;
+    for (const std::string &candidate : candidates)
+      {
+        const int distance = edit_distance(word, candidate);
+        const int longest  = static_cast<int>(std::max(word.size(), candidate.size()));
+        if (2 * distance < longest && (nearest.empty() || distance < smallest))
+          {
+            nearest  = candidate;
+            smallest = distance;
+          }
+      }
+    return nearest;
+  }
+
+  std::string
+  suggestion(const std::string &name, const std::string &otherwise)
+  {
+    return name.empty() ? otherwise : "; did you mean '" + name + "'?";
+  }
+} // namespace strait

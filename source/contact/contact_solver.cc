@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/contact/contact_area.h>
+#include <strait/contact/contact_solver.h>
+#include <strait/contact/dual_conjugate_gradients.h>
+#include <strait/contact/grid_transfer.h>
+#include <strait/contact/polonsky_keer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace strait
+{
+  namespace
+  {
+    /** Residual on the coarser grids: their discretisation error is larger. */
+    constexpr double coarse_tolerance = 1e-3;
+
+    /** Largest relative step of the load that starts from the last states. */
+    constexpr double small_step = 0.1;
+
+    double
+    box_length(const PeriodicGrid &grid)
+    {
+      return std::sqrt(grid.lx * grid.ly);
+    }
+  } // namespace
+
+  ContactSolver::ContactSolver(const ContactParameters &contact_parameters,
+                               SlabField                surface_heights,
+                               Report                   report_line)
+    : parameters(contact_parameters)
+    , report(std::move(report_line))
+    , heights(std::move(surface_heights))
+  {
+    const double peak = max_value(heights);
+    for (double &h : heights)
+      h -= peak;
+    mean_height = mean(heights);
+    rms_height  = rms(heights);
+    if (!std::isfinite(rms_height))
+      throw InputError(
+        "The surface has heights that are not finite numbers; mend the "
+        "Expression or File of the section Surface.");
+    problem = std::make_unique<HalfSpaceProblem>(heights, parameters.effective_modulus);
+  }
+
+  ContactSolver::~ContactSolver() = default;
+
+  ContactState
+  ContactSolver::solve(const double target)
+  {
+    if (!makes_contact(target))
+      return state_without_contact(target);
+
+    choose_start(target);
+    SlabField              gap(heights.layout_pointer());
+    const ContactTolerance tolerance = tolerance_for(target);
+    const long             n_before  = problem->n_applications();
+    const ContactSolution solution = optimise(*problem, target, tolerance, pressure, gap);
+    last_target                    = target;
+
+    ContactState state = state_of(solution, std::move(gap));
+    state.fft_pairs    = problem->n_applications() - n_before;
+    return state;
+  }
+
+  void
+  ContactSolver::forget()
+  {
+    pressure         = SlabField();
+    earlier_pressure = std::vector<float>();
+    last_target = earlier_target = 0;
+  }
+
+  bool
+  ContactSolver::makes_contact(const double target) const
+  {
+    const bool by_load = parameters.control == ContactControl::load;
+    if (!(target > 0) || !std::isfinite(target))
+      {
+        std::ostringstream message;
+        message << "Load programme/Pressures contains " << target << " but a "
+                << (by_load ? "nominal pressure must be positive: without a load the "
+                              "surfaces never make contact."
+                            : "mean gap must be positive: it is 0 only under an infinite "
+                              "load.");
+        throw InputError(message.str());
+      }
+    // The highest peak has height 0 here.
+    return by_load || target + mean_height < 0;
+  }
+
+  ContactConstraint
+  ContactSolver::constraint_for(const double target) const
+  {
+    // The displacement under pressure has the mean 0.
+    return parameters.control == ContactControl::load
+             ? ContactConstraint::mean_pressure(target)
+             : ContactConstraint::rigid_displacement(target + mean_height);
+  }
+
+  ContactTolerance
+  ContactSolver::tolerance_for(const double target) const
+  {
+    // A flat surface has no rms height; what remains is rounding of the
+    // displacement that the load itself would cause over the box.
+    const double length =
+      rms_height > 0 ? rms_height
+                     : target * box_length(heights.grid()) / parameters.effective_modulus;
+    return {parameters.tolerance, length, parameters.maximum_iterations};
+  }
+
+  ContactSolution
+  ContactSolver::optimise(DualProblem            &on_grid,
+                          const double            target,
+                          const ContactTolerance &tolerance,
+                          SlabField              &grid_pressure,
+                          SlabField              &grid_gap)
+  {
+    const auto run = [&](auto &&optimiser) {
+      note_memory(optimiser.memory_consumption());
+      return optimiser.solve(grid_pressure.data(), grid_gap.data());
+    };
+    const ContactConstraint constraint = constraint_for(target);
+    const ContactSolution   solution =
+      parameters.method == ContactMethod::dual_cg
+          ? run(DualConjugateGradients(on_grid, constraint, tolerance))
+          : run(PolonskyKeer(on_grid, constraint, tolerance));
+    if (report)
+      {
+        std::ostringstream line;
+        line << "contact on " << grid_gap.grid().nx << " x " << grid_gap.grid().ny << ": "
+             << solution.iterations << " iterations, residual " << solution.residual
+             << (solution.converged ? "" : ", not converged");
+        report(line.str());
+      }
+    return solution;
+  }
+
+  void
+  ContactSolver::choose_start(const double target)
+  {
+    const double step      = std::abs(target - last_target);
+    const bool   near_last = last_target > 0 && step <= small_step * last_target;
+    const double last_step = std::abs(last_target - earlier_target);
+    const bool   near_both = near_last && earlier_target > 0 && step <= 2 * last_step;
+    if (near_both)
+      extrapolate(target);
+    else if (near_last)
+      {
+        // Keep the last pressure as the earlier one of the next step.
+        earlier_scale  = max_value(pressure);
+        earlier_target = last_target;
+        earlier_pressure.resize(pressure.size());
+        for (std::size_t i = 0; i < pressure.size(); ++i)
+          earlier_pressure[i] = static_cast<float>(pressure[i] / earlier_scale);
+      }
+    else
+      {
+        forget();
+        pressure = start_from_coarser_grid(heights, target);
+      }
+  }
+
+  void
+  ContactSolver::extrapolate(const double target)
+  {
+    const double ratio = (target - last_target) / (last_target - earlier_target);
+    const double scale = max_value(pressure);
+    for (std::size_t i = 0; i < pressure.size(); ++i)
+      {
+        const double last    = pressure[i];
+        const double earlier = earlier_pressure[i] * earlier_scale;
+        if (last > 0)
+          pressure[i] = std::max(0., last + ratio * (last - earlier));
+        earlier_pressure[i] = static_cast<float>(last / scale);
+      }
+    earlier_scale  = scale;
+    earlier_target = last_target;
+  }
+
+  SlabField
+  ContactSolver::cold_start(const SlabField &grid_heights, const double target) const
+  {
+    SlabField start(grid_heights.layout_pointer(), target);
+    if (parameters.control == ContactControl::mean_gap)
+      {
+        // Where the surfaces would overlap, in proportion to the overlap.
+        const double stiffness =
+          parameters.effective_modulus / box_length(grid_heights.grid());
+        for (std::size_t i = 0; i < start.size(); ++i)
+          start[i] = stiffness * std::max(0., grid_heights[i] - (target + mean_height));
+      }
+    return start;
+  }
+
+  SlabField
+  ContactSolver::start_from_coarser_grid(const SlabField &fine_heights,
+                                         const double     target)
+  {
+    if (!can_be_coarsened(fine_heights.grid()))
+      return cold_start(fine_heights, target);
+
+    const SlabField  coarse_heights  = restrict_by_injection(fine_heights);
+    SlabField        coarse_pressure = start_from_coarser_grid(coarse_heights, target);
+    SlabField        coarse_gap(coarse_heights.layout_pointer());
+    ContactTolerance tolerance = tolerance_for(target);
+    tolerance.residual         = std::max(tolerance.residual, coarse_tolerance);
+    {
+      HalfSpaceProblem coarse(coarse_heights, parameters.effective_modulus);
+      optimise(coarse, target, tolerance, coarse_pressure, coarse_gap);
+    }
+
+    // Interpolated contact is too wide: drop what is next to an open gap.
+    const SlabLayoutPtr &layout    = fine_heights.layout_pointer();
+    SlabField            start     = prolong_bilinearly(coarse_pressure, layout);
+    const SlabField      gap       = prolong_bilinearly(coarse_gap, layout);
+    const double         spacing   = std::sqrt(layout->grid().dx() * layout->grid().dy());
+    const double         steepness = 0.3 * parameters.effective_modulus / spacing;
+    for (std::size_t i = 0; i < start.size(); ++i)
+      if (!(start[i] > steepness * gap[i]))
+        start[i] = 0;
+    // On a coarse grid a lone peak may have been missed.
+    return max_value(start) > 0 ? std::move(start) : cold_start(fine_heights, target);
+  }
+
+  ContactState
+  ContactSolver::state_of(const ContactSolution &solution, SlabField gap)
+  {
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      gap[i] = pressure[i] > 0 ? 0. : std::max(gap[i], 0.);
+
+    const ContactArea area = contact_area(pressure);
+    ContactState      state;
+    state.pressure               = pressure;
+    state.gap                    = std::move(gap);
+    state.nominal_pressure       = mean(state.pressure);
+    state.mean_gap               = mean(state.gap);
+    state.contact_area           = area.fraction;
+    state.contact_area_corrected = area.corrected_fraction;
+    state.residual               = solution.residual;
+    state.iterations             = solution.iterations;
+    state.converged              = solution.converged;
+    return state;
+  }
+
+  ContactState
+  ContactSolver::state_without_contact(const double mean_gap)
+  {
+    forget();
+    ContactState state;
+    state.pressure = SlabField(heights.layout_pointer());
+    state.gap      = SlabField(heights.layout_pointer());
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      state.gap[i] = std::max(0., mean_gap + mean_height - heights[i]);
+    state.mean_gap  = mean(state.gap);
+    state.converged = true;
+    return state;
+  }
+
+  void
+  ContactSolver::note_memory(const std::size_t optimiser_bytes)
+  {
+    // Heights, pressure and gap; the coarser grids hold a quarter of this.
+    const std::size_t fields = (heights.size() + pressure.size() + heights.size());
+    const std::size_t bytes  = fields * sizeof(double) +
+                              earlier_pressure.size() * sizeof(float) +
+                              problem->memory_consumption() + optimiser_bytes;
+    peak_memory = std::max(peak_memory, bytes);
+  }
+} // namespace strait

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/contact/dual_conjugate_gradients.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace strait
+{
+  DualConjugateGradients::DualConjugateGradients(DualProblem             &problem,
+                                                 const ContactConstraint &constraint,
+                                                 const ContactTolerance  &tolerance)
+    : problem(problem)
+    , constraint(constraint)
+    , tolerance(tolerance)
+    , direction(problem.size(), 0.)
+    , response(problem.size(), 0.)
+    , in_contact(problem.size(), 0)
+  {
+  }
+
+  ContactSolution
+  DualConjugateGradients::solve(double *pressures, double *gaps)
+  {
+    pressure      = pressures;
+    gap           = gaps;
+    lowest_energy = std::numeric_limits<double>::infinity();
+    std::fill(direction.begin(), direction.end(), 0.);
+    std::fill(response.begin(), response.end(), 0.);
+
+    ContactSolution solution;
+    bool            truncation_due   = true;
+    int             since_truncation = 0;
+    while (true)
+      {
+        if (truncation_due || (any_negative && (cautious || since_truncation >= 2)))
+          {
+            truncate();
+            since_truncation = 0;
+            truncation_due   = false;
+          }
+        solution.residual = survey(); // C, y, and z = M y
+        const bool small  = solution.residual <= tolerance.residual;
+        const bool late   = solution.iterations >= tolerance.max_iterations;
+        if (!any_negative && (small || late || !std::isfinite(energy)))
+          {
+            solution.converged = small && std::isfinite(energy);
+            break;
+          }
+        if (any_negative && (solution.residual <= 0.3 * tolerance.residual || late))
+          {
+            truncation_due = true;
+            continue;
+          }
+
+        const double slope     = choose_direction();
+        const double curvature = step(slope);
+        if (!(curvature > 0))
+          {
+            if (!any_negative) // nothing is left to improve: one point, say
+              break;
+            truncation_due = true;
+            continue;
+          }
+        energy -= 0.5 * slope * slope / curvature;
+        watch_energy();
+        ++since_truncation;
+        ++solution.iterations;
+      }
+
+    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+      gap[i] -= shift;
+    return solution;
+  }
+
+  // The loops below run over all points and are bound by the memory: each is fused
+  // from all that can be done while a range of points is in the cache. They work on
+  // local copies of members because a write to a field might change a member.
+
+  /** p = max(p, 0) with the prescribed mean, g = G p + u0 − h. */
+  void
+  DualConjugateGradients::truncate()
+  {
+    double       *p = pressure, *g = gap;
+    const double *h = problem.heights();
+
+    const auto [mean, p_h] = weighted_sums<2>(problem, [=](const auto i, auto &sums) {
+      p[i] = p[i] > 0 ? p[i] : 0.;
+      sums[0] += p[i];
+      sums[1] += p[i] * h[i];
+    });
+    const double    factor = constraint.rescale(mean);
+    const double    u0     = constraint.displacement();
+    WeightedSums<2> contact_sums;
+    const double    p_Gp =
+      problem.apply(p, g, no_pass, [&](const Block &range, const double) {
+        contact_sums.run_over(range, [=](const auto i, auto &sums) {
+          const double pressed = p[i] != 0 ? 1. : 0.;
+          p[i] *= factor;
+          g[i] = factor * g[i] + (u0 - h[i]);
+          sums[0] += pressed * g[i];
+          sums[1] += pressed;
+        });
+      });
+    const auto [sum_g, area] = contact_sums.over_ranks(problem);
+    shift                    = constraint.excess(sum_g, area);
+    any_negative             = false;
+
+    const double elastic = 0.5 * factor * factor * p_Gp;
+    const double work    = factor * (p_h - u0 * mean);
+    energy               = elastic - work;
+    energy_scale         = elastic + std::abs(work);
+    watch_energy();
+  }
+
+  void
+  DualConjugateGradients::watch_energy()
+  {
+    if (any_negative)
+      return;
+    cautious      = energy > lowest_energy + 1e-12 * energy_scale;
+    lowest_energy = std::min(lowest_energy, energy);
+  }
+
+  /**
+   * Choose C, precondition the gap y on it and measure what the next direction
+   * depends on. Leave z = M y in the scratch room. Return the residual.
+   */
+  double
+  DualConjugateGradients::survey()
+  {
+    double worst = 0;
+    on_contact   = {};
+    problem.precondition(
+      problem.scratch(),
+      [&](const Block &range) { worst = std::max(worst, choose_contact(range)); },
+      [&](const Block &range) { measure(range); });
+    return problem.largest_over_ranks(worst) / tolerance.length;
+  }
+
+  /**
+   * C: the points under pressure and, unless some pressure is negative, those that
+   * penetrate. Set y, the gap on C and 0 elsewhere. Return the residual.
+   */
+  double
+  DualConjugateGradients::choose_contact(const Block &range)
+  {
+    const double *p = pressure, *g = gap;
+    double       *y     = problem.scratch();
+    std::uint8_t *c     = in_contact.data();
+    const double  s     = shift;
+    const bool    grows = !any_negative;
+    double        worst = 0;
+    for (std::size_t i = range.begin, end = range.end; i < end; ++i)
+      {
+        const double centred = g[i] - s;
+        const bool   pressed = p[i] != 0;
+        const bool   free    = pressed | (grows & (centred < 0));
+        const double wrong   = pressed ? std::abs(centred) : -centred;
+        c[i]                 = free;
+        y[i]                 = free ? centred : 0.;
+        worst                = worst < wrong ? wrong : worst;
+      }
+    return worst;
+  }
+
+  void
+  DualConjugateGradients::measure(const Block &range)
+  {
+    const double       *g = gap, *z = problem.scratch();
+    const double       *t = direction.data(), *r = response.data();
+    const std::uint8_t *c = in_contact.data();
+    on_contact.run_over(range, [=, s = shift](const auto i, auto &sums) {
+      const double on_c = c[i];
+      const double z_c = on_c * z[i], t_c = on_c * t[i], y_c = on_c * (g[i] - s);
+      sums[0] += on_c;
+      sums[1] += z_c;
+      sums[2] += t_c;
+      sums[3] += y_c;
+      sums[4] += on_c * r[i];
+      sums[5] += z_c * r[i];
+      sums[6] += t_c * r[i];
+      sums[7] += y_c * z_c;
+      sums[8] += y_c * t_c;
+    });
+  }
+
+  /**
+   * Make the direction t = z + beta t on C conjugate to the last one and
+   * admissible. Return <y, t> > 0.
+   */
+  double
+  DualConjugateGradients::choose_direction()
+  {
+    auto [area, sum_z, sum_t, sum_y, sum_r, z_r, t_r, y_z, y_t] =
+      on_contact.over_ranks(problem);
+    mean_z          = constraint.excess(sum_z, area);
+    mean_t          = constraint.excess(sum_t, area);
+    double gradient = y_z - mean_z * sum_y;
+    beta            = 0;
+    if (!(gradient > 0))
+      {
+        // M is not positive on this C: do without it.
+        double             *z = problem.scratch();
+        const double       *g = gap;
+        const std::uint8_t *c = in_contact.data();
+        const auto [y_y] =
+          weighted_sums<1>(problem, [=, s = shift](const auto i, auto &sums) {
+            z[i] = c[i] ? g[i] - s : 0.;
+            sums[0] += z[i] * z[i];
+          });
+        mean_z = constraint.excess(sum_y, area);
+        return y_y - mean_z * sum_y;
+      }
+    if (!cautious && t_r > 0)
+      beta = std::max(0., -(z_r - mean_z * sum_r) / t_r);
+    const double slope = gradient + beta * (y_t - mean_t * sum_y);
+    if (slope > 0)
+      return slope;
+    beta = 0;
+    return gradient;
+  }
+
+  /** Form t, find r = G t, and go to the minimum along t. Return <t, r>. */
+  double
+  DualConjugateGradients::step(const double slope)
+  {
+    moved                  = {};
+    const double curvature = problem.apply(
+      direction.data(),
+      response.data(),
+      [&](const Block &range) { form_direction(range); },
+      [&](const Block &range, const double t_r) {
+        move(range, t_r > 0 ? slope / t_r : 0.);
+      });
+    const auto [negative, sum_g, area] = moved.over_ranks(problem);
+    any_negative                       = negative > 0;
+    shift                              = constraint.excess(sum_g, area);
+    return curvature;
+  }
+
+  void
+  DualConjugateGradients::form_direction(const Block &range)
+  {
+    const double       *z  = problem.scratch();
+    double             *t  = direction.data();
+    const std::uint8_t *c  = in_contact.data();
+    const double        z0 = mean_z, b = beta, t0 = mean_t;
+    for (std::size_t i = range.begin, end = range.end; i < end; ++i)
+      t[i] = c[i] ? (z[i] - z0) + b * (t[i] - t0) : 0.;
+  }
+
+  /** p −= length t, g −= length r; absorb the shift. */
+  void
+  DualConjugateGradients::move(const Block &range, const double length)
+  {
+    double       *p = pressure, *g = gap;
+    const double *t = direction.data(), *r = response.data();
+    moved.run_over(range, [=, s = shift](const auto i, auto &sums) {
+      const double new_p   = p[i] - length * t[i];
+      const double new_g   = (g[i] - s) - length * r[i];
+      const double pressed = new_p != 0 ? 1. : 0.;
+      p[i]                 = new_p;
+      g[i]                 = new_g;
+      sums[0] += new_p < 0 ? 1. : 0.;
+      sums[1] += pressed * new_g;
+      sums[2] += pressed;
+    });
+  }
+
+  std::size_t
+  DualConjugateGradients::memory_consumption() const
+  {
+    return (direction.size() + response.size()) * sizeof(double) + in_contact.size();
+  }
+} // namespace strait

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/contact/half_space.h>
+
+#include <cmath>
+
+namespace strait
+{
+  HalfSpace::HalfSpace(const SlabLayoutPtr &layout, const double contact_modulus)
+    : transform(layout)
+    , modulus(contact_modulus)
+  {
+  }
+
+  double
+  HalfSpace::apply(const double *pressure, double *displacement)
+  {
+    return apply(
+      pressure, displacement, [](int) {}, [](int, double) {});
+  }
+
+  double
+  HalfSpace::apply(const double                           *pressure,
+                   double                                 *displacement,
+                   const std::function<void(int)>         &before,
+                   const std::function<void(int, double)> &after)
+  {
+    // 2/(qE*) with q = 2π |(kx/lx, ky/ly)|, in units of lx so that tiny boxes do
+    // not underflow.
+    const PeriodicGrid &grid   = layout().grid();
+    const double        aspect = grid.lx / grid.ly;
+    const double        factor = grid.lx / (M_PI * modulus);
+    const auto          symbol = [=](const int kx, const int ky) {
+      const double x = kx, y = ky * aspect;
+      const double k2 = x * x + y * y;
+      return k2 > 0 ? factor / std::sqrt(k2) : 0.;
+    };
+    double work = 0;
+    transform.multiply_in_passes(
+      pressure,
+      displacement,
+      symbol,
+      before,
+      [&](const double local_work) { work = sum(layout().communicator(), local_work); },
+      [&](const int row) { after(row, work); });
+    return work;
+  }
+} // namespace strait

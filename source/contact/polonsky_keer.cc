@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/contact/polonsky_keer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strait
+{
+  PolonskyKeer::PolonskyKeer(DualProblem             &problem,
+                             const ContactConstraint &constraint,
+                             const ContactTolerance  &tolerance)
+    : problem(problem)
+    , constraint(constraint)
+    , tolerance(tolerance)
+    , t(problem.size(), 0.)
+    , r(problem.size(), 0.)
+  {
+  }
+
+  ContactSolution
+  PolonskyKeer::solve(double *pressure, double *gap)
+  {
+    p        = pressure;
+    g        = gap;
+    restarts = true;
+    start();
+
+    ContactSolution solution;
+    while (true)
+      {
+        solution.residual  = centre_gap();
+        solution.converged = solution.residual <= tolerance.residual;
+        if (solution.converged || solution.iterations >= tolerance.max_iterations)
+          break;
+        update_direction();
+        if (!step())
+          break;
+        ++solution.iterations;
+      }
+    return solution;
+  }
+
+  /** p = max(p, 0) with the prescribed mean, g = G p + u0 − h. */
+  void
+  PolonskyKeer::start()
+  {
+    const double *h     = problem.heights();
+    const auto [mean]   = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
+      p[i] = std::max(p[i], 0.);
+      sums[0] += p[i];
+    });
+    const double factor = constraint.rescale(mean);
+    for (std::size_t i = 0; i < problem.size(); ++i)
+      p[i] *= factor;
+    problem.apply(p, g, no_pass, no_work_pass);
+    for (std::size_t i = 0; i < problem.size(); ++i)
+      g[i] += constraint.displacement() - h[i];
+  }
+
+  /** Give the gap its rigid displacement. Returns the residual. */
+  double
+  PolonskyKeer::centre_gap()
+  {
+    const auto [gap, area] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
+      sums[0] += p[i] > 0 ? g[i] : 0.;
+      sums[1] += p[i] > 0 ? 1. : 0.;
+    });
+    const double shift     = constraint.excess(gap, area);
+    double       worst     = 0;
+    for (std::size_t i = 0; i < problem.size(); ++i)
+      {
+        g[i] -= shift;
+        worst = std::max(worst, p[i] > 0 ? std::abs(g[i]) : -g[i]);
+      }
+    last_gap_squared = gap_squared;
+    gap_squared      = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
+      sums[0] += p[i] > 0 ? g[i] * g[i] : 0.;
+    })[0];
+    return problem.largest_over_ranks(worst) / tolerance.length;
+  }
+
+  void
+  PolonskyKeer::update_direction()
+  {
+    const double beta = restarts ? 0. : gap_squared / last_gap_squared;
+    for (std::size_t i = 0; i < problem.size(); ++i)
+      t[i] = p[i] > 0 ? g[i] + beta * t[i] : 0.;
+  }
+
+  /** Follow the direction; false if it leads nowhere. */
+  bool
+  PolonskyKeer::step()
+  {
+    problem.apply(t.data(), r.data(), no_pass, no_work_pass);
+    const auto [g_t, r_t, sum_r, sum_t, area] =
+      weighted_sums<5>(problem, [&](const auto i, auto &sums) {
+        const double pressed = p[i] > 0 ? 1. : 0.;
+        sums[0] += pressed * g[i] * t[i];
+        sums[1] += pressed * r[i] * t[i];
+        sums[2] += pressed * r[i];
+        sums[3] += t[i];
+        sums[4] += pressed;
+      });
+    const double curvature = r_t - constraint.excess(sum_r, area) * sum_t;
+    const double length    = g_t / curvature;
+    const bool   moves     = curvature > 0 && std::isfinite(length);
+    if (!moves)
+      return false;
+
+    const auto [mean, truncated, added] =
+      weighted_sums<3>(problem, [&](const auto i, auto &sums) {
+        const bool pressed = p[i] > 0;
+        p[i]               = pressed ? std::max(p[i] - length * t[i], 0.) : 0.;
+        sums[1] += pressed && p[i] == 0 ? 1. : 0.;
+        if (p[i] == 0 && g[i] < 0)
+          {
+            p[i] = -length * g[i];
+            sums[2] += 1.;
+          }
+        sums[0] += p[i];
+      });
+    restarts            = added > 0;
+    const double factor = constraint.rescale(mean);
+    const double u0 = constraint.displacement(), *h = problem.heights();
+    const bool   same_contact = truncated == 0 && added == 0;
+    if (!same_contact)
+      problem.apply(p, g, no_pass, no_work_pass);
+    // A step within one contact set is linear: no second application is needed.
+    // (Any constant in g drops out with centre_gap(), or is kept by factor = 1.)
+    for (std::size_t i = 0; i < problem.size(); ++i)
+      {
+        p[i] *= factor;
+        g[i] = same_contact ? factor * (g[i] - u0 + h[i] - length * r[i]) + u0 - h[i]
+                            : factor * g[i] + u0 - h[i];
+      }
+    return true;
+  }
+
+  std::size_t
+  PolonskyKeer::memory_consumption() const
+  {
+    return (t.size() + r.size()) * sizeof(double);
+  }
+} // namespace strait

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/driver/field_output.h>
+
+#include <deal.II/base/hdf5.h>
+#include <deal.II/numerics/data_out.h>
+
+#include <fstream>
+
+namespace strait
+{
+  namespace
+  {
+    std::string
+    numbered(const std::string &directory, const std::string &name, const int number)
+    {
+      return directory + "/" + name + "-" + std::to_string(number);
+    }
+
+    template <typename Number>
+    void
+    write_slabs(dealii::HDF5::File        &file,
+                const std::string         &name,
+                const SlabLayout          &layout,
+                const std::vector<Number> &values)
+    {
+      const auto nx      = static_cast<hsize_t>(layout.grid().nx);
+      const auto ny      = static_cast<hsize_t>(layout.grid().ny);
+      auto       dataset = file.create_dataset<Number>(name, {ny, nx});
+      if (layout.n_rows() == 0)
+        dataset.template write_none<Number>();
+      else
+        dataset.write_hyperslab(values,
+                                {static_cast<hsize_t>(layout.first_row()), 0},
+                                {static_cast<hsize_t>(layout.n_rows()), nx});
+    }
+
+    std::vector<double>
+    local_values(const SlabField &field)
+    {
+      return {field.begin(), field.end()};
+    }
+  } // namespace
+
+  void
+  write_grid_fields(const std::string &directory, const Step &step)
+  {
+    const SlabLayout   &layout = step.gap.layout();
+    const PeriodicGrid &grid   = layout.grid();
+    dealii::HDF5::File  file(numbered(directory, "fields", step.number) + ".h5",
+                            dealii::HDF5::File::FileAccessMode::create,
+                            layout.communicator());
+    write_slabs(file, "gap", layout, local_values(step.gap));
+    if (step.contact)
+      {
+        write_slabs(file, "pressure", layout, local_values(step.contact->pressure));
+        file.set_attribute("nominal_pressure", step.contact->nominal_pressure);
+      }
+    if (step.flow)
+      {
+        std::vector<int> labels;
+        for (const NodeState state : step.flow->clusters.states)
+          labels.push_back(static_cast<int>(state));
+        write_slabs(file, "labels", layout, labels);
+        file.set_attribute("leak_rate", step.flow->result.leak_rate);
+      }
+    file.set_attribute("lx", grid.lx);
+    file.set_attribute("ly", grid.ly);
+    file.set_attribute("dx", grid.dx());
+    file.set_attribute("dy", grid.dy());
+    file.set_attribute("units", std::string("those of the scene"));
+  }
+
+  void
+  write_flow_fields(const std::string     &directory,
+                    const Step            &step,
+                    const FluidParameters &fluid)
+  {
+    if (!step.flow || !step.flow->solver)
+      return;
+    const PotentialProblem &problem = step.flow->solver->pressure();
+    const auto             &dofs    = problem.dof_handler();
+    const auto             &tria    = dofs.get_triangulation();
+
+    PotentialProblem::Vector owned_pressure(dofs.locally_owned_dofs(),
+                                            step.gap.layout().communicator());
+    owned_pressure = problem.solution();
+    owned_pressure *= fluid.inlet_pressure - fluid.outlet_pressure;
+    owned_pressure.add(fluid.outlet_pressure);
+    PotentialProblem::Vector pressure(problem.solution());
+    pressure = owned_pressure;
+
+    dealii::Vector<float> conductivity(tria.n_active_cells());
+    dealii::Vector<float> level(tria.n_active_cells());
+    std::size_t           owned = 0;
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const auto k    = cell->active_cell_index();
+          conductivity(k) = static_cast<float>(problem.mean_coefficient(owned++));
+          level(k)        = static_cast<float>(cell->level());
+        }
+
+    dealii::DataOut<2> out;
+    out.attach_dof_handler(dofs);
+    out.add_data_vector(pressure, "fluid_pressure");
+    out.add_data_vector(conductivity, "mean_conductivity");
+    out.add_data_vector(level, "level");
+    out.build_patches(dofs.get_fe().degree);
+    const std::string name = numbered(directory, "flow", step.number);
+    out.write_vtu_in_parallel(name + ".vtu", step.gap.layout().communicator());
+    run_on_root(step.gap.layout().communicator(), [&]() {
+      std::ofstream record(name + ".pvtu");
+      out.write_pvtu_record(record, {"flow-" + std::to_string(step.number) + ".vtu"});
+    });
+  }
+} // namespace strait

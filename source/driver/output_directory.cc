@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/build_info.h>
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/base/json.h>
+#include <strait/driver/field_output.h>
+#include <strait/driver/output_directory.h>
+#include <strait/driver/picture_data.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace strait
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    bool
+    starts_with(const std::string &text, const std::string &beginning)
+    {
+      return text.compare(0, beginning.size(), beginning) == 0;
+    }
+
+    /** Whether an earlier run of this program may have written a file. */
+    bool
+    is_result(const std::string &name)
+    {
+      for (const char *exact :
+           {"leakage.csv", "leakage.png", "run.json", "log.txt", "parameters.prm"})
+        if (name == exact)
+          return true;
+      for (const char *beginning : {"fields-", "flow-", "picture-"})
+        if (starts_with(name, beginning))
+          return true;
+      return false;
+    }
+
+    /** @p text in single quotes for the shell. */
+    std::string
+    quoted(const std::string &text)
+    {
+      std::string result = "'";
+      for (const char c : text)
+        result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+      return result + "'";
+    }
+
+    void
+    write_text(const std::string &path, const std::string &text)
+    {
+      std::ofstream file(path);
+      file << text << std::flush;
+      if (!file)
+        throw ComputationError("The file '" + path +
+                               "' could not be written; is the disk full?");
+    }
+  } // namespace
+
+  OutputDirectory::OutputDirectory(const Scene &scene_, MPI_Comm comm_, Log &log_)
+    : scene(scene_)
+    , comm(comm_)
+    , log(log_)
+    , path(scene.output.directory)
+    , table(scene)
+  {
+    run_on_root(comm, [this]() { prepare(); });
+    log.attach_file(path + "/log.txt");
+    run_on_root(comm, [this]() {
+      write_text(path + "/parameters.prm", scene.resolved);
+      table.open(path + "/leakage.csv");
+    });
+  }
+
+  void
+  OutputDirectory::prepare()
+  {
+    std::error_code error;
+    fs::create_directories(path, error);
+    const fs::path probe = fs::path(path) / "log.txt";
+    if (error || !std::ofstream(probe, std::ios::app))
+      throw InputError("The output directory '" + path +
+                       "' cannot be written; choose another with Output/Directory or "
+                       "--output.");
+    std::vector<fs::path> earlier;
+    for (const auto &entry : fs::directory_iterator(path))
+      if (entry.is_regular_file() && is_result(entry.path().filename().string()))
+        earlier.push_back(entry.path());
+    for (const fs::path &file : earlier)
+      fs::remove(file, error);
+  }
+
+  void
+  OutputDirectory::write(const Step &step, const bool is_last)
+  {
+    run_on_root(comm, [&]() { table.append(step); });
+    const bool wanted = scene.output.fields == FieldOutput::all ||
+                        (scene.output.fields == FieldOutput::last && is_last);
+    if (wanted)
+      {
+        write_grid_fields(path, step);
+        write_flow_fields(path, step, scene.fluid);
+      }
+    if (scene.output.pictures)
+      write_picture_data(path, step, scene.fluid);
+  }
+
+  void
+  OutputDirectory::finish(const Timers &timers, const double bytes_per_point)
+  {
+    run_on_root(comm, [&]() {
+      write_record(timers, bytes_per_point);
+      if (scene.output.pictures)
+        draw_pictures();
+    });
+  }
+
+  void
+  OutputDirectory::write_record(const Timers &timers, const double bytes_per_point) const
+  {
+    int n_ranks = 1;
+    MPI_Comm_size(comm, &n_ranks);
+    Json seconds = Json::object();
+    for (const Timers::Part &part : timers.table())
+      seconds.set(part.path, part.seconds);
+    Json grid = Json::object();
+    grid.set("nx", scene.contact.grid_points[0]).set("ny", scene.contact.grid_points[1]);
+    grid.set("lx", scene.surface.size[0]).set("ly", scene.surface.size[1]);
+    Json record = Json::object();
+    record.set("program", "strait")
+      .set("version", version())
+      .set("ranks", n_ranks)
+      .set("grid", grid)
+      .set("bytes_per_grid_point", bytes_per_point)
+      .set("seconds", seconds)
+      .set("warnings", Json(log.warnings()))
+      .set("parameters", scene.resolved);
+    write_text(path + "/run.json", record.text());
+  }
+
+  void
+  OutputDirectory::draw_pictures() const
+  {
+    const std::string script = find_script("plot.py");
+    if (script.empty())
+      {
+        log.warn("no pictures were drawn because the script plot.py was not found");
+        return;
+      }
+    // An interpreter that inherits MPI's variables may believe it is a rank.
+    const std::string command = "env -u OMPI_COMM_WORLD_SIZE " +
+                                quoted(python_interpreter()) + " " + quoted(script) +
+                                " " + quoted(path);
+    if (std::system(command.c_str()) != 0) // NOLINT(cert-env33-c,concurrency-mt-unsafe)
+      log.warn("the pictures could not be drawn; try again with: " + script + " " + path);
+  }
+} // namespace strait

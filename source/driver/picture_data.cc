@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/driver/picture_data.h>
+
+#include <deal.II/base/hdf5.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr int most_points = 1024;
+
+    /** Every stride-th grid point in both directions, from (0, 0) on. */
+    struct Raster
+    {
+      explicit Raster(const PeriodicGrid &grid)
+        : stride((std::max(grid.nx, grid.ny) + most_points - 1) / most_points)
+        , nx((grid.nx + stride - 1) / stride)
+        , ny((grid.ny + stride - 1) / stride)
+      {
+      }
+
+      std::size_t
+      index(const int ix, const int iy) const
+      {
+        return static_cast<std::size_t>(iy / stride) * nx + ix / stride;
+      }
+
+      std::size_t
+      n_points() const
+      {
+        return static_cast<std::size_t>(nx) * ny;
+      }
+
+      int stride, nx, ny;
+    };
+
+    /** @p local, one value a local grid point, on the raster of rank 0. */
+    std::vector<float>
+    thin_out(const SlabLayout &layout, const double *local, const Raster &raster)
+    {
+      std::vector<int> rows;
+      if (layout.rank() == 0)
+        for (int k = 0; k < raster.ny; ++k)
+          rows.push_back(k * raster.stride);
+      const int  nx    = layout.grid().nx;
+      const auto whole = fetch_rows(layout, local, nx, rows);
+
+      std::vector<float> result;
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        for (int i = 0; i < raster.nx; ++i)
+          result.push_back(static_cast<float>(whole[k * nx + i * raster.stride]));
+      return result;
+    }
+
+    /**
+     * On the raster, summed on rank 0: the pressure (1 … 0), and |∇ψ|, the current
+     * density of a leak of 1. Unlike K∇p that does not carry the grid's fine
+     * structure of K across coarse cells.
+     */
+    struct RasterFlow
+    {
+      std::vector<float> pressure, current;
+    };
+
+    // Every grid point lies in one cell, if a cell holds its lower and left edges;
+    // integers decide which.
+    struct PointRange
+    {
+      PointRange(const int cell_index, const int exponent, const int stride)
+      {
+        const auto raise = [stride](const int k) {
+          return (k + stride - 1) / stride * stride;
+        };
+        if (exponent >= 0)
+          {
+            first = raise(cell_index << exponent);
+            end   = (cell_index + 1) << exponent;
+          }
+        else
+          {
+            const int n = 1 << -exponent;
+            first       = raise((cell_index + n - 1) / n);
+            end         = cell_index % n == 0 ? cell_index / n + 1 : 0;
+          }
+      }
+
+      int first, end;
+    };
+
+    /** A bilinear function of the unit coordinates of a cell, by its corners. */
+    double
+    interpolate(const dealii::Vector<double> &corners, const double s, const double t)
+    {
+      return (1 - t) * ((1 - s) * corners[0] + s * corners[1]) +
+             t * ((1 - s) * corners[2] + s * corners[3]);
+    }
+
+    RasterFlow
+    flow_on_raster(const ReynoldsSolver &solver, const Raster &raster, MPI_Comm comm)
+    {
+      RasterFlow  result{std::vector<float>(raster.n_points(), 0.F),
+                        std::vector<float>(raster.n_points(), 0.F)};
+      const auto &dofs  = solver.pressure().dof_handler();
+      const auto  slope = solver.stream_function().vertex_slopes();
+
+      dealii::Vector<double> pressures(dofs.get_fe().n_dofs_per_cell());
+      dealii::Vector<double> slopes(pressures.size());
+      auto of_psi = solver.stream_function().dof_handler().begin_active();
+      for (const auto &cell : dofs.active_cell_iterators())
+        {
+          const auto psi_cell = of_psi++;
+          if (!cell->is_locally_owned())
+            continue;
+          const GridCell   here = solver.mesh().grid_cell(*cell);
+          const PointRange x(here.i, here.exponent, raster.stride);
+          const PointRange y(here.j, here.exponent, raster.stride);
+          if (x.first >= x.end || y.first >= y.end)
+            continue;
+          cell->get_dof_values(solver.pressure().solution(), pressures);
+          psi_cell->get_dof_values(slope, slopes);
+          const double size = std::ldexp(1., here.exponent);
+          for (int iy = y.first; iy < y.end; iy += raster.stride)
+            for (int ix = x.first; ix < x.end; ix += raster.stride)
+              {
+                const double s = ix / size - here.i, t = iy / size - here.j;
+                const auto   k     = raster.index(ix, iy);
+                result.pressure[k] = static_cast<float>(interpolate(pressures, s, t));
+                result.current[k]  = static_cast<float>(interpolate(slopes, s, t));
+              }
+        }
+      int rank = 0;
+      MPI_Comm_rank(comm, &rank);
+      for (std::vector<float> *field : {&result.pressure, &result.current})
+        MPI_Reduce(rank == 0 ? MPI_IN_PLACE : field->data(),
+                   field->data(),
+                   static_cast<int>(field->size()),
+                   MPI_FLOAT,
+                   MPI_SUM,
+                   0,
+                   comm);
+      return result;
+    }
+
+    /** 0 closed, 1 open but not leaking, 2 percolating. */
+    std::vector<double>
+    openness(const Step &step)
+    {
+      std::vector<double> result(step.gap.size());
+      for (std::size_t k = 0; k < result.size(); ++k)
+        if (!step.flow)
+          result[k] = step.gap[k] > 0 ? 1 : 0;
+        else
+          {
+            const NodeState state = step.flow->clusters.states[k];
+            result[k]             = state == NodeState::closed        ? 0
+                                    : state == NodeState::percolating ? 2
+                                                                      : 1;
+          }
+      return result;
+    }
+
+    struct PictureFields
+    {
+      std::vector<float> gap, open, contact_pressure, fluid_pressure, current;
+    };
+
+    /** Collective; the result is complete on rank 0. */
+    PictureFields
+    collect(const Step &step, const FluidParameters &fluid, const Raster &raster)
+    {
+      constexpr float   none   = std::numeric_limits<float>::quiet_NaN();
+      const SlabLayout &layout = step.gap.layout();
+      PictureFields     fields;
+      fields.gap  = thin_out(layout, step.gap.data(), raster);
+      fields.open = thin_out(layout, openness(step).data(), raster);
+      if (step.contact)
+        fields.contact_pressure = thin_out(layout, step.contact->pressure.data(), raster);
+      if (!step.flow || !step.flow->solver)
+        return fields;
+
+      const RasterFlow flow =
+        flow_on_raster(*step.flow->solver, raster, layout.communicator());
+      const double drop = fluid.inlet_pressure - fluid.outlet_pressure;
+      const double leak = std::abs(step.flow->result.leak_rate);
+      for (std::size_t k = 0; k < fields.gap.size(); ++k)
+        {
+          const bool leaks = fields.open[k] > 1;
+          fields.fluid_pressure.push_back(
+            leaks ? static_cast<float>(fluid.outlet_pressure + drop * flow.pressure[k])
+                  : none);
+          fields.current.push_back(leaks ? static_cast<float>(leak * flow.current[k])
+                                         : none);
+        }
+      return fields;
+    }
+
+    void
+    write_dataset(dealii::HDF5::File       &file,
+                  const std::string        &name,
+                  const Raster             &raster,
+                  const std::vector<float> &values)
+    {
+      if (values.empty())
+        return;
+      file
+        .create_dataset<float>(name,
+                               {static_cast<hsize_t>(raster.ny),
+                                static_cast<hsize_t>(raster.nx)})
+        .write(values);
+    }
+
+    void
+    write_attributes(dealii::HDF5::File    &file,
+                     const Step            &step,
+                     const FluidParameters &fluid)
+    {
+      file.set_attribute("lx", step.gap.grid().lx);
+      file.set_attribute("ly", step.gap.grid().ly);
+      file.set_attribute("inlet_pressure", fluid.inlet_pressure);
+      file.set_attribute("outlet_pressure", fluid.outlet_pressure);
+      file.set_attribute("direction",
+                         std::string(fluid.direction == FlowDirection::x ? "x" : "y"));
+      if (step.contact)
+        {
+          file.set_attribute("nominal_pressure", step.contact->nominal_pressure);
+          file.set_attribute("contact_area", step.contact->contact_area);
+        }
+      if (!step.flow)
+        return;
+      file.set_attribute("leak_rate", step.flow->result.leak_rate);
+      file.set_attribute("percolates", step.flow->clusters.percolates ? 1. : 0.);
+      if (!step.flow->paths.empty())
+        {
+          const FlowPath &path = step.flow->paths.front();
+          file.set_attribute("worst_x", path.bottleneck.ix * step.gap.grid().dx());
+          file.set_attribute("worst_y", path.bottleneck.iy * step.gap.grid().dy());
+        }
+    }
+  } // namespace
+
+  void
+  write_picture_data(const std::string     &directory,
+                     const Step            &step,
+                     const FluidParameters &fluid)
+  {
+    const Raster        raster(step.gap.grid());
+    const PictureFields fields = collect(step, fluid, raster);
+    run_on_root(step.gap.layout().communicator(), [&]() {
+      dealii::HDF5::File file(directory + "/picture-" + std::to_string(step.number) +
+                                ".h5",
+                              dealii::HDF5::File::FileAccessMode::create);
+      write_dataset(file, "gap", raster, fields.gap);
+      write_dataset(file, "open", raster, fields.open);
+      write_dataset(file, "pressure", raster, fields.contact_pressure);
+      write_dataset(file, "fluid_pressure", raster, fields.fluid_pressure);
+      write_dataset(file, "current", raster, fields.current);
+      write_attributes(file, step, fluid);
+    });
+  }
+} // namespace strait

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/driver/result_table.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+    std::string
+    full_precision(const double value)
+    {
+      char text[32];
+      std::snprintf(text, sizeof text, "%.17g", value);
+      return text;
+    }
+
+    /** (12 η K_eff)^(1/3) with K_eff = Q L_along/(L_across Δp). */
+    double
+    effective_gap(const FluidParameters &fluid,
+                  const PeriodicGrid    &grid,
+                  const double           leak)
+    {
+      const double aspect =
+        fluid.direction == FlowDirection::x ? grid.lx / grid.ly : grid.ly / grid.lx;
+      return std::cbrt(12. * fluid.viscosity * leak * aspect /
+                       (fluid.inlet_pressure - fluid.outlet_pressure));
+    }
+  } // namespace
+
+  ResultTable::ResultTable(const Scene &scene)
+  {
+    add("step", [](const Step &step) { return step.number; });
+    if (scene.contact.enabled)
+      {
+        columns.push_back({"branch", [](const Step &) { return "loading"; }});
+        add("pressure", [](const Step &step) { return step.contact->nominal_pressure; });
+        add("mean_gap", [](const Step &step) { return step.mean_gap; });
+        add("contact_area", [](const Step &step) { return step.contact->contact_area; });
+        add("contact_area_corrected",
+            [](const Step &step) { return step.contact->contact_area_corrected; });
+      }
+    else
+      add("mean_gap", [](const Step &step) { return step.mean_gap; });
+    if (scene.fluid.enabled)
+      add_flow_columns(scene);
+    if (scene.contact.enabled)
+      add_contact_columns();
+    if (scene.fluid.enabled)
+      {
+        add("cells", [](const Step &step) { return step.flow->result.cells; });
+        add("unknowns", [](const Step &step) { return step.flow->result.unknowns; });
+        add("refinements",
+            [](const Step &step) { return step.flow->result.refinements; });
+        add("flow_iterations",
+            [](const Step &step) { return step.flow->result.iterations; });
+      }
+    if (scene.contact.enabled)
+      add("contact_seconds", [](const Step &step) { return step.contact_seconds; });
+    if (scene.fluid.enabled)
+      add("flow_seconds", [](const Step &step) { return step.flow_seconds; });
+    columns.push_back({"status", [](const Step &step) { return step.status(); }});
+  }
+
+  void
+  ResultTable::add_flow_columns(const Scene &scene)
+  {
+    const FluidParameters fluid = scene.fluid;
+    add("percolates", [](const Step &step) { return step.flow->clusters.percolates; });
+    add("leak_rate", [](const Step &step) { return step.flow->result.leak_rate; });
+    add("leak_rate_lower", [](const Step &step) { return step.flow->result.lower; });
+    add("leak_rate_upper", [](const Step &step) { return step.flow->result.upper; });
+    add("effective_gap", [fluid](const Step &step) {
+      return effective_gap(fluid, step.gap.grid(), step.flow->result.leak_rate);
+    });
+    const auto add_constriction = [this](const std::string &name, auto value) {
+      add(name, [value](const Step &step) {
+        return step.flow->paths.empty()
+                 ? not_a_number
+                 : value(step.flow->paths.front(), step.gap.grid());
+      });
+    };
+    add_constriction("worst_constriction_x",
+                     [](const FlowPath &path, const PeriodicGrid &grid) {
+                       return path.bottleneck.ix * grid.dx();
+                     });
+    add_constriction("worst_constriction_y",
+                     [](const FlowPath &path, const PeriodicGrid &grid) {
+                       return path.bottleneck.iy * grid.dy();
+                     });
+    add_constriction("worst_constriction_gap",
+                     [](const FlowPath &path, const PeriodicGrid &) {
+                       return path.bottleneck_gap;
+                     });
+  }
+
+  void
+  ResultTable::add_contact_columns()
+  {
+    add("contact_residual", [](const Step &step) { return step.contact->residual; });
+    add("contact_iterations", [](const Step &step) { return step.contact->iterations; });
+    add("fft_pairs", [](const Step &step) { return step.contact->fft_pairs; });
+  }
+
+  void
+  ResultTable::add(const std::string &name, std::function<double(const Step &)> value)
+  {
+    columns.push_back({name, [value = std::move(value)](const Step &step) {
+                         return full_precision(value(step));
+                       }});
+  }
+
+  std::vector<std::string>
+  ResultTable::column_names() const
+  {
+    std::vector<std::string> names;
+    for (const Column &column : columns)
+      names.push_back(column.name);
+    return names;
+  }
+
+  void
+  ResultTable::open(const std::string &path)
+  {
+    file_name = path;
+    file.open(path);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      file << (c == 0 ? "" : ",") << columns[c].name;
+    file << std::endl;
+    if (!file)
+      throw ComputationError("The table '" + path + "' cannot be written.");
+  }
+
+  void
+  ResultTable::append(const Step &step)
+  {
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      file << (c == 0 ? "" : ",") << columns[c].value(step);
+    file << std::endl;
+    if (!file)
+      throw ComputationError("A row of the table '" + file_name +
+                             "' could not be written; is the disk full?");
+  }
+} // namespace strait

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/base/timers.h>
+#include <strait/driver/load_sweep.h>
+#include <strait/driver/output_directory.h>
+#include <strait/driver/simulation.h>
+#include <strait/spectral/fourier_transform.h>
+#include <strait/surface/resolution.h>
+#include <strait/surface/statistics.h>
+#include <strait/surface/surface.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr std::size_t line_length = 256;
+
+    void
+    report_sizes(const Scene &scene, Log &log)
+    {
+      const PeriodicGrid grid    = grid_of(scene);
+      int                n_ranks = 1;
+      MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+      char text[line_length];
+      std::snprintf(text,
+                    sizeof text,
+                    "grid %d × %d on a box of %.6g × %.6g, %d %s",
+                    grid.nx,
+                    grid.ny,
+                    grid.lx,
+                    grid.ly,
+                    n_ranks,
+                    n_ranks == 1 ? "rank" : "ranks");
+      log.line(text);
+    }
+
+    void
+    report_surface(const Scene &scene, const SlabField &heights, Log &log)
+    {
+      const SurfaceStatistics surface = statistics(heights);
+      char                    text[line_length];
+      std::snprintf(text,
+                    sizeof text,
+                    "surface: rms height %.5g, rms slope %.5g, rms curvature %.5g, "
+                    "heights from %.5g to %.5g",
+                    surface.rms_height,
+                    surface.rms_slope,
+                    surface.rms_curvature,
+                    surface.lowest,
+                    surface.highest);
+      log.line(text);
+      if (scene.surface.kind == SurfaceKind::self_affine)
+        {
+          const PeriodicGrid &grid = heights.grid();
+          std::snprintf(text,
+                        sizeof text,
+                        "resolution: λs/a = %.4g, λr/λs = %.4g, L/λr = %.4g",
+                        scene.surface.short_cut_off_wavelength /
+                          std::max(grid.dx(), grid.dy()),
+                        scene.surface.roll_off_wavelength /
+                          scene.surface.short_cut_off_wavelength,
+                        std::min(grid.lx, grid.ly) / scene.surface.roll_off_wavelength);
+          log.line(text);
+        }
+    }
+
+    /** The surface on the scene's grid, with all that is to be said about it. */
+    SlabField
+    make_heights(const Scene &scene, Log &log)
+    {
+      const PeriodicGrid grid = grid_of(scene);
+      for (const std::string &warning : scene.warnings())
+        log.warn(warning);
+      for (const std::string &warning : check_resolution(scene.surface, grid))
+        log.warn(warning);
+      report_sizes(scene, log);
+      const auto surface = make_surface(scene.surface, MPI_COMM_WORLD);
+      SlabField  heights = surface->heights(make_layout(grid, MPI_COMM_WORLD));
+      report_surface(scene, heights, log);
+      return heights;
+    }
+  } // namespace
+
+  PeriodicGrid
+  grid_of(const Scene &scene)
+  {
+    return {scene.contact.grid_points[0],
+            scene.contact.grid_points[1],
+            scene.surface.size[0],
+            scene.surface.size[1]};
+  }
+
+  void
+  simulate(const Scene &scene, Log &log)
+  {
+    Timers timers;
+    load_wisdom(MPI_COMM_WORLD);
+    SlabField heights = [&]() {
+      const auto scope = timers.scope("surface");
+      return make_heights(scene, log);
+    }();
+    const auto n_points = static_cast<double>(heights.grid().n_points());
+
+    // The first thing that is written, after the last check of the input.
+    OutputDirectory output(scene, MPI_COMM_WORLD, log);
+    LoadSweep       sweep(scene, std::move(heights), log, timers);
+    const int       n_steps =
+      scene.contact.enabled ? static_cast<int>(scene.programme.pressures.size()) : 1;
+    const bool converged = sweep.run([&](const Step &step) {
+      const auto scope = timers.scope("output");
+      output.write(step, step.number == n_steps);
+    });
+    save_wisdom(MPI_COMM_WORLD);
+    const double bytes =
+      sum(MPI_COMM_WORLD, static_cast<double>(sweep.memory_consumption()));
+    log.line(timers.summary());
+    output.finish(timers, bytes / n_points);
+    log.line("results are in " + scene.output.directory);
+    if (!converged)
+      throw ComputationError(
+        "Some steps did not reach what was asked; the column status "
+        "of '" +
+        scene.output.directory + "/leakage.csv' tells which and why.");
+  }
+
+  void
+  describe(const Scene &scene, Log &log)
+  {
+    constexpr double bytes_contact = 57., bytes_flow = 2 * 14. + 8. + 25.;
+    make_heights(scene, log);
+    const auto   n_points = static_cast<double>(grid_of(scene).n_points());
+    const double bytes    = n_points * ((scene.contact.enabled ? bytes_contact : 8.) +
+                                     (scene.fluid.enabled ? bytes_flow : 0.));
+    char         text[line_length];
+    std::snprintf(text,
+                  sizeof text,
+                  "memory for the grid: about %.3g GB; contact %s, fluid %s; %zu steps",
+                  1e-9 * bytes,
+                  scene.contact.enabled ? "on" : "off (the surface is the gap)",
+                  scene.fluid.enabled ? "on" : "off",
+                  scene.contact.enabled ? scene.programme.pressures.size() : 1);
+    log.line(text);
+  }
+} // namespace strait

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/flow/potential_problem.h>
+
+#include <deal.II/base/function.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
+#include <deal.II/numerics/vector_tools_boundary.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace strait
+{
+  using namespace dealii;
+
+  PotentialProblem::PotentialProblem(const Kind       kind_,
+                                     FlowMesh        &mesh_,
+                                     const MomentSet &set)
+    : kind(kind_)
+    , mesh(mesh_)
+    , element(set)
+    , fe(set.degree())
+    , dofs(mesh.triangulation())
+    , answers(set.size(), 0)
+  {
+  }
+
+  void
+  PotentialProblem::set_up()
+  {
+    MPI_Comm comm = mesh.triangulation().get_communicator();
+    dofs.distribute_dofs(fe);
+    owned = dofs.locally_owned_dofs();
+    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+    make_constraints();
+
+    DynamicSparsityPattern pattern(relevant);
+    DoFTools::make_sparsity_pattern(dofs, pattern, constraints, false);
+    SparsityTools::distribute_sparsity_pattern(pattern, owned, comm, relevant);
+    matrix.reinit(owned, owned, pattern, comm);
+    right_hand_side.reinit(owned, comm);
+    distributed.reinit(owned, comm);
+    ghosted.reinit(owned, relevant, comm);
+  }
+
+  void
+  PotentialProblem::make_constraints()
+  {
+    constraints.clear();
+    constraints.reinit(relevant);
+    DoFTools::make_hanging_node_constraints(dofs, constraints);
+    DoFTools::make_periodicity_constraints(dofs,
+                                           FlowMesh::periodic_first,
+                                           FlowMesh::periodic_last,
+                                           1 - mesh.axis_along(),
+                                           constraints);
+    if (kind == Kind::pressure)
+      {
+        VectorTools::interpolate_boundary_values(dofs,
+                                                 FlowMesh::inlet,
+                                                 Functions::ConstantFunction<2>(1.),
+                                                 constraints);
+        VectorTools::interpolate_boundary_values(dofs,
+                                                 FlowMesh::outlet,
+                                                 Functions::ZeroFunction<2>(),
+                                                 constraints);
+      }
+    else
+      pin_one_value();
+    constraints.close();
+  }
+
+  void
+  PotentialProblem::pin_one_value()
+  {
+    auto first = std::numeric_limits<unsigned int>::max();
+    for (const auto k : owned)
+      if (!constraints.is_constrained(k))
+        {
+          first = static_cast<unsigned int>(k);
+          break;
+        }
+    first = Utilities::MPI::min(first, mesh.triangulation().get_communicator());
+    if (relevant.is_element(first))
+      constraints.add_line(first);
+  }
+
+  void
+  PotentialProblem::affine_part(const GridCell &cell, std::vector<double> &values) const
+  {
+    values.assign(fe.n_dofs_per_cell(), 0.);
+    if (kind == Kind::pressure)
+      return;
+    // The corner of the cell is as good an origin as any other, and keeps the
+    // values of a small cell small.
+    const unsigned int across = 1 - mesh.axis_along();
+    const double       step   = across == 1 ? mesh.height(cell) / mesh.grid().ly
+                                            : -mesh.width(cell) / mesh.grid().lx;
+    const auto        &points = fe.get_unit_support_points();
+    for (unsigned int i = 0; i < values.size(); ++i)
+      values[i] = step * points[i][across];
+  }
+
+  void
+  PotentialProblem::add_source(const Iterator         &cell,
+                               const Source           &source,
+                               dealii::Vector<double> &rhs) const
+  {
+    FEValues<2> fe_values(fe,
+                          QGauss<2>(fe.degree + 2),
+                          update_values | update_quadrature_points | update_JxW_values);
+    fe_values.reinit(cell);
+    for (const unsigned int q : fe_values.quadrature_point_indices())
+      for (const unsigned int i : fe_values.dof_indices())
+        rhs(i) += source(fe_values.quadrature_point(q)) * fe_values.shape_value(i, q) *
+                  fe_values.JxW(q);
+  }
+
+  void
+  PotentialProblem::assemble(const GapField &gap, const Source &source)
+  {
+    cells   = mesh.owned_grid_cells();
+    answers = gap.ask(kind == Kind::pressure ? GapField::Coefficient::conductivity
+                                             : GapField::Coefficient::resistivity,
+                      cells);
+    const unsigned int                   n = fe.n_dofs_per_cell();
+    FullMatrix<double>                   local_matrix(n, n);
+    dealii::Vector<double>               local_rhs(n);
+    std::vector<double>                  affine(n);
+    std::vector<types::global_dof_index> indices(n);
+    matrix          = 0;
+    right_hand_side = 0;
+    std::size_t c   = 0;
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const std::size_t here = c++;
+          if (!is_active(here))
+            continue;
+          element.stiffness(answers[here].moments,
+                            mesh.width(cells[here]),
+                            mesh.height(cells[here]),
+                            local_matrix);
+          affine_part(cells[here], affine);
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              local_rhs(i) = 0;
+              for (unsigned int j = 0; j < n; ++j)
+                local_rhs(i) -= local_matrix(i, j) * affine[j];
+            }
+          if (source)
+            add_source(cell, source, local_rhs);
+          cell->get_dof_indices(indices);
+          constraints.distribute_local_to_global(
+            local_matrix, local_rhs, indices, matrix, right_hand_side);
+        }
+    matrix.compress(VectorOperation::add);
+    right_hand_side.compress(VectorOperation::add);
+    pin_unreached_rows();
+  }
+
+  void
+  PotentialProblem::pin_unreached_rows()
+  {
+    // Unknowns that no open cell reaches have empty rows; they are set to zero.
+    std::vector<types::global_dof_index> unreached;
+    types::global_dof_index              n_active = 0;
+    for (const auto k : owned)
+      {
+        if (!(matrix.diag_element(k) > 0))
+          unreached.push_back(k);
+        else if (!constraints.is_constrained(k))
+          ++n_active;
+      }
+    for (const auto k : unreached)
+      matrix.set(k, k, 1.);
+    matrix.compress(VectorOperation::insert);
+    n_active_unknowns =
+      Utilities::MPI::sum(n_active, mesh.triangulation().get_communicator());
+  }
+
+  LinearSolve
+  PotentialProblem::solve(const FlowPreconditioner preconditioner, const double accuracy)
+  {
+    constexpr unsigned int max_iterations = 500, max_rounds = 8;
+    if (transfer)
+      {
+        transfer->interpolate(distributed);
+        transfer.reset();
+      }
+    constraints.set_zero(distributed);
+    const auto multigrid = make_multigrid(preconditioner, matrix);
+
+    // How small the error must be follows from the energy, which is not known before
+    // the system is solved: start from the energy of the right-hand side, which is
+    // too large, and tighten the goal until both fit.
+    Vector smoothed(right_hand_side);
+    multigrid->apply(right_hand_side, smoothed);
+    double      goal = accuracy * (right_hand_side * smoothed);
+    LinearSolve total;
+    for (unsigned int round = 0; round < max_rounds; ++round)
+      {
+        const LinearSolve solve = solve_by_conjugate_gradients(
+          matrix, distributed, right_hand_side, *multigrid, goal, max_iterations);
+        total.iterations += solve.iterations;
+        total.error_energy = solve.error_energy;
+        Vector complete(distributed);
+        constraints.distribute(complete);
+        ghosted         = complete;
+        goal            = accuracy * energy();
+        total.converged = solve.converged && solve.error_energy <= goal;
+        if (total.converged || !solve.converged)
+          break;
+      }
+    return total;
+  }
+
+  void
+  PotentialProblem::prepare_for_refinement()
+  {
+    transfer = std::make_unique<Transfer>(dofs);
+    transfer->prepare_for_coarsening_and_refinement(ghosted);
+  }
+
+  void
+  PotentialProblem::cell_values(const Iterator &cell, std::vector<double> &values) const
+  {
+    affine_part(mesh.grid_cell(*cell), values);
+    dealii::Vector<double> periodic(fe.n_dofs_per_cell());
+    cell->get_dof_values(ghosted, periodic);
+    for (unsigned int i = 0; i < values.size(); ++i)
+      values[i] += periodic(i);
+  }
+
+  PotentialProblem::Vector
+  PotentialProblem::vertex_slopes() const
+  {
+    constexpr unsigned int n_vertices = 4;
+    MPI_Comm               comm       = mesh.triangulation().get_communicator();
+    Vector                 sums, counts;
+    sums.reinit(owned, relevant, comm, true);
+    counts.reinit(owned, relevant, comm, true);
+    std::vector<double>                  values;
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const GridCell here = mesh.grid_cell(*cell);
+          cell_values(cell, values);
+          cell->get_dof_indices(indices);
+          for (unsigned int v = 0; v < n_vertices; ++v)
+            {
+              // The two edges that meet at vertex v, which is at (v % 2, v / 2).
+              const double along_x = values[v | 1U] - values[v & 2U];
+              const double along_y = values[v | 2U] - values[v & 1U];
+              sums(indices[v]) +=
+                std::hypot(along_x / mesh.width(here), along_y / mesh.height(here));
+              counts(indices[v]) += 1.;
+            }
+        }
+    sums.compress(VectorOperation::add);
+    counts.compress(VectorOperation::add);
+    Vector result(owned, comm);
+    for (const auto k : owned)
+      if (counts(k) > 0)
+        result(k) = sums(k) / counts(k);
+    result.compress(VectorOperation::insert);
+    Vector with_ghosts(owned, relevant, comm);
+    with_ghosts = result;
+    return with_ghosts;
+  }
+
+  double
+  PotentialProblem::cell_energy(const std::size_t          owned_cell,
+                                const std::vector<double> &values) const
+  {
+    FullMatrix<double> local_matrix(fe.n_dofs_per_cell(), fe.n_dofs_per_cell());
+    element.stiffness(answers[owned_cell].moments,
+                      mesh.width(cells[owned_cell]),
+                      mesh.height(cells[owned_cell]),
+                      local_matrix);
+    return ElementMatrix::energy(local_matrix, values);
+  }
+
+  double
+  PotentialProblem::energy() const
+  {
+    double              sum = 0;
+    std::size_t         c   = 0;
+    std::vector<double> values;
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const std::size_t here = c++;
+          if (!is_active(here))
+            continue;
+          cell_values(cell, values);
+          sum += cell_energy(here, values);
+        }
+    return Utilities::MPI::sum(sum, mesh.triangulation().get_communicator());
+  }
+} // namespace strait

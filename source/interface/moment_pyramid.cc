@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/interface/moment_pyramid.h>
+
+#include <algorithm>
+
+namespace strait
+{
+  MomentPyramid::MomentPyramid(SlabLayoutPtr layout_,
+                               MomentSet     set_,
+                               const int     n_halvings)
+    : layout(std::move(layout_))
+    , set(std::move(set_))
+    , levels(n_halvings)
+  {
+    const int begin = layout->first_row(), end = begin + layout->n_rows();
+    for (int e = 1; e <= n_halvings; ++e)
+      {
+        Level &level    = levels[e - 1];
+        level.n_columns = layout->grid().nx >> e;
+        level.first_row = begin >> e;
+        level.n_rows    = end > begin ? ((end - 1) >> e) + 1 - level.first_row : 0;
+        const auto n    = static_cast<std::size_t>(level.n_columns) * level.n_rows;
+        level.moments.resize(n * set.size());
+        level.flags.resize(n);
+      }
+  }
+
+  void
+  MomentPyramid::build(const Leaf &leaf)
+  {
+    for (Level &level : levels)
+      {
+        std::fill(level.moments.begin(), level.moments.end(), 0.);
+        std::fill(level.flags.begin(), level.flags.end(), 0);
+      }
+    if (levels.empty())
+      return;
+    sum_grid_cells(leaf);
+    for (std::size_t k = 1; k < levels.size(); ++k)
+      sum_children(levels[k - 1], levels[k]);
+    if (layout->n_ranks() > 1)
+      complete_first_rows();
+  }
+
+  void
+  MomentPyramid::sum_grid_cells(const Leaf &leaf)
+  {
+    Level              &level = levels.front();
+    std::vector<double> child(set.size());
+    for (int row = 0; row < layout->n_rows(); ++row)
+      {
+        const int         global = layout->first_row() + row;
+        const std::size_t start =
+          static_cast<std::size_t>((global >> 1) - level.first_row) * level.n_columns;
+        for (int ix = 0; ix < layout->grid().nx; ++ix)
+          {
+            const std::size_t parent = start + (ix >> 1);
+            std::fill(child.begin(), child.end(), 0.);
+            const unsigned char flags = leaf(ix, row, child.data());
+            level.flags[parent] |= flags;
+            if ((flags & 1U) != 0)
+              set.add_child(level.moments.data() + parent * set.size(),
+                            child.data(),
+                            ix & 1,
+                            global & 1);
+          }
+      }
+  }
+
+  void
+  MomentPyramid::sum_children(const Level &fine, Level &coarse) const
+  {
+    for (int row = 0; row < fine.n_rows; ++row)
+      {
+        const int         global = fine.first_row + row;
+        const std::size_t start =
+          static_cast<std::size_t>((global >> 1) - coarse.first_row) * coarse.n_columns;
+        for (int i = 0; i < fine.n_columns; ++i)
+          {
+            const std::size_t child  = static_cast<std::size_t>(row) * fine.n_columns + i;
+            const std::size_t parent = start + (i >> 1);
+            coarse.flags[parent] |= fine.flags[child];
+            set.add_child(coarse.moments.data() + parent * set.size(),
+                          fine.moments.data() + child * set.size(),
+                          i & 1,
+                          global & 1);
+          }
+      }
+  }
+
+  void
+  MomentPyramid::complete_first_rows()
+  {
+    // Sums are linear in the children: each rank has summed its own, and a row of
+    // cells that several ranks share is completed by the rank that owns it.
+    MPI_Comm comm = layout->communicator();
+    for (std::size_t k = 0; k < levels.size(); ++k)
+      {
+        const int  e             = static_cast<int>(k) + 1;
+        Level     &level         = levels[k];
+        const auto n_values      = static_cast<int>(level.n_columns * set.size());
+        const auto begins_inside = [e](const int grid_row) {
+          return grid_row != ((grid_row >> e) << e);
+        };
+        std::vector<MPI_Request> requests(2, MPI_REQUEST_NULL);
+        if (level.n_rows > 0 && begins_inside(layout->first_row()))
+          {
+            const int owner = layout->owner_of_row(level.first_row << e);
+            MPI_Isend(level.moments.data(),
+                      n_values,
+                      MPI_DOUBLE,
+                      owner,
+                      2 * e,
+                      comm,
+                      &requests[0]);
+            MPI_Isend(level.flags.data(),
+                      level.n_columns,
+                      MPI_UNSIGNED_CHAR,
+                      owner,
+                      2 * e + 1,
+                      comm,
+                      &requests[1]);
+          }
+        std::vector<double>        shares(n_values);
+        std::vector<unsigned char> share_flags(level.n_columns);
+        for (int r = layout->rank() + 1; r < layout->n_ranks(); ++r)
+          {
+            const int begin = layout->first_row_of(r);
+            if (begin == layout->first_row_of(r + 1) || !begins_inside(begin) ||
+                layout->owner_of_row((begin >> e) << e) != layout->rank())
+              continue;
+            MPI_Recv(
+              shares.data(), n_values, MPI_DOUBLE, r, 2 * e, comm, MPI_STATUS_IGNORE);
+            MPI_Recv(share_flags.data(),
+                     level.n_columns,
+                     MPI_UNSIGNED_CHAR,
+                     r,
+                     2 * e + 1,
+                     comm,
+                     MPI_STATUS_IGNORE);
+            const std::size_t start =
+              static_cast<std::size_t>((begin >> e) - level.first_row) * level.n_columns;
+            for (int v = 0; v < n_values; ++v)
+              level.moments[start * set.size() + v] += shares[v];
+            for (int i = 0; i < level.n_columns; ++i)
+              level.flags[start + i] |= share_flags[i];
+          }
+        MPI_Waitall(2, requests.data(), MPI_STATUSES_IGNORE);
+      }
+  }
+
+  std::size_t
+  MomentPyramid::position(const Level &level, const GridCell &cell) const
+  {
+    return static_cast<std::size_t>(cell.j - level.first_row) * level.n_columns + cell.i;
+  }
+
+  const double *
+  MomentPyramid::moments(const GridCell &cell) const
+  {
+    const Level &level = levels[cell.exponent - 1];
+    return level.moments.data() + position(level, cell) * set.size();
+  }
+
+  unsigned char
+  MomentPyramid::flags(const GridCell &cell) const
+  {
+    const Level &level = levels[cell.exponent - 1];
+    return level.flags[position(level, cell)];
+  }
+
+  std::size_t
+  MomentPyramid::memory_consumption() const
+  {
+    std::size_t bytes = 0;
+    for (const Level &level : levels)
+      bytes += level.moments.size() * sizeof(double) + level.flags.size();
+    return bytes;
+  }
+} // namespace strait

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/build_info.h>
+#include <strait/base/command_line.h>
+#include <strait/base/error_exit.h>
+#include <strait/base/log.h>
+#include <strait/base/scene.h>
+#include <strait/driver/simulation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
+
+namespace
+{
+  int
+  run(const int argc, char **argv)
+  {
+    using namespace strait;
+    const CommandLine command = parse_command_line(argc, argv);
+    const bool on_root = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    if (command.help || command.version || !command.parameters_format.empty())
+      {
+        if (on_root && command.help)
+          std::cout << help_text();
+        else if (on_root && command.version)
+          std::cout << "strait " << version() << std::endl;
+        else if (on_root)
+          print_parameters(std::cout, command.parameters_format);
+        return 0;
+      }
+    const Scene scene = read_scene(command.scene, command.overrides);
+    Log         log(MPI_COMM_WORLD, command.quiet);
+    if (command.dry_run)
+      describe(scene, log);
+    else
+      simulate(scene, log);
+    return 0;
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  return strait::with_clear_exit(MPI_COMM_WORLD, [&]() { return run(argc, argv); });
+}

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/percolation/clusters.h>
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    using Label              = std::int64_t;
+    constexpr Label no_label = -1;
+
+    /** Union–find over 0 … n−1; the smallest member of a set is its root. */
+    class DisjointSets
+    {
+    public:
+      explicit DisjointSets(const std::size_t n)
+        : parent(n)
+      {
+        std::iota(parent.begin(), parent.end(), std::size_t(0));
+      }
+
+      std::size_t
+      find(std::size_t a)
+      {
+        while (parent[a] != a)
+          a = parent[a] = parent[parent[a]];
+        return a;
+      }
+
+      void
+      join(const std::size_t a, const std::size_t b)
+      {
+        const std::size_t root_a = find(a), root_b = find(b);
+        parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
+      }
+
+    private:
+      std::vector<std::size_t> parent;
+    };
+
+    /** All ranks' values, one rank after the other. */
+    std::vector<Label>
+    gather_all(const std::vector<Label> &mine, MPI_Comm comm)
+    {
+      int n_ranks = 1;
+      MPI_Comm_size(comm, &n_ranks);
+      std::vector<int> counts(n_ranks), starts(n_ranks + 1, 0);
+      const int        n = static_cast<int>(mine.size());
+      MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
+      std::partial_sum(counts.begin(), counts.end(), starts.begin() + 1);
+      std::vector<Label> all(starts.back());
+      MPI_Allgatherv(mine.data(),
+                     n,
+                     MPI_INT64_T,
+                     all.data(),
+                     counts.data(),
+                     starts.data(),
+                     MPI_INT64_T,
+                     comm);
+      return all;
+    }
+
+    /** Labels that are right within each slab: the global index of the root. */
+    std::vector<Label>
+    label_slab(const SlabField &gap, const FlowDirection direction)
+    {
+      const int    nx = gap.grid().nx, n_rows = gap.layout().n_rows();
+      DisjointSets sets(gap.size());
+      for (int row = 0; row < n_rows; ++row)
+        for (int ix = 0; ix < nx; ++ix)
+          {
+            const std::size_t here = static_cast<std::size_t>(row) * nx + ix;
+            if (!(gap[here] > 0))
+              continue;
+            if (ix > 0 && gap[here - 1] > 0)
+              sets.join(here, here - 1);
+            if (row > 0 && gap[here - nx] > 0)
+              sets.join(here, here - nx);
+            // The seam is closed across the flow only.
+            if (direction == FlowDirection::y && ix == nx - 1 && gap(0, row) > 0)
+              sets.join(here, here - ix);
+          }
+      const Label first =
+        static_cast<Label>(gap.layout().first_row()) * static_cast<Label>(nx);
+      std::vector<Label> labels(gap.size(), no_label);
+      for (std::size_t k = 0; k < gap.size(); ++k)
+        if (gap[k] > 0)
+          labels[k] = first + static_cast<Label>(sets.find(k));
+      return labels;
+    }
+
+    /** The row of labels that follows this rank's last one. Collective. */
+    std::vector<double>
+    fetch_next_row(const SlabField &gap, const std::vector<Label> &labels)
+    {
+      // Labels are below 2^53, so that doubles carry them exactly.
+      const int           nx     = gap.grid().nx;
+      const SlabLayout   &layout = gap.layout();
+      std::vector<double> first_row(labels.begin(),
+                                    labels.begin() + (layout.n_rows() > 0 ? nx : 0));
+      first_row.resize(gap.size(), 0.);
+      std::vector<int> wanted;
+      if (layout.n_rows() > 0)
+        wanted.push_back(layout.first_row() + layout.n_rows());
+      return fetch_rows(layout, first_row.data(), nx, wanted);
+    }
+
+    /** Pairs of labels that meet at the end of this slab. Collective. */
+    std::vector<Label>
+    touching_labels(const SlabField          &gap,
+                    const std::vector<Label> &labels,
+                    const FlowDirection       direction)
+    {
+      const std::vector<double> next   = fetch_next_row(gap, labels);
+      const SlabLayout         &layout = gap.layout();
+      const int                 nx = gap.grid().nx, n_rows = layout.n_rows();
+      std::vector<Label>        pairs;
+      const bool                at_seam = layout.first_row() + n_rows == gap.grid().ny;
+      if (n_rows == 0 || (at_seam && direction == FlowDirection::y))
+        return pairs;
+      std::pair<Label, Label> last(no_label, no_label);
+      for (int ix = 0; ix < nx; ++ix)
+        {
+          const Label here  = labels[static_cast<std::size_t>(n_rows - 1) * nx + ix];
+          const Label there = static_cast<Label>(next[ix]);
+          if (here == no_label || there == no_label ||
+              last == std::make_pair(here, there))
+            continue;
+          last = {here, there};
+          pairs.push_back(here);
+          pairs.push_back(there);
+        }
+      return pairs;
+    }
+
+    /** Rename labels that belong together across slabs. Collective. */
+    void
+    merge_slabs(const SlabField    &gap,
+                std::vector<Label> &labels,
+                const FlowDirection direction)
+    {
+      const std::vector<Label> pairs =
+        gather_all(touching_labels(gap, labels, direction), gap.layout().communicator());
+
+      std::vector<Label> names(pairs);
+      std::sort(names.begin(), names.end());
+      names.erase(std::unique(names.begin(), names.end()), names.end());
+      const auto number_of = [&names](const Label label) {
+        return static_cast<std::size_t>(
+          std::lower_bound(names.begin(), names.end(), label) - names.begin());
+      };
+      DisjointSets sets(names.size());
+      for (std::size_t k = 0; k < pairs.size(); k += 2)
+        sets.join(number_of(pairs[k]), number_of(pairs[k + 1]));
+      std::unordered_map<Label, Label> new_name;
+      for (std::size_t k = 0; k < names.size(); ++k)
+        if (sets.find(k) != k)
+          new_name[names[k]] = names[sets.find(k)];
+      if (new_name.empty())
+        return;
+      for (Label &label : labels)
+        if (const auto found = new_name.find(label); found != new_name.end())
+          label = found->second;
+    }
+
+    struct ReservoirLabels
+    {
+      std::vector<Label> inlet, outlet; // sorted
+    };
+
+    std::vector<Label>
+    sorted_union(std::vector<Label> mine, MPI_Comm comm)
+    {
+      const auto sort_unique = [](std::vector<Label> &v) {
+        std::sort(v.begin(), v.end());
+        v.erase(std::unique(v.begin(), v.end()), v.end());
+      };
+      sort_unique(mine);
+      std::vector<Label> all = gather_all(mine, comm);
+      sort_unique(all);
+      return all;
+    }
+
+    /** Labels that touch each reservoir. Collective. */
+    ReservoirLabels
+    find_reservoir_labels(const SlabField          &gap,
+                          const std::vector<Label> &labels,
+                          const FlowDirection       direction)
+    {
+      const SlabLayout  &layout = gap.layout();
+      const int          nx = gap.grid().nx, ny = gap.grid().ny, n_rows = layout.n_rows();
+      std::vector<Label> inlet, outlet;
+      const auto visit = [&](const int ix, const int row, std::vector<Label> &set) {
+        const Label label = labels[static_cast<std::size_t>(row) * nx + ix];
+        if (label != no_label)
+          set.push_back(label);
+      };
+      if (direction == FlowDirection::x)
+        for (int row = 0; row < n_rows; ++row)
+          {
+            visit(0, row, inlet);
+            if (gap(0, row) > 0)
+              visit(nx - 1, row, outlet);
+          }
+      else
+        {
+          const bool has_first = n_rows > 0 && layout.first_row() == 0;
+          const bool has_last  = n_rows > 0 && layout.first_row() + n_rows == ny;
+          const auto seam =
+            fetch_rows(gap, has_last ? std::vector<int>{0} : std::vector<int>{});
+          for (int ix = 0; ix < nx; ++ix)
+            {
+              if (has_first)
+                visit(ix, 0, inlet);
+              if (has_last && seam[ix] > 0)
+                visit(ix, n_rows - 1, outlet);
+            }
+        }
+      return {sorted_union(inlet, layout.communicator()),
+              sorted_union(outlet, layout.communicator())};
+    }
+
+    bool
+    contains(const std::vector<Label> &sorted, const Label label)
+    {
+      return std::binary_search(sorted.begin(), sorted.end(), label);
+    }
+  } // namespace
+
+  Clusters
+  find_clusters(const SlabField &flow_gap, const FlowDirection direction)
+  {
+    std::vector<Label> labels = label_slab(flow_gap, direction);
+    merge_slabs(flow_gap, labels, direction);
+    const ReservoirLabels reservoirs = find_reservoir_labels(flow_gap, labels, direction);
+
+    Clusters  clusters;
+    long long n_open = 0, n_percolating = 0;
+    clusters.states.assign(labels.size(), NodeState::closed);
+    for (std::size_t k = 0; k < labels.size(); ++k)
+      if (labels[k] != no_label)
+        {
+          const bool in      = contains(reservoirs.inlet, labels[k]);
+          const bool out     = contains(reservoirs.outlet, labels[k]);
+          clusters.states[k] = in && out ? NodeState::percolating
+                               : in      ? NodeState::inlet_side
+                               : out     ? NodeState::outlet_side
+                                         : NodeState::pocket;
+          ++n_open;
+          n_percolating += in && out;
+        }
+    MPI_Comm   comm               = flow_gap.layout().communicator();
+    const auto n_points           = static_cast<double>(flow_gap.grid().n_points());
+    n_percolating                 = sum(comm, n_percolating);
+    clusters.percolates           = n_percolating > 0;
+    clusters.open_fraction        = static_cast<double>(sum(comm, n_open)) / n_points;
+    clusters.percolating_fraction = static_cast<double>(n_percolating) / n_points;
+    return clusters;
+  }
+
+  SlabField
+  percolating_gap(const SlabField    &flow_gap,
+                  const Clusters     &clusters,
+                  const FlowDirection direction)
+  {
+    const SlabLayout &layout = flow_gap.layout();
+    const int         nx = flow_gap.grid().nx, ny = flow_gap.grid().ny;
+    SlabField         kept(flow_gap.layout_pointer());
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      {
+        const NodeState state = clusters.states[k];
+        if (state == NodeState::percolating || state == NodeState::closed)
+          kept[k] = flow_gap[k];
+      }
+    // The copy at the outlet of a point on the seam.
+    const auto restore = [&](const int ix, const int row, const bool neighbour_kept) {
+      if (neighbour_kept && flow_gap(ix, row) > 0)
+        kept(ix, row) = flow_gap(ix, row);
+    };
+    if (direction == FlowDirection::x)
+      for (int row = 0; row < layout.n_rows(); ++row)
+        restore(0, row, kept(nx - 1, row) > 0);
+    else
+      {
+        const bool has_first = layout.n_rows() > 0 && layout.first_row() == 0;
+        const auto behind =
+          fetch_rows(kept, has_first ? std::vector<int>{ny - 1} : std::vector<int>{});
+        for (int ix = 0; has_first && ix < nx; ++ix)
+          restore(ix, 0, behind[ix] > 0);
+      }
+    return kept;
+  }
+} // namespace strait

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/percolation/flow_path.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    struct Step
+    {
+      int along;
+      int across;
+    };
+
+    constexpr std::array<Step, 8> steps = {
+      {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+    constexpr std::uint8_t start_of_path = 255;
+
+    /** Searches for paths on the gap, and bars the way to later ones. */
+    class PathSearch
+    {
+    public:
+      explicit PathSearch(const FlowLattice &lattice)
+        : gap(lattice)
+        , blocked(lattice.size(), false)
+      {
+      }
+
+      /** The least-resistance path that avoids blocked points; may be empty. */
+      FlowPath run() const;
+
+      /** Bar the throats of @p path to later searches. */
+      void block_throats(const FlowPath &path);
+
+    private:
+      bool
+      is_open(const std::size_t k) const
+      {
+        return gap[k] > 0 && !blocked[k];
+      }
+
+      static double
+      resistivity(const double g)
+      {
+        return g > 0 ? 1. / (g * g * g) : infinity;
+      }
+
+      double step_resistance(int a, int b, const Step &step) const;
+
+      FlowPath trace_back(std::size_t                      end,
+                          const std::vector<std::uint8_t> &came_by) const;
+
+      const FlowLattice &gap;
+      std::vector<bool>  blocked;
+    };
+
+    double
+    PathSearch::step_resistance(const int a, const int b, const Step &step) const
+    {
+      const std::size_t here  = gap.index(a, b);
+      const std::size_t there = gap.index(a + step.along, b + step.across);
+      if (!is_open(there))
+        return infinity;
+      const double mean_ends = .5 * (resistivity(gap[here]) + resistivity(gap[there]));
+      if (step.along == 0)
+        return mean_ends * gap.spacing_across();
+      if (step.across == 0)
+        return mean_ends * gap.spacing_along();
+      // Two corners that merely touch are no channel.
+      const double side_1 = gap[gap.index(a + step.along, b)];
+      const double side_2 = gap[gap.index(a, b + step.across)];
+      if (!(side_1 > 0) && !(side_2 > 0))
+        return infinity;
+      const double middle =
+        .25 * (gap[here] + gap[there] + std::max(side_1, 0.) + std::max(side_2, 0.));
+      return std::max(mean_ends, resistivity(middle)) *
+             std::hypot(gap.spacing_along(), gap.spacing_across());
+    }
+
+    FlowPath
+    PathSearch::run() const
+    {
+      using Entry = std::pair<double, std::size_t>;
+      std::vector<double>       resistance(gap.size(), infinity);
+      std::vector<std::uint8_t> came_by(gap.size(), start_of_path);
+      std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+      for (int b = 0; b < gap.n_across(); ++b)
+        if (const std::size_t k = gap.index(0, b); is_open(k))
+          {
+            resistance[k] = 0;
+            queue.emplace(0., k);
+          }
+      while (!queue.empty())
+        {
+          const auto [so_far, k] = queue.top();
+          queue.pop();
+          if (so_far > resistance[k])
+            continue;
+          const int a = gap.along(k), b = gap.across_of(k);
+          if (a == gap.width() - 1)
+            {
+              FlowPath path        = trace_back(k, came_by);
+              path.path_resistance = so_far;
+              return path;
+            }
+          for (std::size_t s = 0; s < steps.size(); ++s)
+            {
+              const int to_a = a + steps[s].along;
+              if (to_a < 0 || to_a >= gap.width())
+                continue;
+              const double total = so_far + step_resistance(a, b, steps[s]);
+              const auto   to    = gap.index(to_a, b + steps[s].across);
+              if (total < resistance[to])
+                {
+                  resistance[to] = total;
+                  came_by[to]    = static_cast<std::uint8_t>(s);
+                  queue.emplace(total, to);
+                }
+            }
+        }
+      return {};
+    }
+
+    FlowPath
+    PathSearch::trace_back(std::size_t                      end,
+                           const std::vector<std::uint8_t> &came_by) const
+    {
+      FlowPath path;
+      path.bottleneck_gap = infinity;
+      for (std::size_t k = end;;)
+        {
+          path.points.push_back(gap.point(k));
+          if (gap[k] < path.bottleneck_gap)
+            {
+              path.bottleneck_gap = gap[k];
+              path.bottleneck     = path.points.back();
+            }
+          if (came_by[k] == start_of_path)
+            break;
+          const Step &step = steps[came_by[k]];
+          k = gap.index(gap.along(k) - step.along, gap.across_of(k) - step.across);
+        }
+      std::reverse(path.points.begin(), path.points.end());
+      return path;
+    }
+
+    void
+    PathSearch::block_throats(const FlowPath &path)
+    {
+      const double threshold = .05 * resistivity(path.bottleneck_gap);
+      const int    reach     = std::min(2, gap.n_across());
+      for (const GridPoint &point : path.points)
+        {
+          const std::size_t k = gap.index_of(point);
+          if (resistivity(gap[k]) <= threshold)
+            continue;
+          const int a = gap.along(k), b = gap.across_of(k);
+          for (int i = std::max(a - 2, 0); i <= std::min(a + 2, gap.width() - 1); ++i)
+            for (int j = b - reach; j <= b + reach; ++j)
+              blocked[gap.index(i, j)] = true;
+        }
+    }
+
+    void
+    broadcast_path(FlowPath &path, MPI_Comm comm)
+    {
+      auto n_points = static_cast<int>(path.points.size());
+      MPI_Bcast(&n_points, 1, MPI_INT, 0, comm);
+      path.points.resize(n_points);
+      static_assert(sizeof(GridPoint) == 2 * sizeof(int));
+      MPI_Bcast(path.points.data(), 2 * n_points, MPI_INT, 0, comm);
+      MPI_Bcast(&path.bottleneck, 2, MPI_INT, 0, comm);
+      MPI_Bcast(&path.bottleneck_gap, 1, MPI_DOUBLE, 0, comm);
+      MPI_Bcast(&path.path_resistance, 1, MPI_DOUBLE, 0, comm);
+    }
+  } // namespace
+
+  std::vector<FlowPath>
+  find_flow_paths(const SlabField    &gap,
+                  const FlowDirection direction,
+                  const unsigned int  n_paths)
+  {
+    constexpr double          largest_ratio = 2e4;
+    MPI_Comm                  comm          = gap.layout().communicator();
+    const std::vector<double> whole         = gather_on_root(gap);
+    std::vector<FlowPath>     paths;
+    run_on_root(comm, [&]() {
+      const FlowLattice lattice(whole, gap.grid(), direction);
+      PathSearch        search(lattice);
+      while (paths.size() < n_paths)
+        {
+          FlowPath path = search.run();
+          if (path.points.empty() ||
+              (!paths.empty() &&
+               path.path_resistance > largest_ratio * paths.front().path_resistance))
+            break;
+          search.block_throats(path);
+          paths.push_back(std::move(path));
+        }
+    });
+    auto n_found = static_cast<int>(paths.size());
+    MPI_Bcast(&n_found, 1, MPI_INT, 0, comm);
+    paths.resize(n_found);
+    for (FlowPath &path : paths)
+      broadcast_path(path, comm);
+    return paths;
+  }
+} // namespace strait

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/reference/wavy_contact.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strait::reference
+{
+  namespace
+  {
+    const double pi = std::acos(-1.);
+
+    /** P = p0/p*, at most 1, where contact is complete. */
+    double
+    relative_load(const Westergaard &contact)
+    {
+      return std::min(contact.nominal_pressure / contact.full_pressure(), 1.);
+    }
+  } // namespace
+
+  double
+  Westergaard::full_pressure() const
+  {
+    return pi * modulus * amplitude / wavelength;
+  }
+
+  double
+  Westergaard::contact_half_width() const
+  {
+    return wavelength / pi * std::asin(std::sqrt(relative_load(*this)));
+  }
+
+  double
+  Westergaard::pressure(const double x) const
+  {
+    const double psi     = pi * x / wavelength;
+    const double load    = relative_load(*this);
+    const double surplus = std::max(nominal_pressure - full_pressure(), 0.);
+    const double inside  = load - std::sin(psi) * std::sin(psi);
+    if (inside <= 0)
+      return surplus;
+    // The wave's own period is λ, that of cos ψ is 2λ.
+    return surplus + 2 * full_pressure() * std::abs(std::cos(psi)) * std::sqrt(inside);
+  }
+
+  double
+  Westergaard::gap(const double x) const
+  {
+    const double load     = relative_load(*this);
+    const double distance = std::abs(std::sin(pi * x / wavelength));
+    const double outside  = distance * distance - load;
+    if (outside <= 0)
+      return 0.;
+    const double wave = distance * std::sqrt(outside);
+    return 2 * amplitude *
+           (load > 0 ? wave - load * std::acosh(distance / std::sqrt(load)) : wave);
+  }
+
+  double
+  Westergaard::mean_gap() const
+  {
+    const double load = relative_load(*this);
+    return amplitude * (1 - load + (load > 0 ? load * std::log(load) : 0.));
+  }
+
+  namespace product_wave
+  {
+    double
+    full_pressure(const double amplitude, const double wavelength, const double modulus)
+    {
+      return std::sqrt(2.) * pi * modulus * amplitude / wavelength;
+    }
+
+    double
+    contact_fraction_at_low_load(const double load)
+    {
+      return pi * std::pow(3 * load / (8 * pi), 2. / 3.);
+    }
+
+    double
+    contact_fraction_at_high_load(const double load)
+    {
+      return 1 - 3 * (1 - load) / (2 * pi);
+    }
+  } // namespace product_wave
+
+  namespace square_saddle
+  {
+    double
+    full_pressure(const double amplitude, const double wavelength, const double modulus)
+    {
+      return 2 * pi * modulus * amplitude / wavelength;
+    }
+
+    double
+    curvature_radius(const double amplitude, const double wavelength)
+    {
+      return wavelength * wavelength / (2 * std::sqrt(2.) * pi * pi * amplitude);
+    }
+  } // namespace square_saddle
+
+  double
+  corrected_contact_area(const double area, const double perimeter, const double spacing)
+  {
+    const double beta = (pi - 1 + std::log(2.)) / 24;
+    return area - beta * perimeter * spacing;
+  }
+} // namespace strait::reference

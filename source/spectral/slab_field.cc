@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/spectral/slab_field.h>
+
+#include <fftw3-mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace strait
+{
+  SlabLayout::SlabLayout(const PeriodicGrid &grid, MPI_Comm communicator)
+    : periodic_grid(grid)
+    , comm(communicator)
+  {
+    fftw_mpi_init();
+    MPI_Comm_rank(comm, &my_rank);
+    int n_ranks = 1;
+    MPI_Comm_size(comm, &n_ranks);
+
+    ptrdiff_t n_rows = 0, first = 0;
+    fftw_mpi_local_size_2d(grid.ny, grid.nx / 2 + 1, comm, &n_rows, &first);
+    const int        mine = static_cast<int>(n_rows);
+    std::vector<int> counts(n_ranks);
+    MPI_Allgather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
+    row_starts.assign(n_ranks + 1, 0);
+    for (int r = 0; r < n_ranks; ++r)
+      row_starts[r + 1] = row_starts[r] + counts[r];
+  }
+
+  int
+  SlabLayout::owner_of_row(const int row) const
+  {
+    const auto next = std::upper_bound(row_starts.begin(), row_starts.end(), row);
+    return static_cast<int>(next - row_starts.begin()) - 1;
+  }
+
+  SlabLayoutPtr
+  make_layout(const PeriodicGrid &grid, MPI_Comm communicator)
+  {
+    return std::make_shared<const SlabLayout>(grid, communicator);
+  }
+
+  double
+  mean(const SlabField &field)
+  {
+    double total = 0;
+    for (const double value : field)
+      total += value;
+    return sum(field.layout().communicator(), total) / field.grid().n_points();
+  }
+
+  double
+  rms(const SlabField &field)
+  {
+    const double average = mean(field);
+    double       total   = 0;
+    for (const double value : field)
+      total += (value - average) * (value - average);
+    return std::sqrt(sum(field.layout().communicator(), total) / field.grid().n_points());
+  }
+
+  double
+  min_value(const SlabField &field)
+  {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const double value : field)
+      smallest = std::min(smallest, value);
+    return minimum(field.layout().communicator(), smallest);
+  }
+
+  double
+  max_value(const SlabField &field)
+  {
+    double largest = -std::numeric_limits<double>::infinity();
+    for (const double value : field)
+      largest = std::max(largest, value);
+    return maximum(field.layout().communicator(), largest);
+  }
+
+  std::vector<double>
+  fetch_rows(const SlabField &field, const std::vector<int> &rows)
+  {
+    return fetch_rows(field.layout(), field.data(), field.grid().nx, rows);
+  }
+
+  std::vector<double>
+  fetch_rows(const SlabLayout       &layout,
+             const double           *local_rows,
+             const int               row_length,
+             const std::vector<int> &rows)
+  {
+    const int  ny      = layout.grid().ny;
+    const int  n_ranks = layout.n_ranks();
+    const auto wrap    = [ny](const int row) { return ((row % ny) + ny) % ny; };
+
+    // Tell every owner which of its rows this rank wants.
+    std::vector<int> n_wanted(n_ranks, 0), n_asked(n_ranks, 0);
+    for (const int row : rows)
+      ++n_wanted[layout.owner_of_row(wrap(row))];
+    MPI_Alltoall(
+      n_wanted.data(), 1, MPI_INT, n_asked.data(), 1, MPI_INT, layout.communicator());
+    std::vector<int> wanted_at(n_ranks + 1, 0), asked_at(n_ranks + 1, 0);
+    for (int r = 0; r < n_ranks; ++r)
+      {
+        wanted_at[r + 1] = wanted_at[r] + n_wanted[r];
+        asked_at[r + 1]  = asked_at[r] + n_asked[r];
+      }
+    std::vector<int> wanted(rows.size()), place(rows.size());
+    std::vector<int> next(wanted_at.begin(), wanted_at.end() - 1);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      {
+        const int row      = wrap(rows[k]);
+        const int position = next[layout.owner_of_row(row)]++;
+        wanted[position]   = row;
+        place[k]           = position;
+      }
+    std::vector<int> asked(asked_at[n_ranks]);
+    MPI_Alltoallv(wanted.data(),
+                  n_wanted.data(),
+                  wanted_at.data(),
+                  MPI_INT,
+                  asked.data(),
+                  n_asked.data(),
+                  asked_at.data(),
+                  MPI_INT,
+                  layout.communicator());
+
+    // Send the rows as units of one contiguous type, so that counts stay small.
+    MPI_Datatype row_type;
+    MPI_Type_contiguous(row_length, MPI_DOUBLE, &row_type);
+    MPI_Type_commit(&row_type);
+    std::vector<double> outgoing(asked.size() * static_cast<std::size_t>(row_length));
+    std::vector<double> incoming(rows.size() * static_cast<std::size_t>(row_length));
+    for (std::size_t k = 0; k < asked.size(); ++k)
+      std::copy_n(local_rows +
+                    static_cast<std::size_t>(asked[k] - layout.first_row()) * row_length,
+                  row_length,
+                  outgoing.data() + k * row_length);
+    MPI_Alltoallv(outgoing.data(),
+                  n_asked.data(),
+                  asked_at.data(),
+                  row_type,
+                  incoming.data(),
+                  n_wanted.data(),
+                  wanted_at.data(),
+                  row_type,
+                  layout.communicator());
+    MPI_Type_free(&row_type);
+
+    std::vector<double> result(incoming.size());
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      std::copy_n(incoming.data() + static_cast<std::size_t>(place[k]) * row_length,
+                  row_length,
+                  result.data() + k * row_length);
+    return result;
+  }
+
+  std::vector<double>
+  gather_on_root(const SlabField &field)
+  {
+    std::vector<int> rows;
+    if (field.layout().rank() == 0)
+      for (int row = 0; row < field.grid().ny; ++row)
+        rows.push_back(row);
+    return fetch_rows(field, rows);
+  }
+
+  SlabField
+  scatter_from_root(const SlabLayoutPtr &layout, const std::vector<double> &whole)
+  {
+    SlabField        field(layout);
+    std::vector<int> counts(layout->n_ranks()), starts(layout->n_ranks());
+    for (int r = 0; r < layout->n_ranks(); ++r)
+      {
+        starts[r] = layout->first_row_of(r);
+        counts[r] = layout->first_row_of(r + 1) - starts[r];
+      }
+    MPI_Datatype row_type;
+    MPI_Type_contiguous(layout->grid().nx, MPI_DOUBLE, &row_type);
+    MPI_Type_commit(&row_type);
+    MPI_Scatterv(whole.data(),
+                 counts.data(),
+                 starts.data(),
+                 row_type,
+                 field.data(),
+                 layout->n_rows(),
+                 row_type,
+                 0,
+                 layout->communicator());
+    MPI_Type_free(&row_type);
+    return field;
+  }
+} // namespace strait

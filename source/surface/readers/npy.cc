@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/surface/readers/npy.h>
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <regex>
+#include <type_traits>
+
+namespace strait
+{
+  namespace
+  {
+    /** What the dictionary at the start of the file says. */
+    struct NpyHeader
+    {
+      char           type          = 'f'; // f: floating point, i: integer
+      int            item_size     = 0;   // bytes
+      bool           fortran_order = false;
+      std::uint64_t  n_rows        = 0;
+      std::uint64_t  n_columns     = 0;
+      std::uintmax_t data_begin    = 0; // bytes from the start of the file
+    };
+
+    std::uint64_t
+    little_endian(const char *bytes, const int n_bytes)
+    {
+      std::uint64_t value = 0;
+      for (int i = n_bytes - 1; i >= 0; --i)
+        value = value << 8 | static_cast<unsigned char>(bytes[i]);
+      return value;
+    }
+
+    template <class Number>
+    double
+    decode_as(const std::uint64_t bits)
+    {
+      // The lowest bytes of the word, whatever the byte order of this machine.
+      using Word = std::conditional_t<
+        sizeof(Number) == 2,
+        std::uint16_t,
+        std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>;
+      const Word word = static_cast<Word>(bits);
+      Number     value;
+      std::memcpy(&value, &word, sizeof(value));
+      return static_cast<double>(value);
+    }
+
+    double
+    decode(const NpyHeader &header, const char *bytes)
+    {
+      const std::uint64_t bits = little_endian(bytes, header.item_size);
+      if (header.type == 'f')
+        return header.item_size == 4 ? decode_as<float>(bits) : decode_as<double>(bits);
+      switch (header.item_size)
+        {
+          case 2:
+            return decode_as<std::int16_t>(bits);
+          case 4:
+            return decode_as<std::int32_t>(bits);
+          default:
+            return decode_as<std::int64_t>(bits);
+        }
+    }
+
+    /** The text of the dictionary; sets header.data_begin. */
+    std::string
+    read_dictionary(std::ifstream &stream, const std::string &file, NpyHeader &header)
+    {
+      char start[12] = {};
+      stream.read(start, 8);
+      const int version      = static_cast<unsigned char>(start[6]);
+      const int length_bytes = version == 1 ? 2 : 4;
+      if (!stream || version < 1 || version > 3)
+        reject_height_map(file, "is a .npy file of an unknown version: save it again.");
+      stream.read(start + 8, length_bytes);
+      const std::uint64_t length = little_endian(start + 8, length_bytes);
+      header.data_begin          = 8 + length_bytes + length;
+      if (!stream || header.data_begin > std::filesystem::file_size(file))
+        reject_height_map(file, "ends within its header: copy or save it again.");
+      std::string dictionary(length, ' ');
+      stream.read(dictionary.data(), static_cast<std::streamsize>(length));
+      return dictionary;
+    }
+
+    std::uint64_t
+    parse_extent(const std::string &digits, const std::string &file)
+    {
+      // Ten digits fit into 64 bits and are more than any grid has.
+      const std::uint64_t extent = digits.size() > 10 ? 0 : std::stoull(digits);
+      if (extent == 0 || extent > std::numeric_limits<int>::max())
+        reject_height_map(file,
+                          "has " + digits +
+                            " rows or columns, which is not possible: save "
+                            "an array of shape (Ny, Nx).");
+      return extent;
+    }
+
+    NpyHeader
+    read_header(std::ifstream &stream, const std::string &file)
+    {
+      NpyHeader         header;
+      const std::string dictionary = read_dictionary(stream, file, header);
+
+      std::smatch             match;
+      static const std::regex type("'descr': *'([^']*)'");
+      if (!std::regex_search(dictionary, match, type))
+        reject_height_map(file, "has no single data type: save a plain array.");
+      static const std::regex supported("<(f[48]|i[248])");
+      const std::string       type_name = match[1];
+      if (!std::regex_match(type_name, supported))
+        reject_height_map(file,
+                          "has the data type '" + type_name +
+                            "', and only <f4, <f8, <i2, <i4 and <i8 are supported: "
+                            "convert it with astype('<f8').");
+      header.type      = type_name[1];
+      header.item_size = type_name[2] - '0';
+
+      static const std::regex shape("'shape': *\\( *([0-9]+) *, *([0-9]+) *,? *\\)");
+      if (!std::regex_search(dictionary, match, shape))
+        reject_height_map(file,
+                          "is not two-dimensional: save an array of shape (Ny, Nx).");
+      header.n_rows    = parse_extent(match[1], file);
+      header.n_columns = parse_extent(match[2], file);
+
+      static const std::regex fortran("'fortran_order': *True");
+      header.fortran_order = std::regex_search(dictionary, fortran);
+      return header;
+    }
+
+    /** Before any memory is set aside for what a damaged header may claim. */
+    void
+    check_length(const NpyHeader &header, const std::string &file)
+    {
+      const std::uint64_t actual   = std::filesystem::file_size(file) - header.data_begin;
+      const std::uint64_t n_values = header.n_rows * header.n_columns; // below 2^62
+      if (actual % header.item_size != 0 || actual / header.item_size != n_values)
+        reject_height_map(file,
+                          "promises " + std::to_string(header.n_rows) + " x " +
+                            std::to_string(header.n_columns) + " values and holds " +
+                            std::to_string(actual / header.item_size) +
+                            ": copy or save it again.");
+    }
+  } // namespace
+
+  HeightMap
+  read_npy(const std::string &file)
+  {
+    std::ifstream   stream(file, std::ios::binary);
+    const NpyHeader header = read_header(stream, file);
+    check_length(header, file);
+
+    HeightMap map;
+    map.nx = static_cast<int>(header.n_columns);
+    map.ny = static_cast<int>(header.n_rows);
+    map.values.resize(header.n_rows * header.n_columns);
+
+    // A line is a row in C order and a column in Fortran order.
+    const std::size_t n_lines = header.fortran_order ? header.n_columns : header.n_rows;
+    const std::size_t n_items = header.fortran_order ? header.n_rows : header.n_columns;
+    const std::size_t line_stride = header.fortran_order ? 1 : header.n_columns;
+    const std::size_t item_stride = header.fortran_order ? header.n_columns : 1;
+
+    std::vector<char> bytes(n_items * header.item_size);
+    for (std::size_t line = 0; line < n_lines; ++line)
+      {
+        stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        if (!stream)
+          reject_height_map(file, "cannot be read to its end: copy or save it again.");
+        for (std::size_t item = 0; item < n_items; ++item)
+          map.values[line * line_stride + item * item_stride] =
+            decode(header, bytes.data() + item * header.item_size);
+      }
+    return map;
+  }
+} // namespace strait

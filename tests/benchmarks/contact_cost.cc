@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a contact solve costs: FFT pairs, time in units of bare FFT pairs, memory.
+//
+//   benchmark_contact_cost [grid sizes, default 512 1024]
+//
+// Self-affine surfaces of rms slope 1, H = 0.8, roll-off at half the box, cut-off
+// at 8 grid points; nominal pressures over E*.
+#include <strait/contact/contact_solver.h>
+#include <strait/contact/dual_conjugate_gradients.h>
+#include <strait/surface/self_affine_surface.h>
+
+#include <fftw3-mpi.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+namespace
+{
+  using namespace strait;
+
+  double
+  seconds()
+  {
+    using namespace std::chrono;
+    return duration<double>(steady_clock::now().time_since_epoch()).count();
+  }
+
+  SlabField
+  rough_heights(const int n)
+  {
+    SurfaceParameters parameters;
+    parameters.short_cut_off_wavelength = 8. / n;
+    return SelfAffineSurface(parameters, MPI_COMM_WORLD)
+      .heights(make_layout({n, n, 1., 1.}, MPI_COMM_WORLD));
+  }
+
+  /** Seconds of one forward and one inverse transform, nothing else. */
+  double
+  bare_pair(const int n)
+  {
+    ptrdiff_t       rows = 0, row = 0, columns = 0, column = 0;
+    const ptrdiff_t size = fftw_mpi_local_size_2d_transposed(
+      n, n / 2 + 1, MPI_COMM_WORLD, &rows, &row, &columns, &column);
+    int n_ranks = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+    const unsigned out      = n_ranks > 1 ? FFTW_MPI_TRANSPOSED_OUT : 0U;
+    const unsigned in       = n_ranks > 1 ? FFTW_MPI_TRANSPOSED_IN : 0U;
+    double        *values   = fftw_alloc_real(2 * size);
+    auto          *spectrum = reinterpret_cast<fftw_complex *>(values);
+    fftw_plan      forward  = fftw_mpi_plan_dft_r2c_2d(
+      n, n, values, spectrum, MPI_COMM_WORLD, FFTW_MEASURE | out);
+    fftw_plan backward = fftw_mpi_plan_dft_c2r_2d(
+      n, n, spectrum, values, MPI_COMM_WORLD, FFTW_MEASURE | in);
+    std::fill_n(values, 2 * size, 0.);
+    double best = 1e300;
+    for (int repetition = 0; repetition < 7; ++repetition)
+      {
+        const double start = seconds();
+        fftw_execute(forward);
+        fftw_execute(backward);
+        best = std::min(best, seconds() - start);
+      }
+    fftw_destroy_plan(forward);
+    fftw_destroy_plan(backward);
+    fftw_free(values);
+    return best;
+  }
+
+  struct Cost
+  {
+    long   pairs   = 0;
+    double seconds = 0;
+  };
+
+  Cost
+  cold(const SlabField &heights, const double load, const double tolerance)
+  {
+    HalfSpaceProblem       problem(heights, 1.);
+    DualConjugateGradients solver(problem,
+                                  ContactConstraint::mean_pressure(load),
+                                  {tolerance, rms(heights), 1000});
+    SlabField              p(heights.layout_pointer(), load), g(heights.layout_pointer());
+    const double           start    = seconds();
+    const auto             solution = solver.solve(p.data(), g.data());
+    if (!solution.converged)
+      std::printf("not converged: %g\n", solution.residual);
+    return {problem.n_applications(), seconds() - start};
+  }
+
+  ContactParameters
+  contact_parameters(const double tolerance)
+  {
+    ContactParameters parameters;
+    parameters.tolerance = tolerance;
+    return parameters;
+  }
+
+  /** The first state, which starts from coarser grids. */
+  Cost
+  nested(const SlabField &heights, const double load, const double tolerance)
+  {
+    ContactSolver      solver(contact_parameters(tolerance), heights);
+    const double       start = seconds();
+    const ContactState state = solver.solve(load);
+    return {state.fft_pairs, seconds() - start};
+  }
+
+  /** The mean of three steps of 2 % after two others. */
+  Cost
+  continued(const SlabField &heights,
+            const double     load,
+            const double     tolerance,
+            double          &bytes_per_point)
+  {
+    ContactSolver solver(contact_parameters(tolerance), heights);
+    Cost          cost;
+    double        step = load;
+    for (int k = 0; k < 5; ++k, step *= 1.02)
+      {
+        const double       start = seconds();
+        const ContactState state = solver.solve(step);
+        if (k < 2)
+          continue;
+        cost.pairs += state.fft_pairs;
+        cost.seconds += (seconds() - start) / 3;
+      }
+    cost.pairs = (cost.pairs + 1) / 3;
+    bytes_per_point =
+      static_cast<double>(solver.memory_consumption()) / static_cast<double>(heights.size());
+    return cost;
+  }
+
+  void
+  print_rows(const int n)
+  {
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    const SlabField heights = rough_heights(n);
+    const double    bare    = bare_pair(n);
+    for (const double load : {0.01, 0.05, 0.1, 0.2, 0.3})
+      {
+        double     bytes  = 0;
+        const Cost cold6  = cold(heights, load, 1e-6);
+        const Cost cold8  = cold(heights, load, 1e-8);
+        const Cost nest6  = nested(heights, load, 1e-6);
+        const Cost nest8  = nested(heights, load, 1e-8);
+        const Cost steps6 = continued(heights, load, 1e-6, bytes);
+        const Cost steps8 = continued(heights, load, 1e-8, bytes);
+        if (rank == 0)
+          std::printf("%5d %5.2f %5ld %5ld %6ld %5ld %6ld %5ld %9.3f %9.3f %7.2f %7.2f "
+                      "%7.1f\n",
+                      n,
+                      load,
+                      cold6.pairs,
+                      cold8.pairs,
+                      nest6.pairs,
+                      nest8.pairs,
+                      steps6.pairs,
+                      steps8.pairs,
+                      1e3 * bare,
+                      nest8.seconds,
+                      cold8.seconds / (static_cast<double>(cold8.pairs) * bare),
+                      nest8.seconds / (static_cast<double>(nest8.pairs) * bare),
+                      bytes);
+        std::fflush(stdout);
+      }
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  MPI_Init(&argc, &argv);
+  load_wisdom(MPI_COMM_WORLD);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0)
+    std::printf("          FFT pairs to 1e-6, 1e-8             bare      nested    time over "
+                "bare pairs\n"
+                "              cold      nested     2 %% steps  pair/ms   1e-8/s    cold  "
+                "nested bytes/point\n");
+  std::vector<int> sizes;
+  for (int k = 1; k < argc; ++k)
+    sizes.push_back(std::atoi(argv[k]));
+  if (sizes.empty())
+    sizes = {512, 1024};
+  for (const int n : sizes)
+    print_rows(n);
+  save_wisdom(MPI_COMM_WORLD);
+  MPI_Finalize();
+}

@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Check that the house is in order: check_rooms.py PROJECT_FOLDER
+
+- A file includes only headers of its own room and of the rooms before it.
+- The rooms that must compile quickly do not include deal.II.
+- Each source has its header and each header with a source has it in the same
+  place; every file names its licence in the first line.
+- No header includes itself round a corner.
+"""
+import os
+import re
+import sys
+
+ROOMS = ["base", "reference", "spectral", "surface", "contact", "percolation",
+         "interface", "flow", "theory", "coupling", "driver"]
+WITHOUT_DEAL_II = ["base", "reference", "spectral", "surface", "contact", "percolation"]
+# The parameter structs know deal.II's ParameterHandler; only their sources may.
+MAY_PARSE = re.compile(r"source/base/(\w+_parameters|scene|parameter_table)\.cc$")
+LICENCE = "// SPDX-License-Identifier: GPL-2.0-or-later"
+INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>")
+
+
+def files_of(folder, ending):
+    for path, _, names in sorted(os.walk(folder)):
+        for name in sorted(names):
+            if name.endswith(ending):
+                yield os.path.join(path, name)
+
+
+def includes_of(path):
+    with open(path, encoding="utf-8") as file:
+        return [match.group(1) for match in map(INCLUDE.match, file) if match]
+
+
+def check_file(project, path):
+    relative = os.path.relpath(path, project)
+    room = os.path.relpath(path, os.path.join(
+        project, "source" if relative.startswith("source") else "include/strait")
+    ).split(os.sep)[0]
+    with open(path, encoding="utf-8") as file:
+        if file.readline().rstrip("\n") != LICENCE:
+            yield f"{relative}: the first line must be '{LICENCE}'"
+    if relative == os.path.join("source", "main.cc"):
+        return
+    if room not in ROOMS:
+        yield f"{relative}: '{room}' is not a room of the house"
+        return
+    for header in includes_of(path):
+        if header.startswith("deal.II/") and room in WITHOUT_DEAL_II \
+                and not MAY_PARSE.search(relative):
+            yield f"{relative}: the room '{room}' must not include {header}"
+        if not header.startswith("strait/"):
+            continue
+        other = header.split("/")[1]
+        if not os.path.exists(os.path.join(project, "include", header)):
+            yield f"{relative}: {header} does not exist"
+        elif other not in ROOMS:
+            yield f"{relative}: {header} is in no room of the house"
+        elif ROOMS.index(other) > ROOMS.index(room):
+            yield f"{relative}: the room '{room}' must not know {header}"
+
+
+def check_mirror(project):
+    for source in files_of(os.path.join(project, "source"), ".cc"):
+        name = os.path.relpath(source, os.path.join(project, "source"))
+        header = os.path.join(project, "include/strait", name[:-3] + ".h")
+        if name != "main.cc" and not os.path.exists(header):
+            yield f"source/{name}: has no header include/strait/{name[:-3]}.h"
+
+
+def check_guard(project):
+    for path in files_of(os.path.join(project, "include"), ".h"):
+        relative = os.path.relpath(path, os.path.join(project, "include"))
+        guard = re.sub(r"[/.]", "_", relative)
+        with open(path, encoding="utf-8") as file:
+            if f"#ifndef {guard}\n#define {guard}\n" not in file.read():
+                yield f"include/{relative}: the include guard must be {guard}"
+
+
+def check_cycles(project):
+    folder = os.path.join(project, "include")
+    graph = {os.path.relpath(path, folder): [h for h in includes_of(path)
+                                             if h.startswith("strait/")]
+             for path in files_of(folder, ".h")}
+    finished = set()
+
+    def visit(header, trail):
+        if header in trail:
+            yield " -> ".join(trail[trail.index(header):] + [header]) + ": a cycle"
+        elif header not in finished:
+            for other in graph.get(header, []):
+                yield from visit(other, trail + [header])
+            finished.add(header)
+
+    for header in graph:
+        yield from visit(header, [])
+
+
+def main():
+    project = os.path.abspath(sys.argv[1])
+    sources = list(files_of(os.path.join(project, "source"), ".cc"))
+    headers = list(files_of(os.path.join(project, "include"), ".h"))
+    problems = [problem for path in sources + headers for problem in check_file(project, path)]
+    problems += [*check_mirror(project), *check_guard(project), *check_cycles(project)]
+    for problem in problems:
+        print(problem)
+    print(f"{len(sources)} sources and {len(headers)} headers, {len(problems)} problems")
+    return 1 if problems or not sources else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/base/json.h>
+#include <strait/base/log.h>
+#include <strait/base/timers.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <thread>
+
+using namespace strait;
+
+namespace
+{
+  bool
+  on_root()
+  {
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    return rank == 0;
+  }
+
+  std::string
+  temporary_folder()
+  {
+    std::string folder;
+    run_on_root(MPI_COMM_WORLD, [&]() {
+      folder = (std::filesystem::temp_directory_path() / "strait-log-XXXXXX").string();
+      folder = mkdtemp(folder.data());
+    });
+    return broadcast(MPI_COMM_WORLD, folder);
+  }
+
+  std::string
+  contents(const std::string &path)
+  {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+  }
+} // namespace
+
+TEST(Log, FileBeginsWithTheLinesBeforeIt)
+{
+  const std::string  folder = temporary_folder();
+  const std::string  path   = folder + "/log.txt";
+  std::ostringstream screen;
+  {
+    Log log(MPI_COMM_WORLD, screen, Log::Screen::plain);
+    log.line("one");
+    log.warn("two");
+    log.attach_file(path);
+    log.line("three");
+    EXPECT_EQ(log.warnings(), std::vector<std::string>{"two"});
+  }
+  const std::string expected = "one\nwarning: two\nthree\n";
+  EXPECT_EQ(screen.str(), on_root() ? expected : "");
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_EQ(contents(path), expected);
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (on_root())
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Log, SameWarningOnlyOnce)
+{
+  std::ostringstream screen;
+  Log                log(MPI_COMM_WORLD, screen, Log::Screen::plain);
+  log.warn("coarse");
+  log.warn("coarse");
+  EXPECT_EQ(log.warnings().size(), 1u);
+  EXPECT_EQ(screen.str(), on_root() ? "warning: coarse\n" : "");
+}
+
+TEST(Log, ProgressOverwritesItselfOnATerminalOnly)
+{
+  std::ostringstream screen;
+  {
+    Log log(MPI_COMM_WORLD, screen, Log::Screen::terminal);
+    log.progress("10 %");
+    log.line("done");
+  }
+  EXPECT_EQ(screen.str(), on_root() ? "\r10 %\x1b[K\r\x1b[Kdone\n" : "");
+  std::ostringstream pipe;
+  {
+    Log log(MPI_COMM_WORLD, pipe, Log::Screen::plain);
+    log.progress("10 %"); // too early after the start
+    log.line("done");
+  }
+  EXPECT_EQ(pipe.str(), on_root() ? "done\n" : "");
+}
+
+TEST(Log, QuietScreen)
+{
+  std::ostringstream screen;
+  Log                log(MPI_COMM_WORLD, screen, Log::Screen::silent);
+  log.line("one");
+  log.progress("two");
+  log.warn("three");
+  EXPECT_EQ(screen.str(), "");
+  EXPECT_EQ(log.warnings().size(), 1u);
+}
+
+TEST(Log, UnwritableFileIsAnErrorOnAllRanks)
+{
+  std::ostringstream screen;
+  Log                log(MPI_COMM_WORLD, screen, Log::Screen::plain);
+  EXPECT_THROW(log.attach_file("/no/such/folder/log.txt"), InputError);
+}
+
+TEST(Timers, PartsNestAndTheRestIsOther)
+{
+  using namespace std::chrono_literals;
+  Timers timers;
+  for (int i = 0; i < 2; ++i)
+    {
+      const auto contact = timers.scope("contact");
+      std::this_thread::sleep_for(2ms);
+      const auto transforms = timers.scope("transforms");
+      std::this_thread::sleep_for(4ms);
+    }
+  {
+    const auto flow = timers.scope("flow");
+  }
+  EXPECT_GE(timers.seconds("contact"), 0.012);
+  EXPECT_GE(timers.seconds("contact/transforms"), 0.008);
+  EXPECT_EQ(timers.seconds("transforms"), 0.);
+
+  const auto               table = timers.table();
+  std::vector<std::string> paths;
+  for (const auto &part : table)
+    paths.push_back(part.path);
+  EXPECT_EQ(
+    paths,
+    (std::vector<std::string>{
+      "total", "contact", "contact/transforms", "contact/other", "flow", "other"}));
+  EXPECT_EQ(table[1].calls, 2);
+  EXPECT_EQ(table[2].depth, 2);
+  EXPECT_NEAR(table[2].seconds + table[3].seconds, table[1].seconds, 1e-12);
+  EXPECT_NEAR(table[1].seconds + table[4].seconds + table[5].seconds,
+              table[0].seconds,
+              1e-12);
+  EXPECT_NE(timers.summary().find("    transforms"), std::string::npos);
+}
+
+TEST(Json, NestedValues)
+{
+  Json json = Json::object();
+  json.set("name", "a \"b\"\n\\")
+    .set("count", 3)
+    .set("yes", true)
+    .set("list", std::vector<double>{0.1, 2.})
+    .set("empty", Json::array())
+    .set("inner", Json::object().set("x", Json()))
+    .set("count", 4);
+  EXPECT_EQ(json.text(),
+            "{\n"
+            "  \"name\": \"a \\\"b\\\"\\n\\\\\",\n"
+            "  \"count\": 4,\n"
+            "  \"yes\": true,\n"
+            "  \"list\": [\n    0.1,\n    2\n  ],\n"
+            "  \"empty\": [],\n"
+            "  \"inner\": {\n    \"x\": null\n  }\n"
+            "}");
+}
+
+TEST(Json, NumbersAreExactOrNull)
+{
+  EXPECT_EQ(std::stod(Json(1. / 3.).text()), 1. / 3.);
+  EXPECT_EQ(Json(std::numeric_limits<double>::quiet_NaN()).text(), "null");
+  EXPECT_EQ(Json(-std::numeric_limits<double>::infinity()).text(), "null");
+  EXPECT_EQ(Json(12345678901234567890ull).text(), "12345678901234567890");
+  EXPECT_EQ(Json("\x01").text(), "\"\\u0001\"");
+}

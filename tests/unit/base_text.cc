@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/base/scene_text.h>
+#include <strait/base/text.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace strait;
+
+TEST(Text, SplitTrimsAndKeepsEmptyParts)
+{
+  EXPECT_EQ(split(" a ,b,, c", ','), (std::vector<std::string>{"a", "b", "", "c"}));
+  EXPECT_EQ(split("", ','), (std::vector<std::string>{""}));
+  EXPECT_EQ(join({"a", "b"}, "/"), "a/b");
+}
+
+TEST(Text, NumbersReadBackExactly)
+{
+  for (const double value : {0.1, 1. / 3., 1e-300, -2.5e17, 0.0078125})
+    EXPECT_EQ(std::stod(to_text(value)), value);
+  EXPECT_EQ(to_text(0.1), "0.1");
+  EXPECT_EQ(to_text(1.), "1");
+}
+
+TEST(Text, EditDistance)
+{
+  EXPECT_EQ(edit_distance("gap", "gap"), 0);
+  EXPECT_EQ(edit_distance("Gap", "gap"), 0);
+  EXPECT_EQ(edit_distance("gap", "gaps"), 1);
+  EXPECT_EQ(edit_distance("gpa", "gap"), 1); // swapped
+  EXPECT_EQ(edit_distance("", "gap"), 3);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
+}
+
+TEST(Text, NearestNameOnlyIfNear)
+{
+  const std::vector<std::string> names = {"Viscosity", "Slip length", "Direction"};
+  EXPECT_EQ(nearest_name("Viscosty", names), "Viscosity");
+  EXPECT_EQ(nearest_name("slip lenght", names), "Slip length");
+  EXPECT_EQ(nearest_name("Temperature", names), "");
+}
+
+TEST(SceneText, EntriesWithSectionAndLine)
+{
+  const auto entries = lex_scene(
+    "# comment\n"
+    "subsection A\n"
+    "  set x  y = 1, \\\n"
+    "     2   # trailing\n"
+    "  SUBSECTION B\n"
+    "    set z = p = q\n"
+    "  End\n"
+    "end\n",
+    "f.prm",
+    "/there");
+  ASSERT_EQ(entries.size(), 4u);
+  EXPECT_EQ(entries[0].name, "");
+  EXPECT_EQ(entries[1].name, "x y");
+  EXPECT_EQ(entries[1].value, "1, 2");
+  EXPECT_EQ(entries[1].place, "f.prm:3");
+  EXPECT_EQ(entries[1].folder, "/there");
+  EXPECT_EQ(entries[3].section, (std::vector<std::string>{"A", "B"}));
+  EXPECT_EQ(entries[3].value, "p = q");
+  EXPECT_EQ(entries[3].place, "f.prm:6");
+}
+
+namespace
+{
+  std::string
+  error_of(const std::string &text)
+  {
+    try
+      {
+        lex_scene(text, "f.prm", "");
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "none";
+  }
+} // namespace
+
+TEST(SceneText, BrokenStructureNamesTheLine)
+{
+  EXPECT_EQ(error_of("\nend\n"), "f.prm:2: this 'end' closes no subsection.");
+  EXPECT_NE(error_of("subsection A\n").find("f.prm:1: the subsection 'A' is not closed"),
+            std::string::npos);
+  EXPECT_NE(error_of("subsection A\n x = 1\nend\n").find("f.prm:2: cannot read 'x = 1'"),
+            std::string::npos);
+  EXPECT_NE(error_of("set x\n").find("f.prm:1: cannot read"), std::string::npos);
+}
+
+TEST(SceneText, Overrides)
+{
+  const SceneEntry entry = lex_override("Contact/Adhesion/Enabled = a=b", "/here");
+  EXPECT_EQ(entry.section, (std::vector<std::string>{"Contact", "Adhesion"}));
+  EXPECT_EQ(entry.name, "Enabled");
+  EXPECT_EQ(entry.value, "a=b");
+  EXPECT_EQ(entry.folder, "/here");
+  for (const char *wrong : {"Enabled=true", "Contact/Enabled", "", "Contact/=1"})
+    EXPECT_THROW(lex_override(wrong, ""), InputError) << wrong;
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact_tools.h"
+
+#include <strait/contact/contact_area.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace contact_tests;
+
+  TEST(ContactArea, CountsPointsAndEdgesAcrossTheBoundary)
+  {
+    // Three by two points that wrap around both edges of a rectangular grid.
+    const PeriodicGrid grid = {9, 8, 1., 3.};
+    const SlabField    p    = sampled(grid, [&](const double x, const double y) {
+      const int  ix = static_cast<int>(std::lround(x / grid.dx()));
+      const int  iy = static_cast<int>(std::lround(y / grid.dy()));
+      const bool in_x = ix == 8 || ix <= 1, in_y = iy == 7 || iy == 0;
+      return in_x && in_y ? 0.5 : 0.;
+    });
+    const ContactArea area = contact_area(p);
+    EXPECT_DOUBLE_EQ(area.fraction, 6. / 72);
+    EXPECT_EQ(area.n_boundary_edges, 10);
+    // (π − 1 + ln 2)/24 an edge, in points.
+    EXPECT_NEAR(area.corrected_fraction, (6 - 0.1181 * 10) / 72, 1e-5);
+  }
+
+  TEST(ContactArea, OfNothingAndOfAll)
+  {
+    const SlabLayoutPtr layout = make_layout({5, 7, 1., 1.}, MPI_COMM_WORLD);
+    EXPECT_EQ(contact_area(SlabField(layout)).fraction, 0.);
+    EXPECT_EQ(contact_area(SlabField(layout, 1.)).fraction, 1.);
+    EXPECT_EQ(contact_area(SlabField(layout, 1.)).corrected_fraction, 1.);
+  }
+} // namespace

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the tests of contact share: heights and independent checks of a solution.
+#ifndef strait_tests_contact_tools_h
+#define strait_tests_contact_tools_h
+
+#include <strait/base/collective.h>
+#include <strait/contact/contact_solver.h>
+#include <strait/contact/half_space.h>
+#include <strait/surface/sample.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+namespace contact_tests
+{
+  using namespace strait;
+
+  inline const double pi = std::acos(-1.);
+
+  /** heights(x, y) on the whole grid. */
+  template <class Heights>
+  SlabField
+  sampled(const PeriodicGrid &grid, const Heights &heights)
+  {
+    return sample(make_layout(grid, MPI_COMM_WORLD), heights);
+  }
+
+  inline SlabField
+  saddle_heights(const int n)
+  {
+    return sampled({n, n, 1., 1.}, [](const double x, const double y) {
+      return 2 + std::cos(2 * pi * x) + std::cos(2 * pi * y);
+    });
+  }
+
+  /**
+   * Waves up to |k| = longest, with amplitudes ∝ k^{-1.8} and phases that are
+   * spread by a formula: rough, and the same everywhere.
+   */
+  inline SlabField
+  rough_heights(const PeriodicGrid &grid, const int longest)
+  {
+    SlabField        field(make_layout(grid, MPI_COMM_WORLD));
+    FourierTransform transform(field.layout_pointer());
+    transform.synthesize(field.data(), [&](const int kx, const int ky) {
+      const double k = std::hypot(kx, ky);
+      if (k == 0 || k > longest)
+        return std::complex<double>(0.);
+      // A wave and its mirror image on the axis kx = 0 must be conjugate.
+      const int  mirror = kx == 0 && ky < 0 ? -1 : 1;
+      const long hash   = (kx * 7919L + mirror * ky + 1000) * (kx + mirror * 31L * ky + 97);
+      const double phase = mirror * 2 * pi * static_cast<double>(hash % 1009) / 1009;
+      return 0.05 * std::polar(std::pow(k, -1.8), phase);
+    });
+    return field;
+  }
+
+  inline ContactParameters
+  contact_parameters(const double         tolerance,
+                     const ContactControl control = ContactControl::load,
+                     const ContactMethod  method  = ContactMethod::dual_cg)
+  {
+    ContactParameters parameters;
+    parameters.tolerance = tolerance;
+    parameters.control   = control;
+    parameters.method    = method;
+    return parameters;
+  }
+
+  /** The value at the global point (ix, iy), on all ranks. */
+  inline double
+  value_at(const SlabField &field, const int ix, const int iy)
+  {
+    return fetch_rows(field, {iy})[ix];
+  }
+
+  inline double
+  largest_difference(const SlabField &a, const SlabField &b)
+  {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      largest = std::max(largest, std::abs(a[i] - b[i]));
+    return maximum(a.layout().communicator(), largest);
+  }
+
+  /**
+   * How far a state is from solving its problem, computed anew: the largest
+   * deviation of its gap from G p − h + constant, over the rms height. The
+   * signs and p g = 0 hold exactly or give infinity.
+   */
+  inline double
+  violation(const ContactState &state, const SlabField &heights, const double modulus)
+  {
+    HalfSpace half_space(heights.layout_pointer(), modulus);
+    SlabField gap(heights.layout_pointer());
+    half_space.apply(state.pressure.data(), gap.data());
+    double wrong = 0;
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      {
+        gap[i] -= heights[i] + state.gap[i]; // − u0
+        if (state.gap[i] < 0 || state.pressure[i] < 0 ||
+            state.gap[i] * state.pressure[i] != 0)
+          wrong = INFINITY;
+      }
+    const double range = max_value(gap) - min_value(gap);
+    return std::max(maximum(MPI_COMM_WORLD, wrong), range / rms(heights));
+  }
+} // namespace contact_tests
+
+#endif

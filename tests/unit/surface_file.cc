@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gtest/gtest.h>
+
+#include "surface_test_tools.h"
+
+namespace
+{
+  using namespace strait;
+  using test::input_error;
+  using test::mentions;
+  using test::TemporaryFile;
+  using test::whole_surface;
+
+  SurfaceParameters
+  surface_from(const TemporaryFile &file, const double lx = 1., const double ly = 1.)
+  {
+    SurfaceParameters parameters;
+    parameters.kind = SurfaceKind::file;
+    parameters.file = file.path;
+    parameters.size = {{lx, ly}};
+    return parameters;
+  }
+
+  std::string
+  complaint(const SurfaceParameters &parameters, const int nx, const int ny)
+  {
+    return input_error([&]() { whole_surface(parameters, nx, ny); });
+  }
+
+  TEST(FileSurface, FirstRowIsTheBottom)
+  {
+    const TemporaryFile file("1 2 3\n4 5 6\n7 8 9\n10 11 12\n");
+    EXPECT_EQ(whole_surface(surface_from(file), 3, 4),
+              (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
+  }
+
+  TEST(FileSurface, InvertedAndRotated)
+  {
+    const TemporaryFile file("1 2 3\n4 5 6\n");
+    auto                parameters = surface_from(file);
+    parameters.invert              = true;
+    EXPECT_EQ(whole_surface(parameters, 3, 2),
+              (std::vector<double>{-1, -2, -3, -4, -5, -6}));
+    parameters.invert = false;
+    parameters.rotate = true;
+    // The row y = 0 becomes the column x = 0.
+    EXPECT_EQ(whole_surface(parameters, 2, 3), (std::vector<double>{1, 4, 2, 5, 3, 6}));
+  }
+
+  TEST(FileSurface, GridMustFit)
+  {
+    const TemporaryFile file("1 2 3\n4 5 6\n");
+    auto                parameters = surface_from(file);
+    EXPECT_TRUE(mentions(complaint(parameters, 3, 3), "Contact/Grid points = 3, 2."));
+    EXPECT_TRUE(mentions(complaint(parameters, 2, 3), "Contact/Grid points = 3, 2."));
+    parameters.rotate = true;
+    EXPECT_TRUE(mentions(complaint(parameters, 3, 2), "Contact/Grid points = 2, 3."));
+  }
+
+  TEST(FileSurface, StatedSizeMustBeTheScenes)
+  {
+    const TemporaryFile file(
+      "# Width: 2 mm\n# Height: 30 um\n# Value units: nm\n1 2\n3 4\n");
+    EXPECT_EQ(whole_surface(surface_from(file, 2e-3, 3e-5), 2, 2).size(), 4U);
+    EXPECT_EQ(whole_surface(surface_from(file, 2.0015e-3, 3e-5), 2, 2).size(), 4U);
+    EXPECT_TRUE(
+      mentions(complaint(surface_from(file), 2, 2), "Surface/Size = 0.002, 3e-05"));
+    EXPECT_TRUE(mentions(complaint(surface_from(file, 2.003e-3, 3e-5), 2, 2),
+                         "Surface/Size = 0.002, 3e-05"));
+    auto rotated   = surface_from(file, 2e-3, 3e-5);
+    rotated.rotate = true;
+    EXPECT_TRUE(mentions(complaint(rotated, 2, 2), "Surface/Size = 3e-05, 0.002"));
+  }
+
+  TEST(FileSurface, BadFilesAreBadOnEveryRank)
+  {
+    SurfaceParameters missing;
+    missing.kind = SurfaceKind::file;
+    missing.file = "/no/such/file.npy";
+    EXPECT_TRUE(mentions(complaint(missing, 2, 2), "does not exist"));
+    const TemporaryFile ragged("1 2 3\n4 5\n");
+    EXPECT_TRUE(mentions(complaint(surface_from(ragged), 3, 2), "in line 2"));
+  }
+} // namespace

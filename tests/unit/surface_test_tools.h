@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_tests_unit_surface_test_tools_h
+#define strait_tests_unit_surface_test_tools_h
+
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/surface/surface.h>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace strait::test
+{
+  /** The heights of a surface on nx × ny points, whole and on every rank. */
+  inline std::vector<double>
+  whole_surface(const SurfaceParameters &parameters, const int nx, const int ny)
+  {
+    const auto          surface = make_surface(parameters, MPI_COMM_WORLD);
+    const SlabLayoutPtr layout =
+      make_layout({nx, ny, parameters.size[0], parameters.size[1]}, MPI_COMM_WORLD);
+    std::vector<int> rows(ny);
+    for (int row = 0; row < ny; ++row)
+      rows[row] = row;
+    return fetch_rows(surface->heights(layout), rows);
+  }
+
+  /** The message of the InputError that @p action throws, else a test failure. */
+  template <class Action>
+  std::string
+  input_error(const Action &action)
+  {
+    try
+      {
+        action();
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    ADD_FAILURE() << "no InputError was thrown";
+    return {};
+  }
+
+  inline testing::AssertionResult
+  mentions(const std::string &message, const std::string &part)
+  {
+    if (message.find(part) != std::string::npos)
+      return testing::AssertionSuccess();
+    return testing::AssertionFailure()
+           << "\"" << message << "\" lacks \"" << part << "\"";
+  }
+
+  /** A file that rank 0 writes and removes; all ranks know its name. */
+  class TemporaryFile
+  {
+  public:
+    explicit TemporaryFile(const std::string &content)
+    {
+      static int n_files = 0;
+      const auto name    = "strait-test-" + std::to_string(getpid()) + "-" +
+                        std::to_string(n_files++) + ".map";
+      path = broadcast(MPI_COMM_WORLD,
+                       (std::filesystem::temp_directory_path() / name).string());
+      run_on_root(MPI_COMM_WORLD,
+                  [&]() { std::ofstream(path, std::ios::binary) << content; });
+    }
+
+    ~TemporaryFile()
+    {
+      MPI_Barrier(MPI_COMM_WORLD);
+      std::error_code ignored;
+      std::filesystem::remove(path, ignored);
+    }
+
+    TemporaryFile(const TemporaryFile &)            = delete;
+    TemporaryFile &operator=(const TemporaryFile &) = delete;
+
+    std::string path;
+  };
+} // namespace strait::test
+
+#endif

@@ -1,0 +1,301 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Tests of tools/plot.py: the pictures show what the results say, and odd results break nothing."""
+import contextlib
+import importlib.util
+import io
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+
+import h5py
+import numpy as np
+from matplotlib.image import imread
+
+SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "tools" / "plot.py"
+SPEC = importlib.util.spec_from_file_location("plot", SCRIPT)
+plot = importlib.util.module_from_spec(SPEC)
+SPEC.loader.exec_module(plot)
+
+HEADER = ("step,branch,pressure,mean_gap,contact_area,contact_area_corrected,percolates,"
+          "reduced_load,leak_rate,leak_rate_lower,leak_rate_upper,status")
+ROWS = ["1,loading,0.05,0.4,0.11,0.1,1,,1e-3,nan,1.1e-3,ok",
+        "2,loading,0.1,0.3,0.21,0.2,1,nan,1e-6,9e-7,1.2e-6,ok",
+        "3,loading,0.2,0.1,0.43,0.4,0,,0,0,0,ok"]
+
+
+def channel(ny, nx, flow=True):
+    """A box with a channel along x in its upper half, contact below it, and one closed pocket."""
+    y, x = np.meshgrid((np.arange(ny) + 0.5) / ny, (np.arange(nx) + 0.5) / nx, indexing="ij")
+    wet = (y > 0.5) & (y < 0.9)
+    pocket = (abs(y - 0.25) < 0.1) & (abs(x - 0.25) < 0.1)
+    fields = {"open": (2 * wet + pocket).astype(np.uint8),
+              "gap": np.where(wet, 0.2, np.where(pocket, 0.1, 0)),
+              "pressure": np.where(wet | pocket, 0, 1.0)}
+    if flow:
+        fields["fluid_pressure"] = np.where(wet, 1 - x, np.nan)
+        fields["current"] = np.where(wet, 10.0**(-15 * abs(y - 0.7) / 0.2), np.nan)
+    return fields
+
+
+def write_picture(folder, step, fields, **changes):
+    """picture-STEP.h5 as the program writes it; @p changes override attributes, None omits."""
+    about = {"lx": 1.0, "ly": 1.0, "nominal_pressure": 0.1, "contact_area": 0.5, "leak_rate": 1e-6,
+             "inlet_pressure": 1.0, "outlet_pressure": 0.0, "worst_x": 0.75, "worst_y": 0.7,
+             "percolates": 1.0, "direction": "x", **changes}
+    with h5py.File(folder / f"picture-{step}.h5", "w") as file:
+        for name, field in fields.items():
+            file[name] = field.astype(np.float32)
+        file.attrs.update({name: value for name, value in about.items() if value is not None})
+
+
+def panels_of(path, lx=1.0, ly=1.0):
+    """The pixels (rows from the bottom, 0 to 1) inside the frames of both panels of a picture."""
+    pixels = imread(path)[::-1, :, :3]
+    _, panels, _ = plot.add_panels(lx, ly)
+    height, width = pixels.shape[:2]
+    inside = []
+    for panel in panels:
+        box = panel.get_position()
+        rows = slice(round(box.y0 * height) + 2, round(box.y1 * height) - 2)
+        inside.append(pixels[rows, round(box.x0 * width) + 2:round(box.x1 * width) - 2])
+    return inside
+
+
+def share(pixels, colour, tolerance=0.02):
+    """The share of the pixels that have a colour (0 to 255)."""
+    return np.mean(np.all(abs(pixels - np.divide(colour, 255)) < tolerance, axis=-1))
+
+
+class PlotTest(unittest.TestCase):
+    """A folder for the results; draw() runs the script within this process, warnings are errors."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write_table(self, *lines):
+        (self.folder / "leakage.csv").write_text("".join(line + "\n" for line in lines))
+
+    def draw(self, *options):
+        """Exit status and messages of the script."""
+        messages = io.StringIO()
+        with contextlib.redirect_stderr(messages), warnings.catch_warnings():
+            warnings.simplefilter("error")
+            warnings.filterwarnings("ignore", category=DeprecationWarning)
+            status = plot.main([str(self.folder), *options])
+        return status, messages.getvalue()
+
+    def drawn(self):
+        """Names of the pictures in the folder."""
+        return sorted(path.name for path in self.folder.glob("*.png"))
+
+
+class Leakage(PlotTest):
+    """leakage.png."""
+
+    def assert_draws(self, *lines):
+        self.write_table(*lines)
+        self.assertEqual(self.draw(), (0, ""))
+        pixels = imread(self.folder / "leakage.png")[..., :3]
+        self.assertGreater(np.mean(pixels < 0.9), 0.002, "the picture is blank")
+        return pixels
+
+    def test_panels_follow_the_columns(self):
+        self.assertEqual(self.assert_draws(HEADER, *ROWS).shape, (600, 1485, 3))
+        near = [row.replace("1,,", "1,0.5,").replace("1,nan,", "1,0.01,") for row in ROWS]
+        self.assertEqual(self.assert_draws(HEADER, *near).shape, (600, 2205, 3))
+        self.assertEqual(self.assert_draws("pressure,leak_rate", "1,2", "2,1").shape, (600, 765, 3))
+        self.assertEqual(self.assert_draws("pressure,mean_gap", "1,2", "2,1").shape, (600, 765, 3))
+
+    def test_sealed_steps_are_marked(self):
+        marked = self.assert_draws(HEADER, *ROWS)
+        plain = self.assert_draws(HEADER, *ROWS[:2])
+        vermillion = np.array([213, 94, 0])
+        left = [share(pixels[:, :740], vermillion) for pixels in (marked, plain)]
+        self.assertGreater(left[0], 0)
+        self.assertEqual(left[1], 0)
+
+    def test_bracket_is_drawn(self):
+        wide = ROWS[1].replace("9e-7", "1e-7")
+        blue = np.array([0, 114, 178])
+        tight, loose = (share(self.assert_draws(HEADER, ROWS[0], row), blue)
+                        for row in (ROWS[1].replace("9e-7,1.2e-6", "nan,nan"), wide))
+        self.assertGreater(loose, tight)
+
+    def test_odd_tables(self):
+        self.assert_draws(HEADER, ROWS[0])
+        self.assert_draws(HEADER, ROWS[2])
+        self.assert_draws(HEADER, *ROWS[2:] * 3)
+        self.assert_draws(HEADER, ROWS[0], ROWS[0].replace("1e-3", "1e-5"))
+        self.assert_draws(HEADER, ROWS[0], "2,loading,0.1,0.3")
+        self.assert_draws(HEADER, ROWS[0].replace("1e-3", "1e-300"), ROWS[1])
+        self.assert_draws(HEADER, ROWS[0], ROWS[1].replace("ok", "contact"))
+        self.assert_draws(HEADER, *ROWS, ROWS[0].replace("loading", "unloading"))
+        self.assert_draws(HEADER, ROWS[0], ROWS[1].replace("1e-6", "nan"))
+        self.assert_draws(HEADER, ROWS[0], ROWS[1].replace("9e-7,1.2e-6", "0,inf"))
+
+    def test_tables_without_steps(self):
+        for lines in ((), (HEADER,), ("step,pressure", "1,0.1")):
+            self.write_table(*lines)
+            status, message = self.draw()
+            self.assertEqual(status, 0)
+            self.assertEqual(message.count("\n"), 1, message)
+            self.assertEqual(self.drawn(), [])
+
+    def test_a_given_gap_has_no_load_to_draw_against(self):
+        self.write_table("step,mean_gap,leak_rate", "1,1,0.5")
+        self.assertEqual(self.draw(), (0, ""))
+        self.assertEqual(self.drawn(), [])
+
+    def test_units(self):
+        for text in ('{"units": {"length": "m", "pressure": "Pa"}}', '{"units": 3}', '{', '[]'):
+            (self.folder / "run.json").write_text(text)
+            self.assert_draws(HEADER, *ROWS)
+        self.assertEqual(plot.with_unit("Gap", "length", {"length": "m"}), "Gap (m)")
+        self.assertEqual(plot.with_unit("Gap", "length", {}), "Gap (scene units)")
+        self.assertEqual(plot.with_unit("Current", "current", {"length": "m"}), "Current")
+
+
+class Pictures(PlotTest):
+    """picture-STEP.png."""
+
+    def assert_draws(self, fields, **about):
+        """Draw one step; both panels."""
+        write_picture(self.folder, 1, fields, **about)
+        self.assertEqual(self.draw("--only", "pictures"), (0, ""))
+        return panels_of(self.folder / "picture-1.png", about.get("lx", 1), about.get("ly", 1))
+
+    def test_contact_is_black_and_nothing_else(self):
+        for lx, ly, ny, nx in ((1, 1, 200, 200), (4, 1, 50, 200), (1, 3, 150, 50),
+                               (50, 1, 40, 400)):
+            fields = channel(ny, nx)
+            for panel in self.assert_draws(fields, lx=lx, ly=ly, worst_x=np.nan):
+                contact = np.mean(fields["open"] == 0)
+                self.assertAlmostEqual(share(panel, plot.CONTACT), contact, delta=0.02)
+
+    def test_size(self):
+        self.assert_draws(channel(64, 64))
+        self.assertEqual(imread(self.folder / "picture-1.png").shape[:2], (1117, 1890))
+
+    def test_colours_are_where_they_belong(self):
+        gap, flow = self.assert_draws(channel(200, 200), worst_x=np.nan)
+        at = lambda pixels, x, y: pixels[int(y * len(pixels)), int(x * pixels.shape[1])]
+        self.assertLess(at(flow, 0.5, 0.1).max(), 0.05)  # row 0 is at the bottom
+        np.testing.assert_allclose(at(flow, 0.25, 0.25), np.divide(plot.POCKET, 255), atol=0.02)
+        self.assertLess(at(gap, 0.25, 0.25).mean(), at(gap, 0.5, 0.7).mean())
+        red, green, blue = at(flow, 0.05, 0.55)
+        self.assertGreater(green, max(red, blue))
+        red, green, blue = at(flow, 0.95, 0.55)
+        self.assertGreater(blue, max(red, green))
+        red, green, blue = at(flow, 0.5, 0.7)
+        self.assertGreater(min(red, green), 0.7)
+        self.assertLess(blue, 0.4)
+
+    def test_worst_constriction_is_circled(self):
+        _, bare = self.assert_draws(channel(64, 64), worst_x=np.nan)
+        _, ringed = self.assert_draws(channel(64, 64))
+        self.assertEqual(share(bare, (255, 255, 255)), 0)
+        self.assertGreater(share(ringed, (255, 255, 255)), 1e-4)
+
+    def test_sealed(self):
+        fields = channel(100, 100, flow=False)
+        fields["open"] = np.minimum(fields["open"], 1)
+        _, flow = self.assert_draws(fields, percolates=0.0, leak_rate=0.0, worst_x=np.nan)
+        pockets = np.mean(fields["open"] == 1)
+        self.assertGreater(share(flow, (255, 255, 255)), 0.002)  # the word "sealed" on white
+        self.assertAlmostEqual(share(flow, plot.POCKET), pockets, delta=0.03)
+
+    def test_dry_contact_shows_its_pressure(self):
+        fields = channel(100, 100, flow=False)
+        dry = dict.fromkeys(("worst_x", "worst_y", "leak_rate", "percolates"))
+        gap, load = self.assert_draws(fields, **dry)
+        contact = np.mean(fields["open"] == 0)
+        self.assertAlmostEqual(share(gap, plot.CONTACT), contact, delta=0.02)
+        self.assertAlmostEqual(share(load, (255, 255, 255)), 1 - contact, delta=0.02)
+        self.assertAlmostEqual(share(load, (255, 243, 77)), contact, delta=0.02)
+
+    def test_inlet_and_outlet_are_named_on_their_sides(self):
+        above, beside = [], []
+        for direction in "xy":
+            self.assert_draws(channel(32, 32), direction=direction)
+            pixels = imread(self.folder / "picture-1.png")[..., :3]
+            above.append(np.mean(pixels[115:138, 1000:] < 0.5))
+            beside.append(np.mean(pixels[150:920, 1822:1860] < 0.5))
+        self.assertGreater(above[0], above[1])
+        self.assertGreater(beside[1], beside[0])
+
+    def test_headline_leaves_out_what_is_unknown(self):
+        about = {"nominal_pressure": 0.1, "contact_area": 0.25, "leak_rate": 2e-9}
+        self.assertEqual(plot.headline(about, {"pressure": "Pa"}).split("   ·   "),
+                         ["nominal pressure 0.1 Pa", "contact area 25.0 %",
+                          r"leak rate $2\times10^{-9}$"])
+        about.update(nominal_pressure=np.nan, leak_rate=np.nan)
+        self.assertEqual(plot.headline(about, {}), "contact area 25.0 %")
+
+    def test_given_gap(self):
+        fields = channel(100, 100)
+        del fields["pressure"]
+        _, flow = self.assert_draws(fields, nominal_pressure=None, contact_area=None)
+        self.assertGreater(share(flow, plot.POCKET), 0.02)
+
+    def test_flow_stays_out_of_the_contact(self):
+        fields = channel(100, 100)
+        fields.update(fluid_pressure=np.full((100, 100), 0.5), current=np.ones((100, 100)))
+        _, flow = self.assert_draws(fields, worst_x=np.nan)
+        self.assertAlmostEqual(share(flow, plot.CONTACT), np.mean(fields["open"] == 0), delta=0.02)
+
+    def test_odd_fields(self):
+        flat = channel(32, 32)
+        self.assert_draws(flat, inlet_pressure=2.0, outlet_pressure=2.0)
+        self.assert_draws({**flat, "current": np.full((32, 32), np.nan)})
+        self.assert_draws({**flat, "current": 1e-30 * flat["current"]})
+        self.assert_draws({**flat, "fluid_pressure": np.full((32, 32), np.nan)})
+        self.assert_draws(channel(32, 32, flow=False), percolates=0.0, direction="y")
+        self.assert_draws({name: 0 * field for name, field in channel(32, 32, False).items()},
+                          percolates=0.0)
+        self.assert_draws(flat, title=np.bytes_("a $x_{$ b"), direction="y")
+        self.assert_draws(channel(2, 5000))
+
+    def test_missing_and_broken_steps(self):
+        write_picture(self.folder, 1, channel(32, 32))
+        write_picture(self.folder, 12, channel(32, 32))
+        status, message = self.draw("--steps", "12", "7")
+        self.assertEqual(status, 0)
+        self.assertEqual(message.count("\n"), 2, message)  # no leakage.csv, no step 7
+        self.assertEqual(self.drawn(), ["picture-12.png"])
+        (self.folder / "picture-3.h5").write_bytes(b"cut short")
+        (self.folder / "picture-old.h5").write_bytes(b"not ours")
+        status, message = self.draw("--only", "pictures")
+        self.assertEqual(status, 1)
+        self.assertEqual(message.count("\n"), 1, message)
+        self.assertIn("picture-3.h5", message)
+        self.assertEqual(self.drawn(), ["picture-1.png", "picture-12.png"])
+
+
+class CommandLine(PlotTest):
+    """The script as the program calls it."""
+
+    def run_script(self):
+        return subprocess.run([sys.executable, SCRIPT, self.folder], check=False,
+                              capture_output=True, text=True, timeout=120)
+
+    def test_folder_without_results(self):
+        done = self.run_script()
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+
+    def test_everything_at_once(self):
+        self.write_table(HEADER, *ROWS)
+        write_picture(self.folder, 1, channel(64, 64))
+        done = self.run_script()
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        self.assertEqual(self.drawn(), ["leakage.png", "picture-1.png"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_tests_flow_fixture_h
+#define strait_tests_flow_fixture_h
+
+#include <strait/flow/reynolds_solver.h>
+#include <strait/percolation/clusters.h>
+#include <strait/percolation/flow_path.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace strait
+{
+  constexpr double pi = 3.14159265358979323846;
+
+  using GapFunction = std::function<double(double x, double y)>;
+
+  /** @p gap sampled at the points of an nx × ny grid on the box lx × ly. */
+  inline SlabField
+  sample(const GapFunction &gap,
+         const int          nx,
+         const int          ny,
+         const double       lx = 1.,
+         const double       ly = 1.)
+  {
+    SlabField field(make_layout({nx, ny, lx, ly}, MPI_COMM_WORLD));
+    for (int row = 0; row < field.layout().n_rows(); ++row)
+      for (int ix = 0; ix < nx; ++ix)
+        field(ix, row) = gap(ix * lx / nx, (field.layout().first_row() + row) * ly / ny);
+    return field;
+  }
+
+  /** Reduced units, η = 1/12, so that K = g³. */
+  inline FluidParameters
+  plain_fluid(const double target_accuracy = 1e-3)
+  {
+    FluidParameters fluid;
+    fluid.viscosity       = 1. / 12;
+    fluid.target_accuracy = target_accuracy;
+    return fluid;
+  }
+
+  /** A gap, taken through percolation and bridge as the program does. */
+  struct GivenGap
+  {
+    GivenGap(const SlabField &gap, const FluidParameters &fluid)
+      : clusters(find_clusters(gap, fluid.direction))
+      , field(gap.layout_pointer(), fluid)
+    {
+      const SlabField kept = percolating_gap(gap, clusters, fluid.direction);
+      paths                = find_flow_paths(kept, fluid.direction, 3);
+      const double bottleneck =
+        paths.empty() ? 1. : field.conductivity_of(paths.front().bottleneck_gap);
+      field.update(kept, 1e-8 * bottleneck);
+    }
+
+    Clusters              clusters;
+    GapField              field;
+    std::vector<FlowPath> paths;
+  };
+
+  inline FlowResult
+  leak(const SlabField                &gap,
+       const FluidParameters          &fluid,
+       const ReynoldsSolver::Observer &observer = {})
+  {
+    const GivenGap given(gap, fluid);
+    ReynoldsSolver solver(fluid, given.field, given.paths);
+    return solver.run(observer);
+  }
+} // namespace strait
+
+#endif

@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Make prm/data/ground_surface.txt, the map of prm/measured_surface.prm.
+
+    tools/make_example_map.py > prm/data/ground_surface.txt
+
+Not a measurement: a periodic, self-affine surface (H = 0.8, wavelengths from 8
+to 64 grid spacings, rms slope 0.1) in the format of a white-light
+interferometer, heights in whole nanometres. Always the same.
+"""
+import random
+import sys
+
+import numpy
+
+POINTS = 128
+SPACING = 1e-6  # m
+NANOMETRE = 1e-9  # m
+HURST = 0.8
+RMS_SLOPE = 0.1
+LONGEST, SHORTEST = 64, 8  # wavelengths in grid spacings
+
+
+def heights():
+    """Heights in metres: a sum of waves with random phases."""
+    phases = random.Random(1)
+    spectrum = numpy.zeros((POINTS, POINTS), dtype=complex)
+    smallest, largest = POINTS / LONGEST, POINTS / SHORTEST
+    for ky in range(0, int(largest) + 1):
+        for kx in range(-int(largest), int(largest) + 1):
+            k = numpy.hypot(kx, ky)
+            phase = phases.uniform(0., 2. * numpy.pi)
+            if 1. <= k <= largest and (ky > 0 or kx > 0):
+                amplitude = max(k, smallest) ** -(1. + HURST)
+                spectrum[ky, kx] = amplitude * numpy.exp(1j * phase)
+    wave = 2. * numpy.pi * numpy.fft.fftfreq(POINTS, SPACING)
+    slopes = [numpy.fft.ifft2(1j * q * spectrum).real
+              for q in (wave[numpy.newaxis, :], wave[:, numpy.newaxis])]
+    rms_slope = numpy.sqrt(sum(numpy.mean(slope ** 2) for slope in slopes))
+    return RMS_SLOPE / rms_slope * numpy.fft.ifft2(spectrum).real
+
+
+def main():
+    values = numpy.rint(heights() / NANOMETRE).astype(int)
+    print(f"h={POINTS} w={POINTS}")
+    print(f"pixel size={SPACING:g} m")
+    print(f"height conversion factor (-> m)={NANOMETRE:g}")
+    numpy.savetxt(sys.stdout, values - values.min(), fmt="%d")
+
+
+if __name__ == "__main__":
+    main()
