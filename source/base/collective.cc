@@ -2,6 +2,8 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 
+#include <new>
+
 namespace strait
 {
   namespace
@@ -57,10 +59,20 @@ namespace strait
             outcome = Outcome::input_error;
             message = error.what();
           }
+        catch (const std::bad_alloc &)
+          {
+            outcome = Outcome::computation_error;
+            message = "The memory of this machine does not suffice on rank 0.";
+          }
         catch (const std::exception &error)
           {
             outcome = Outcome::computation_error;
             message = error.what();
+          }
+        catch (...)
+          {
+            outcome = Outcome::computation_error;
+            message = "A library failed without saying why.";
           }
       }
     int code = static_cast<int>(outcome);

@@ -65,5 +65,9 @@ namespace strait
       {
         return report(comm, 1, error.what());
       }
+    catch (...) // Trilinos throws integers
+      {
+        return report(comm, 1, "A library failed without saying why.");
+      }
   }
 } // namespace strait

@@ -49,10 +49,11 @@ namespace strait
                       "Fluid pressure at the outlet, x = Lx or y = Ly [pressure].");
     prm.declare_entry(
       "Slip length",
-      to_text(standard.slip_length),
-      Double(),
+      "0",
+      List(Double(), 1),
       "d0, zero or negative: the conductivity is (g - 2|d0|)^3 / (12 eta), "
-      "zero where the gap g is below 2|d0| [length].");
+      "zero where the gap g is below 2|d0| [length]. Of several values each gets "
+      "its own row at each load; the contact is solved once.");
     prm.declare_entry("Direction",
                       directions.name(standard.direction),
                       Selection(directions.pattern()),
@@ -61,7 +62,7 @@ namespace strait
       "Element degree",
       std::to_string(standard.element_degree),
       Integer(),
-      "Polynomial degree of the fluid pressure, 1 to 4 [1]; 1 is the robust "
+      "Polynomial degree of the fluid pressure, 1 or 2 [1]; 1 is the robust "
       "choice on rough gaps.");
     prm.declare_entry("Preconditioner",
                       preconditioners.name(standard.preconditioner),
@@ -88,7 +89,8 @@ namespace strait
       "Maximum unknowns",
       std::to_string(standard.maximum_unknowns),
       Integer(),
-      "Refinement stops before the flow has more unknowns than this [1].");
+      "Refinement stops before the flow has more unknowns than this, the first mesh "
+      "apart [1].");
     prm.leave_subsection();
   }
 
@@ -96,11 +98,13 @@ namespace strait
   FluidParameters::parse(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Fluid");
-    enabled          = prm.get_bool("Enabled");
-    viscosity        = prm.get_double("Viscosity");
-    inlet_pressure   = prm.get_double("Inlet pressure");
-    outlet_pressure  = prm.get_double("Outlet pressure");
-    slip_length      = prm.get_double("Slip length");
+    enabled         = prm.get_bool("Enabled");
+    viscosity       = prm.get_double("Viscosity");
+    inlet_pressure  = prm.get_double("Inlet pressure");
+    outlet_pressure = prm.get_double("Outlet pressure");
+    slip_lengths.clear();
+    for (const std::string &value : split(prm.get("Slip length"), ','))
+      slip_lengths.push_back(std::stod(value));
     direction        = directions.value(prm.get("Direction"));
     element_degree   = static_cast<unsigned int>(prm.get_integer("Element degree"));
     preconditioner   = preconditioners.value(prm.get("Preconditioner"));
@@ -122,13 +126,14 @@ namespace strait
                        to_text(inlet_pressure) +
                        ", so nothing drives a flow; change one or set Fluid/Enabled = "
                        "false.");
-    if (slip_length > 0.)
-      throw InputError("Fluid/Slip length is " + to_text(slip_length) +
-                       " but only zero or negative values are supported.");
-    if (element_degree < 1 || element_degree > 4)
+    for (const double slip_length : slip_lengths)
+      if (!(slip_length <= 0.))
+        throw InputError("Fluid/Slip length is " + to_text(slip_length) +
+                         " but only zero or negative values are supported.");
+    if (element_degree < 1 || element_degree > 2)
       throw InputError("Fluid/Element degree is " +
                        std::to_string(static_cast<int>(element_degree)) +
-                       " but must lie between 1 and 4.");
+                       " but must be 1 or 2.");
     if (!(target_accuracy > 0. && target_accuracy < 1.))
       throw InputError("Fluid/Target accuracy is " + to_text(target_accuracy) +
                        " but must lie between 0 and 1.");

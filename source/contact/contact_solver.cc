@@ -17,8 +17,11 @@ namespace strait
     /** Residual on the coarser grids: their discretisation error is larger. */
     constexpr double coarse_tolerance = 1e-3;
 
-    /** Largest relative step of the load that starts from the last states. */
-    constexpr double small_step = 0.1;
+    /**
+     * Largest relative step of the load that starts from the last states: beyond
+     * it the coarser grids cost less (measured on self-affine surfaces).
+     */
+    constexpr double small_step = 0.12;
 
     double
     box_length(const PeriodicGrid &grid)
@@ -62,7 +65,9 @@ namespace strait
     last_target                    = target;
 
     ContactState state = state_of(solution, std::move(gap));
-    state.fft_pairs    = problem->n_applications() - n_before;
+    if (parameters.control == ContactControl::load)
+      state.nominal_pressure = target; // the mean, without its rounding
+    state.fft_pairs = problem->n_applications() - n_before;
     return state;
   }
 

@@ -73,9 +73,10 @@ namespace strait
     return solution;
   }
 
-  // The loops below run over all points and are bound by the memory: each is fused
-  // from all that can be done while a range of points is in the cache. They work on
-  // local copies of members because a write to a field might change a member.
+  // The loops below run over all points and are bound by the memory: they are fused
+  // into passes over ranges that stay in the cache, and touch p, t and z only in
+  // contact. They work on local copies of members because, for all the compiler
+  // knows, a write to a field might change a member.
 
   /** p = max(p, 0) with the prescribed mean, g = G p + u0 − h. */
   void
@@ -154,12 +155,21 @@ namespace strait
     for (std::size_t i = range.begin, end = range.end; i < end; ++i)
       {
         const double centred = g[i] - s;
-        const bool   pressed = p[i] != 0;
-        const bool   free    = pressed | (grows & (centred < 0));
-        const double wrong   = pressed ? std::abs(centred) : -centred;
-        c[i]                 = free;
-        y[i]                 = free ? centred : 0.;
-        worst                = worst < wrong ? wrong : worst;
+        y[i]                 = 0;
+        if (p[i] != 0)
+          {
+            c[i]  = 1;
+            y[i]  = centred;
+            worst = std::max(worst, std::abs(centred));
+          }
+        else if (centred < 0)
+          {
+            c[i]  = grows;
+            y[i]  = grows ? centred : 0.;
+            worst = std::max(worst, -centred);
+          }
+        else
+          c[i] = 0;
       }
     return worst;
   }
@@ -171,17 +181,18 @@ namespace strait
     const double       *t = direction.data(), *r = response.data();
     const std::uint8_t *c = in_contact.data();
     on_contact.run_over(range, [=, s = shift](const auto i, auto &sums) {
-      const double on_c = c[i];
-      const double z_c = on_c * z[i], t_c = on_c * t[i], y_c = on_c * (g[i] - s);
-      sums[0] += on_c;
-      sums[1] += z_c;
-      sums[2] += t_c;
-      sums[3] += y_c;
-      sums[4] += on_c * r[i];
-      sums[5] += z_c * r[i];
-      sums[6] += t_c * r[i];
-      sums[7] += y_c * z_c;
-      sums[8] += y_c * t_c;
+      if (!c[i])
+        return;
+      const double z_i = z[i], t_i = t[i], r_i = r[i], y_i = g[i] - s;
+      sums[0] += 1;
+      sums[1] += z_i;
+      sums[2] += t_i;
+      sums[3] += y_i;
+      sums[4] += r_i;
+      sums[5] += z_i * r_i;
+      sums[6] += t_i * r_i;
+      sums[7] += y_i * z_i;
+      sums[8] += y_i * t_i;
     });
   }
 
@@ -256,15 +267,21 @@ namespace strait
   {
     double       *p = pressure, *g = gap;
     const double *t = direction.data(), *r = response.data();
-    moved.run_over(range, [=, s = shift](const auto i, auto &sums) {
-      const double new_p   = p[i] - length * t[i];
-      const double new_g   = (g[i] - s) - length * r[i];
-      const double pressed = new_p != 0 ? 1. : 0.;
-      p[i]                 = new_p;
-      g[i]                 = new_g;
+    const double  s = shift;
+    for (std::size_t i = range.begin, end = range.end; i < end; ++i)
+      g[i] = (g[i] - s) - length * r[i];
+
+    const std::uint8_t *c = in_contact.data();
+    moved.run_over(range, [=](const auto i, auto &sums) {
+      if (!c[i]) // p = t = 0
+        return;
+      const double new_p = p[i] - length * t[i];
+      p[i]               = new_p;
+      if (new_p == 0)
+        return;
       sums[0] += new_p < 0 ? 1. : 0.;
-      sums[1] += pressed * new_g;
-      sums[2] += pressed;
+      sums[1] += g[i];
+      sums[2] += 1;
     });
   }
 

@@ -62,6 +62,7 @@ namespace strait
     above.resize(fine.nx);
     here.resize(fine.nx);
     mixed.resize(fine.nx + 2);
+    correction_line.resize(fine.nx);
     if (fine.nx % box != 0 || fine.ny % box != 0 || std::min(fine.nx, fine.ny) < 8 * box)
       return;
 
@@ -143,10 +144,10 @@ namespace strait
     std::copy_n(beyond.begin(), nx, above.begin());
     for (int row = 0; row < n_rows; ++row)
       {
+        if (coarse_transform && (row == 0 || (layout->first_row() + row) % box == 0))
+          expand_corrections(row);
         apply_stencil(row_of(row),
                       row + 1 < n_rows ? row_of(row + 1) : beyond.data() + nx);
-        if (coarse_transform)
-          add_correction(row_of(row), row);
         after(row);
       }
   }
@@ -169,7 +170,8 @@ namespace strait
     const int     nx  = layout->grid().nx;
     const double *up  = above.data();
     double       *old = here.data(), *side = mixed.data() + 1;
-    const Stencil s = stencil;
+    const double *correction = correction_line.data();
+    const Stencil s          = stencil;
     for (int i = 0; i < nx; ++i)
       {
         const double vertical = up[i] + below[i];
@@ -180,12 +182,13 @@ namespace strait
     side[-1] = side[nx - 1];
     side[nx] = side[0];
     for (int i = 0; i < nx; ++i)
-      values[i] += side[i - 1] + side[i + 1];
+      values[i] += (side[i - 1] + side[i + 1]) + correction[i];
     std::swap(above, here);
   }
 
+  /** The corrections of the boxes that the local row lies in, point by point. */
   void
-  TwoScalePreconditioner::add_correction(double *values, const int row) const
+  TwoScalePreconditioner::expand_corrections(const int row)
   {
     const int     n          = layout->grid().nx / box;
     const int     coarse_row = (layout->first_row() + row) / box;
@@ -193,8 +196,7 @@ namespace strait
       (coarse_rows_are_local ? box_values : fetched_corrections).data() +
       static_cast<std::size_t>(coarse_row - first_correction_row) * n;
     for (int i = 0; i < n; ++i)
-      for (int k = 0; k < box; ++k)
-        values[box * i + k] += corrections[i];
+      std::fill_n(correction_line.begin() + box * i, box, corrections[i]);
   }
 
   /** Turn the box values into what is to be added to the points of each box. */

@@ -92,11 +92,13 @@ namespace strait
 
     dealii::Vector<float> conductivity(tria.n_active_cells());
     dealii::Vector<float> level(tria.n_active_cells());
+    dealii::Vector<float> leaks(tria.n_active_cells());
     std::size_t           owned = 0;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           const auto k    = cell->active_cell_index();
+          leaks(k)        = problem.is_active(owned) ? 1.F : 0.F;
           conductivity(k) = static_cast<float>(problem.mean_coefficient(owned++));
           level(k)        = static_cast<float>(cell->level());
         }
@@ -106,6 +108,7 @@ namespace strait
     out.add_data_vector(pressure, "fluid_pressure");
     out.add_data_vector(conductivity, "mean_conductivity");
     out.add_data_vector(level, "level");
+    out.add_data_vector(leaks, "leaks");
     out.build_patches(dofs.get_fe().degree);
     const std::string name = numbered(directory, "flow", step.number);
     out.write_vtu_in_parallel(name + ".vtu", step.gap.layout().communicator());

@@ -6,10 +6,12 @@
 #include <strait/driver/field_output.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/picture_data.h>
+#include <strait/driver/simulation.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <vector>
 
 namespace strait
@@ -18,24 +20,23 @@ namespace strait
   {
     namespace fs = std::filesystem;
 
-    bool
-    starts_with(const std::string &text, const std::string &beginning)
-    {
-      return text.compare(0, beginning.size(), beginning) == 0;
-    }
-
     /** Whether an earlier run of this program may have written a file. */
     bool
     is_result(const std::string &name)
     {
-      for (const char *exact :
-           {"leakage.csv", "leakage.png", "run.json", "log.txt", "parameters.prm"})
+      for (const char *exact : {"leakage.csv",
+                                "leakage.png",
+                                "threshold.csv",
+                                "constrictions.csv",
+                                "fit.csv",
+                                "run.json",
+                                "log.txt",
+                                "parameters.prm"})
         if (name == exact)
           return true;
-      for (const char *beginning : {"fields-", "flow-", "picture-"})
-        if (starts_with(name, beginning))
-          return true;
-      return false;
+      static const std::regex numbered_file(
+        "(fields|flow|picture)-[0-9]+\\.(h5|vtu|pvtu|png)");
+      return std::regex_match(name, numbered_file);
     }
 
     /** @p text in single quotes for the shell. */
@@ -65,12 +66,15 @@ namespace strait
     , log(log_)
     , path(scene.output.directory)
     , table(scene)
+    , scaling(scene.programme.largest_fitted)
   {
     run_on_root(comm, [this]() { prepare(); });
     log.attach_file(path + "/log.txt");
     run_on_root(comm, [this]() {
       write_text(path + "/parameters.prm", scene.resolved);
       table.open(path + "/leakage.csv");
+      if (scene.programme.find_threshold)
+        constrictions.open(path + "/constrictions.csv");
     });
   }
 
@@ -93,9 +97,23 @@ namespace strait
   }
 
   void
+  OutputDirectory::write(const std::vector<Threshold> &thresholds)
+  {
+    run_on_root(comm, [&]() {
+      write_thresholds(path + "/threshold.csv", thresholds, grid_of(scene));
+    });
+  }
+
+  void
   OutputDirectory::write(const Step &step, const bool is_last)
   {
-    run_on_root(comm, [&]() { table.append(step); });
+    run_on_root(comm, [&]() {
+      table.append(step);
+      if (scene.programme.find_threshold)
+        constrictions.append(step);
+    });
+    if (scene.programme.find_threshold)
+      scaling.collect(step);
     const bool wanted = scene.output.fields == FieldOutput::all ||
                         (scene.output.fields == FieldOutput::last && is_last);
     if (wanted)
@@ -110,6 +128,8 @@ namespace strait
   void
   OutputDirectory::finish(const Timers &timers, const double bytes_per_point)
   {
+    if (scene.programme.find_threshold)
+      scaling.write(path + "/fit.csv", log, comm);
     run_on_root(comm, [&]() {
       write_record(timers, bytes_per_point);
       if (scene.output.pictures)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/driver/picture_data.h>
+#include <strait/flow/grid_points.h>
 
 #include <deal.II/base/hdf5.h>
 
@@ -68,39 +69,6 @@ namespace strait
       std::vector<float> pressure, current;
     };
 
-    // Every grid point lies in one cell, if a cell holds its lower and left edges;
-    // integers decide which.
-    struct PointRange
-    {
-      PointRange(const int cell_index, const int exponent, const int stride)
-      {
-        const auto raise = [stride](const int k) {
-          return (k + stride - 1) / stride * stride;
-        };
-        if (exponent >= 0)
-          {
-            first = raise(cell_index << exponent);
-            end   = (cell_index + 1) << exponent;
-          }
-        else
-          {
-            const int n = 1 << -exponent;
-            first       = raise((cell_index + n - 1) / n);
-            end         = cell_index % n == 0 ? cell_index / n + 1 : 0;
-          }
-      }
-
-      int first, end;
-    };
-
-    /** A bilinear function of the unit coordinates of a cell, by its corners. */
-    double
-    interpolate(const dealii::Vector<double> &corners, const double s, const double t)
-    {
-      return (1 - t) * ((1 - s) * corners[0] + s * corners[1]) +
-             t * ((1 - s) * corners[2] + s * corners[3]);
-    }
-
     RasterFlow
     flow_on_raster(const ReynoldsSolver &solver, const Raster &raster, MPI_Comm comm)
     {
@@ -117,10 +85,10 @@ namespace strait
           const auto psi_cell = of_psi++;
           if (!cell->is_locally_owned())
             continue;
-          const GridCell   here = solver.mesh().grid_cell(*cell);
-          const PointRange x(here.i, here.exponent, raster.stride);
-          const PointRange y(here.j, here.exponent, raster.stride);
-          if (x.first >= x.end || y.first >= y.end)
+          const GridCell     here = solver.mesh().grid_cell(*cell);
+          const PointsOfCell x(here.i, here.exponent, raster.stride);
+          const PointsOfCell y(here.j, here.exponent, raster.stride);
+          if (x.empty() || y.empty())
             continue;
           cell->get_dof_values(solver.pressure().solution(), pressures);
           psi_cell->get_dof_values(slope, slopes);
@@ -129,9 +97,11 @@ namespace strait
             for (int ix = x.first; ix < x.end; ix += raster.stride)
               {
                 const double s = ix / size - here.i, t = iy / size - here.j;
-                const auto   k     = raster.index(ix, iy);
-                result.pressure[k] = static_cast<float>(interpolate(pressures, s, t));
-                result.current[k]  = static_cast<float>(interpolate(slopes, s, t));
+                const auto   k = raster.index(ix, iy);
+                result.pressure[k] =
+                  static_cast<float>(interpolate_bilinearly(pressures, s, t));
+                result.current[k] =
+                  static_cast<float>(interpolate_bilinearly(slopes, s, t));
               }
         }
       int rank = 0;

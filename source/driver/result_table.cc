@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/exceptions.h>
 #include <strait/driver/result_table.h>
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -12,14 +10,6 @@ namespace strait
   namespace
   {
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-    std::string
-    full_precision(const double value)
-    {
-      char text[32];
-      std::snprintf(text, sizeof text, "%.17g", value);
-      return text;
-    }
 
     /** (12 η K_eff)^(1/3) with K_eff = Q L_along/(L_across Δp). */
     double
@@ -39,7 +29,9 @@ namespace strait
     add("step", [](const Step &step) { return step.number; });
     if (scene.contact.enabled)
       {
-        columns.push_back({"branch", [](const Step &) { return "loading"; }});
+        const std::string branch =
+          scene.programme.path == LoadPath::loading ? "loading" : "unloading";
+        columns.push_back({"branch", [branch](const Step &) { return branch; }});
         add("pressure", [](const Step &step) { return step.contact->nominal_pressure; });
         add("mean_gap", [](const Step &step) { return step.mean_gap; });
         add("contact_area", [](const Step &step) { return step.contact->contact_area; });
@@ -72,7 +64,12 @@ namespace strait
   ResultTable::add_flow_columns(const Scene &scene)
   {
     const FluidParameters fluid = scene.fluid;
+    if (fluid.has_slip())
+      add("slip_length", [](const Step &step) { return step.slip_length; });
     add("percolates", [](const Step &step) { return step.flow->clusters.percolates; });
+    if (scene.programme.find_threshold)
+      add("reduced_load",
+          [](const Step &step) { return step.reduced_load.value_or(not_a_number); });
     add("leak_rate", [](const Step &step) { return step.flow->result.leak_rate; });
     add("leak_rate_lower", [](const Step &step) { return step.flow->result.lower; });
     add("leak_rate_upper", [](const Step &step) { return step.flow->result.upper; });
@@ -128,23 +125,15 @@ namespace strait
   void
   ResultTable::open(const std::string &path)
   {
-    file_name = path;
-    file.open(path);
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      file << (c == 0 ? "" : ",") << columns[c].name;
-    file << std::endl;
-    if (!file)
-      throw ComputationError("The table '" + path + "' cannot be written.");
+    file.open(path, column_names());
   }
 
   void
   ResultTable::append(const Step &step)
   {
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      file << (c == 0 ? "" : ",") << columns[c].value(step);
-    file << std::endl;
-    if (!file)
-      throw ComputationError("A row of the table '" + file_name +
-                             "' could not be written; is the disk full?");
+    std::vector<std::string> values;
+    for (const Column &column : columns)
+      values.push_back(column.value(step));
+    file.append(values);
   }
 } // namespace strait

@@ -69,6 +69,26 @@ namespace strait
         }
     }
 
+    /** A mesh can only be as coarse as the grid can be halved. */
+    void
+    warn_of_odd_grid(const Scene &scene, Log &log)
+    {
+      constexpr int many = 10000;
+      PeriodicGrid  grid = grid_of(scene);
+      if (!scene.fluid.enabled)
+        return;
+      while (grid.nx % 2 == 0 && grid.ny % 2 == 0)
+        {
+          grid.nx /= 2;
+          grid.ny /= 2;
+        }
+      if (grid.n_points() > many)
+        log.warn(
+          "the coarsest mesh of this grid has " + std::to_string(grid.n_points()) +
+          " cells, which costs time and memory: choose numbers of grid points that "
+          "can be halved several times");
+    }
+
     /** The surface on the scene's grid, with all that is to be said about it. */
     SlabField
     make_heights(const Scene &scene, Log &log)
@@ -78,6 +98,7 @@ namespace strait
         log.warn(warning);
       for (const std::string &warning : check_resolution(scene.surface, grid))
         log.warn(warning);
+      warn_of_odd_grid(scene, log);
       report_sizes(scene, log);
       const auto surface = make_surface(scene.surface, MPI_COMM_WORLD);
       SlabField  heights = surface->heights(make_layout(grid, MPI_COMM_WORLD));
@@ -109,8 +130,9 @@ namespace strait
     // The first thing that is written, after the last check of the input.
     OutputDirectory output(scene, MPI_COMM_WORLD, log);
     LoadSweep       sweep(scene, std::move(heights), log, timers);
-    const int       n_steps =
-      scene.contact.enabled ? static_cast<int>(scene.programme.pressures.size()) : 1;
+    if (scene.programme.find_threshold)
+      output.write(sweep.find_thresholds());
+    const int  n_steps   = sweep.n_steps();
     const bool converged = sweep.run([&](const Step &step) {
       const auto scope = timers.scope("output");
       output.write(step, step.number == n_steps);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace strait
@@ -92,30 +91,36 @@ namespace strait
   {
     constexpr int start_exponent = 4;
     refine_uniformly(std::min(start_exponent, root_exponent));
-    while (refine_contact_lines_and_paths(gap, paths))
+    std::map<int, CellSet> near_paths;
+    for (int exponent = 1; exponent <= std::min(start_exponent, root_exponent);
+         ++exponent)
+      near_paths[exponent] = cells_near(paths, exponent);
+    while (refine_contact_lines_and_paths(gap, near_paths))
       ;
   }
 
-  bool
-  FlowMesh::refine_contact_lines_and_paths(const GapField              &gap,
-                                           const std::vector<FlowPath> &paths)
+  FlowMesh::CellSet
+  FlowMesh::cells_near(const std::vector<FlowPath> &paths, const int exponent) const
   {
-    constexpr int contact_line_exponent = 2;
+    const int nx = periodic_grid.nx >> exponent, ny = periodic_grid.ny >> exponent;
+    CellSet   cells;
+    for (const FlowPath &path : paths)
+      for (const GridPoint &point : path.points)
+        for (int a = -1; a <= 1; ++a)
+          for (int b = -1; b <= 1; ++b)
+            cells.emplace_back(((point.ix >> exponent) + a + nx) % nx,
+                               ((point.iy >> exponent) + b + ny) % ny);
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    return cells;
+  }
 
-    // Cells of each size that hold a path point or touch one that does.
-    std::map<int, std::set<std::pair<int, int>>> near_path;
-    const auto                                   note_path = [&](const int exponent) {
-      std::set<std::pair<int, int>> &set = near_path[exponent];
-      const int nx = periodic_grid.nx >> exponent, ny = periodic_grid.ny >> exponent;
-      for (const FlowPath &path : paths)
-        for (const GridPoint &point : path.points)
-          for (int a = -1; a <= 1; ++a)
-            for (int b = -1; b <= 1; ++b)
-              set.emplace(((point.ix >> exponent) + a + nx) % nx,
-                          ((point.iy >> exponent) + b + ny) % ny);
-    };
-
-    const std::vector<GridCell> cells = owned_grid_cells();
+  bool
+  FlowMesh::refine_contact_lines_and_paths(const GapField               &gap,
+                                           const std::map<int, CellSet> &near_paths)
+  {
+    constexpr int               contact_line_exponent = 2;
+    const std::vector<GridCell> cells                 = owned_grid_cells();
     const CellAnswers answers   = gap.ask(GapField::Coefficient::conductivity, cells);
     std::size_t       c         = 0;
     unsigned int      n_flagged = 0;
@@ -126,12 +131,12 @@ namespace strait
           const CellAnswer answer = answers[c];
           const bool       cut    = answer.open && answer.closed;
           ++c;
-          if (here.exponent <= 0)
-            continue;
-          if (near_path.find(here.exponent) == near_path.end())
-            note_path(here.exponent);
-          if ((cut && here.exponent > contact_line_exponent) ||
-              near_path[here.exponent].count({here.i, here.j}) > 0)
+          const auto near_path = near_paths.find(here.exponent);
+          const bool on_path   = near_path != near_paths.end() &&
+                               std::binary_search(near_path->second.begin(),
+                                                  near_path->second.end(),
+                                                  std::make_pair(here.i, here.j));
+          if (on_path || (cut && here.exponent > contact_line_exponent))
             {
               cell->set_refine_flag();
               ++n_flagged;

@@ -166,8 +166,8 @@ namespace strait
   PotentialProblem::pin_unreached_rows()
   {
     // Unknowns that no open cell reaches have empty rows; they are set to zero.
-    std::vector<types::global_dof_index> unreached;
-    types::global_dof_index              n_active = 0;
+    unreached.clear();
+    types::global_dof_index n_active = 0;
     for (const auto k : owned)
       {
         if (!(matrix.diag_element(k) > 0))
@@ -192,6 +192,9 @@ namespace strait
         transfer.reset();
       }
     constraints.set_zero(distributed);
+    for (const auto k : unreached)
+      distributed(k) = 0.;
+    distributed.compress(VectorOperation::insert);
     const auto multigrid = make_multigrid(preconditioner, matrix);
 
     // How small the error must be follows from the energy, which is not known before
@@ -215,6 +218,7 @@ namespace strait
         if (total.converged || !solve.converged)
           break;
       }
+    matrix.clear(); // the next matrix, of this problem or the other, needs the room
     return total;
   }
 

@@ -39,24 +39,29 @@ namespace strait
     FlowResult             result;
     while (true)
       {
-        solve_on_mesh(result);
+        const bool solved = solve_on_mesh(result);
         if (observer)
           observer(result);
-        if (result.status != "ok" ||
-            result.relative_width() <= parameters.target_accuracy)
+        if (!(result.lower > 0 && result.lower <= result.upper * (1 + 1e-6)))
+          {
+            result.status = "flow-bracket";
+            return result;
+          }
+        if (result.relative_width() <= parameters.target_accuracy)
           return result;
         if (result.refinements == max_refinements || !refine(result))
           {
-            result.status = "flow-accuracy";
+            result.status = solved ? "flow-accuracy" : "flow-solver";
             return result;
           }
         ++result.refinements;
       }
   }
 
-  void
+  bool
   ReynoldsSolver::solve_on_mesh(FlowResult &result)
   {
+    bool solved = true;
     for (PotentialProblem *problem : {&pressure_problem, &stream_problem})
       {
         problem->set_up();
@@ -65,24 +70,25 @@ namespace strait
           problem->solve(parameters.preconditioner,
                          linear_share * parameters.target_accuracy);
         result.iterations += solve.iterations;
-        if (!solve.converged)
-          result.status = "flow-solver";
+        solved = solved && solve.converged;
       }
     const double conductance_upper = pressure_problem.energy();
     const double conductance_lower = 1. / stream_problem.energy();
-    shares                         = indicator(conductance_lower);
+    shares                         = indicator(conductance_lower, conductance_upper);
 
     const double drop = std::abs(pressure_drop);
     result.upper      = conductance_upper * drop;
     result.lower      = conductance_lower * drop;
     result.leak_rate =
-      std::sqrt(result.upper * result.lower) * (pressure_drop < 0 ? -1 : 1);
+      std::sqrt(result.upper) * std::sqrt(result.lower) * (pressure_drop < 0 ? -1 : 1);
     result.cells    = flow_mesh.triangulation().n_global_active_cells();
     result.unknowns = pressure_problem.n_unknowns() + stream_problem.n_unknowns();
+    return solved;
   }
 
   dealii::Vector<float>
-  ReynoldsSolver::indicator(const double conductance_lower) const
+  ReynoldsSolver::indicator(const double conductance_lower,
+                            const double conductance_upper) const
   {
     dealii::Vector<float> result(flow_mesh.triangulation().n_active_cells());
     std::vector<double>   p, psi;
@@ -101,7 +107,8 @@ namespace strait
             share += pressure_problem.cell_energy(here, p) +
                      2. * conductance_lower *
                        pressure_problem.element_matrix().gradient_times_curl(p, psi);
-          result(cell->active_cell_index()) = static_cast<float>(std::max(share, 0.));
+          result(cell->active_cell_index()) =
+            static_cast<float>(std::max(share / conductance_upper, 0.));
         }
     return result;
   }
@@ -109,21 +116,34 @@ namespace strait
   bool
   ReynoldsSolver::refine(const FlowResult &result)
   {
+    namespace refinement = dealii::parallel::distributed::GridRefinement;
+    // Each marked cell adds three; a few more come from balancing the mesh.
+    constexpr double least_share = .02;
+    const double     affordable =
+      (static_cast<double>(parameters.maximum_unknowns) / result.unknowns - 1.) / 3.;
     auto &tria = flow_mesh.triangulation();
     if (parameters.refinement == Refinement::uniform)
-      tria.set_all_refine_flags();
+      {
+        if (affordable < 1.)
+          return false;
+        tria.set_all_refine_flags();
+      }
     else
-      dealii::parallel::distributed::GridRefinement::refine_and_coarsen_fixed_fraction(
-        tria, shares, marked_share, 0.);
-
-    unsigned long long n_marked = 0;
-    for (const auto &cell : tria.active_cell_iterators())
-      n_marked += cell->is_locally_owned() && cell->refine_flag_set() ? 1 : 0;
-    n_marked            = dealii::Utilities::MPI::sum(n_marked, tria.get_communicator());
-    const double growth = 1. + 3. * static_cast<double>(n_marked) / result.cells;
-    if (growth * result.unknowns > parameters.maximum_unknowns)
-      return false;
-
+      {
+        refinement::refine_and_coarsen_fixed_fraction(tria, shares, marked_share, 0.);
+        unsigned long long n_marked = 0;
+        for (const auto &cell : tria.active_cell_iterators())
+          n_marked += cell->is_locally_owned() && cell->refine_flag_set() ? 1 : 0;
+        n_marked = dealii::Utilities::MPI::sum(n_marked, tria.get_communicator());
+        if (n_marked == 0 || affordable < least_share)
+          return false;
+        if (n_marked > affordable * result.cells)
+          {
+            for (const auto &cell : tria.active_cell_iterators())
+              cell->clear_refine_flag();
+            refinement::refine_and_coarsen_fixed_number(tria, shares, affordable, 0.);
+          }
+      }
     tria.prepare_coarsening_and_refinement();
     pressure_problem.prepare_for_refinement();
     stream_problem.prepare_for_refinement();

@@ -140,6 +140,7 @@ namespace strait
       for (std::size_t k = end;;)
         {
           path.points.push_back(gap.point(k));
+          path.gaps.push_back(gap[k]);
           if (gap[k] < path.bottleneck_gap)
             {
               path.bottleneck_gap = gap[k];
@@ -151,6 +152,7 @@ namespace strait
           k = gap.index(gap.along(k) - step.along, gap.across_of(k) - step.across);
         }
       std::reverse(path.points.begin(), path.points.end());
+      std::reverse(path.gaps.begin(), path.gaps.end());
       return path;
     }
 
@@ -177,6 +179,8 @@ namespace strait
       auto n_points = static_cast<int>(path.points.size());
       MPI_Bcast(&n_points, 1, MPI_INT, 0, comm);
       path.points.resize(n_points);
+      path.gaps.resize(n_points);
+      MPI_Bcast(path.gaps.data(), n_points, MPI_DOUBLE, 0, comm);
       static_assert(sizeof(GridPoint) == 2 * sizeof(int));
       MPI_Bcast(path.points.data(), 2 * n_points, MPI_INT, 0, comm);
       MPI_Bcast(&path.bottleneck, 2, MPI_INT, 0, comm);

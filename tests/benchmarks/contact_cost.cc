@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a contact solve costs: FFT pairs, time in units of bare FFT pairs, memory.
 //
-//   benchmark_contact_cost [grid sizes, default 512 1024]
+//   benchmark_contact_cost [N[:POINTS] ..., default 512 1024]
 //
 // Self-affine surfaces of rms slope 1, H = 0.8, roll-off at half the box, cut-off
-// at 8 grid points; nominal pressures over E*.
+// at POINTS (default 8) grid spacings on N × N points; nominal pressures over E*.
 #include <strait/contact/contact_solver.h>
 #include <strait/contact/dual_conjugate_gradients.h>
 #include <strait/surface/self_affine_surface.h>
@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
+#include <string>
 #include <vector>
 
 namespace
@@ -29,10 +29,10 @@ namespace
   }
 
   SlabField
-  rough_heights(const int n)
+  rough_heights(const int n, const double points)
   {
     SurfaceParameters parameters;
-    parameters.short_cut_off_wavelength = 8. / n;
+    parameters.short_cut_off_wavelength = points / n;
     return SelfAffineSurface(parameters, MPI_COMM_WORLD)
       .heights(make_layout({n, n, 1., 1.}, MPI_COMM_WORLD));
   }
@@ -52,8 +52,8 @@ namespace
     auto          *spectrum = reinterpret_cast<fftw_complex *>(values);
     fftw_plan      forward  = fftw_mpi_plan_dft_r2c_2d(
       n, n, values, spectrum, MPI_COMM_WORLD, FFTW_MEASURE | out);
-    fftw_plan backward = fftw_mpi_plan_dft_c2r_2d(
-      n, n, spectrum, values, MPI_COMM_WORLD, FFTW_MEASURE | in);
+    fftw_plan backward =
+      fftw_mpi_plan_dft_c2r_2d(n, n, spectrum, values, MPI_COMM_WORLD, FFTW_MEASURE | in);
     std::fill_n(values, 2 * size, 0.);
     double best = 1e300;
     for (int repetition = 0; repetition < 7; ++repetition)
@@ -127,18 +127,18 @@ namespace
         cost.pairs += state.fft_pairs;
         cost.seconds += (seconds() - start) / 3;
       }
-    cost.pairs = (cost.pairs + 1) / 3;
-    bytes_per_point =
-      static_cast<double>(solver.memory_consumption()) / static_cast<double>(heights.size());
+    cost.pairs      = (cost.pairs + 1) / 3;
+    bytes_per_point = static_cast<double>(solver.memory_consumption()) /
+                      static_cast<double>(heights.size());
     return cost;
   }
 
   void
-  print_rows(const int n)
+  print_rows(const int n, const double points)
   {
     int rank = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    const SlabField heights = rough_heights(n);
+    const SlabField heights = rough_heights(n, points);
     const double    bare    = bare_pair(n);
     for (const double load : {0.01, 0.05, 0.1, 0.2, 0.3})
       {
@@ -150,21 +150,22 @@ namespace
         const Cost steps6 = continued(heights, load, 1e-6, bytes);
         const Cost steps8 = continued(heights, load, 1e-8, bytes);
         if (rank == 0)
-          std::printf("%5d %5.2f %5ld %5ld %6ld %5ld %6ld %5ld %9.3f %9.3f %7.2f %7.2f "
-                      "%7.1f\n",
-                      n,
-                      load,
-                      cold6.pairs,
-                      cold8.pairs,
-                      nest6.pairs,
-                      nest8.pairs,
-                      steps6.pairs,
-                      steps8.pairs,
-                      1e3 * bare,
-                      nest8.seconds,
-                      cold8.seconds / (static_cast<double>(cold8.pairs) * bare),
-                      nest8.seconds / (static_cast<double>(nest8.pairs) * bare),
-                      bytes);
+          std::printf(
+            "%5d %5.2f %5ld %5ld %6ld %5ld %6ld %5ld %9.3f %9.3f %7.2f %7.2f "
+            "%7.1f\n",
+            n,
+            load,
+            cold6.pairs,
+            cold8.pairs,
+            nest6.pairs,
+            nest8.pairs,
+            steps6.pairs,
+            steps8.pairs,
+            1e3 * bare,
+            nest8.seconds,
+            cold8.seconds / (static_cast<double>(cold8.pairs) * bare),
+            nest8.seconds / (static_cast<double>(nest8.pairs) * bare),
+            bytes);
         std::fflush(stdout);
       }
   }
@@ -178,17 +179,20 @@ main(int argc, char **argv)
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank == 0)
-    std::printf("          FFT pairs to 1e-6, 1e-8             bare      nested    time over "
-                "bare pairs\n"
-                "              cold      nested     2 %% steps  pair/ms   1e-8/s    cold  "
-                "nested bytes/point\n");
-  std::vector<int> sizes;
-  for (int k = 1; k < argc; ++k)
-    sizes.push_back(std::atoi(argv[k]));
-  if (sizes.empty())
-    sizes = {512, 1024};
-  for (const int n : sizes)
-    print_rows(n);
+    std::printf(
+      "          FFT pairs to 1e-6, 1e-8             bare      nested    time over "
+      "bare pairs\n"
+      "              cold      nested     2 %% steps  pair/ms   1e-8/s    cold  "
+      "nested bytes/point\n");
+  std::vector<std::string> cases(argv + 1, argv + argc);
+  if (cases.empty())
+    cases = {"512", "1024"};
+  for (const std::string &text : cases)
+    {
+      const std::size_t colon = text.find(':');
+      print_rows(std::stoi(text),
+                 colon == std::string::npos ? 8. : std::stod(text.substr(colon + 1)));
+    }
   save_wisdom(MPI_COMM_WORLD);
   MPI_Finalize();
 }

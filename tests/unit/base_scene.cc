@@ -97,7 +97,7 @@ TEST(Scene, DefaultsOfAnEmptyFileAreThoseOfTheStructs)
   EXPECT_EQ(scene.fluid.viscosity, standard.fluid.viscosity);
   EXPECT_EQ(scene.fluid.inlet_pressure, standard.fluid.inlet_pressure);
   EXPECT_EQ(scene.fluid.outlet_pressure, standard.fluid.outlet_pressure);
-  EXPECT_EQ(scene.fluid.slip_length, standard.fluid.slip_length);
+  EXPECT_EQ(scene.fluid.slip_lengths, standard.fluid.slip_lengths);
   EXPECT_EQ(scene.fluid.element_degree, standard.fluid.element_degree);
   EXPECT_EQ(scene.fluid.target_accuracy, standard.fluid.target_accuracy);
   EXPECT_EQ(scene.fluid.maximum_unknowns, standard.fluid.maximum_unknowns);
@@ -177,7 +177,7 @@ end
   EXPECT_EQ(scene.fluid.viscosity, 0.5);
   EXPECT_EQ(scene.fluid.inlet_pressure, 3.);
   EXPECT_EQ(scene.fluid.outlet_pressure, 2.);
-  EXPECT_EQ(scene.fluid.slip_length, -0.1);
+  EXPECT_EQ(scene.fluid.slip_lengths, std::vector<double>{-0.1});
   EXPECT_EQ(scene.fluid.direction, FlowDirection::y);
   EXPECT_EQ(scene.fluid.element_degree, 2u);
   EXPECT_EQ(scene.fluid.preconditioner, FlowPreconditioner::ml);
@@ -249,9 +249,33 @@ TEST(Scene, EffectsThatAreNotThereAreUnknown)
   for (const char *name : {"Contact/Adhesion/Enabled=true",
                            "Fluid/Wall feedback/Enabled=true",
                            "Fluid/Mesh=a.msh",
-                           "Theory/Enabled=true",
-                           "Load programme/Find threshold=true"})
+                           "Theory/Enabled=true"})
     expect_in("unknown", error_of("", {name}));
+}
+
+TEST(Scene, ThresholdAndReducedLoads)
+{
+  const char *text =
+    "subsection Load programme\n"
+    "  set Pressures =\n"
+    "  set Find threshold = true\n"
+    "  set Reduced loads = 0.1, 0.01\n"
+    "  set Path = unloading\n"
+    "end\n";
+  const Scene scene = scene_of(text);
+  EXPECT_TRUE(scene.programme.find_threshold);
+  EXPECT_TRUE(scene.programme.pressures.empty());
+  EXPECT_EQ(scene.programme.reduced_loads, (std::vector<double>{0.1, 0.01}));
+  EXPECT_EQ(scene.programme.path, LoadPath::unloading);
+  expect_in("must lie between 0 and 1",
+            error_of(text, {"Load programme/Reduced loads=0.1, 1"}));
+  expect_in("needs the critical load",
+            error_of(text,
+                     {"Load programme/Find threshold=false",
+                      "Load programme/Pressures=1"}));
+  expect_in("Contact/Control = load", error_of(text, {"Contact/Control=mean gap"}));
+  expect_in("between 1e-9 and 0.1",
+            error_of(text, {"Load programme/Threshold tolerance=1"}));
 }
 
 TEST(Scene, ValuesOfTheWrongKind)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "contact_tools.h"
-
 #include <strait/contact/contact_area.h>
 
 #include <gtest/gtest.h>
+
+#include "contact_tools.h"
 
 namespace
 {
@@ -14,12 +14,12 @@ namespace
     // Three by two points that wrap around both edges of a rectangular grid.
     const PeriodicGrid grid = {9, 8, 1., 3.};
     const SlabField    p    = sampled(grid, [&](const double x, const double y) {
-      const int  ix = static_cast<int>(std::lround(x / grid.dx()));
-      const int  iy = static_cast<int>(std::lround(y / grid.dy()));
+      const int  ix   = static_cast<int>(std::lround(x / grid.dx()));
+      const int  iy   = static_cast<int>(std::lround(y / grid.dy()));
       const bool in_x = ix == 8 || ix <= 1, in_y = iy == 7 || iy == 0;
       return in_x && in_y ? 0.5 : 0.;
     });
-    const ContactArea area = contact_area(p);
+    const ContactArea  area = contact_area(p);
     EXPECT_DOUBLE_EQ(area.fraction, 6. / 72);
     EXPECT_EQ(area.n_boundary_edges, 10);
     // (π − 1 + ln 2)/24 an edge, in points.

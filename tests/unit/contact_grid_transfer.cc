@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "contact_tools.h"
-
 #include <strait/contact/grid_transfer.h>
 
 #include <gtest/gtest.h>
+
+#include "contact_tools.h"
 
 namespace
 {
@@ -12,7 +12,8 @@ namespace
   double
   periodic_wave(const double x, const double y)
   {
-    return 1 + std::sin(2 * pi * x) * std::cos(4 * pi * (y + 0.1)) + 0.2 * std::cos(2 * pi * x);
+    return 1 + std::sin(2 * pi * x) * std::cos(4 * pi * (y + 0.1)) +
+           0.2 * std::cos(2 * pi * x);
   }
 
   TEST(GridTransfer, NeedsEvenGridsOfAtLeast64)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "contact_tools.h"
-
 #include <gtest/gtest.h>
+
+#include "contact_tools.h"
 
 namespace
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "contact_tools.h"
-
 #include <strait/contact/two_scale_preconditioner.h>
 
 #include <gtest/gtest.h>
+
+#include "contact_tools.h"
 
 namespace
 {
@@ -51,12 +51,18 @@ namespace
     // The Rayleigh quotient of a plane wave, over |q|, up to one common factor.
     const PeriodicGrid grid     = GetParam();
     double             smallest = INFINITY, largest = 0;
-    for (const auto &[x, y] : std::vector<std::pair<double, double>>{
-           {0.06, 0.}, {0., 0.06}, {0.12, 0.06}, {0.25, 0.25}, {0.5, 0.2}, {1., 0.}, {0., 1.}, {1., 1.}})
+    for (const auto &[x, y] : std::vector<std::pair<double, double>>{{0.06, 0.},
+                                                                     {0., 0.06},
+                                                                     {0.12, 0.06},
+                                                                     {0.25, 0.25},
+                                                                     {0.5, 0.2},
+                                                                     {1., 0.},
+                                                                     {0., 1.},
+                                                                     {1., 1.}})
       {
-        const int    kx = static_cast<int>(x * grid.nx / 2);
-        const int    ky = static_cast<int>(y * grid.ny / 2);
-        const double qx = 2 * pi * kx / grid.lx, qy = 2 * pi * ky / grid.ly;
+        const int       kx = static_cast<int>(x * grid.nx / 2);
+        const int       ky = static_cast<int>(y * grid.ny / 2);
+        const double    qx = 2 * pi * kx / grid.lx, qy = 2 * pi * ky / grid.ly;
         const SlabField wave =
           sampled(grid, [qx = qx, qy = qy](const double px, const double py) {
             return std::cos(qx * px + qy * py);

@@ -50,7 +50,7 @@ namespace contact_tests
         return std::complex<double>(0.);
       // A wave and its mirror image on the axis kx = 0 must be conjugate.
       const int  mirror = kx == 0 && ky < 0 ? -1 : 1;
-      const long hash   = (kx * 7919L + mirror * ky + 1000) * (kx + mirror * 31L * ky + 97);
+      const long hash = (kx * 7919L + mirror * ky + 1000) * (kx + mirror * 31L * ky + 97);
       const double phase = mirror * 2 * pi * static_cast<double>(hash % 1009) / 1009;
       return 0.05 * std::polar(std::pow(k, -1.8), phase);
     });

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A parabola in a box of 16 contact radii, in which its periodic images are felt
 // at the level of (a/L)³ = 2.4e-4.
-#include "../unit/contact_tools.h"
-
 #include <strait/reference/hertz.h>
 
 #include <gtest/gtest.h>
+
+#include "../unit/contact_tools.h"
 
 namespace
 {
@@ -21,14 +21,14 @@ namespace
   HertzErrors
   solve_hertz(const int n)
   {
-    const reference::Hertz hertz     = {0.01, 1., 1.};
-    const double           a         = hertz.contact_radius();
-    const double           L         = 16 * a;
-    const PeriodicGrid     grid      = {n, n, L, L};
-    const SlabField        heights   = sampled(grid, [&](const double x, const double y) {
+    const reference::Hertz hertz   = {0.01, 1., 1.};
+    const double           a       = hertz.contact_radius();
+    const double           L       = 16 * a;
+    const PeriodicGrid     grid    = {n, n, L, L};
+    const SlabField        heights = sampled(grid, [&](const double x, const double y) {
       return -(std::pow(x - L / 2, 2) + std::pow(y - L / 2, 2)) / (2 * hertz.radius);
     });
-    const SlabField        exact     = sampled(grid, [&](const double x, const double y) {
+    const SlabField        exact   = sampled(grid, [&](const double x, const double y) {
       return hertz.pressure(std::hypot(x - L / 2, y - L / 2));
     });
     ContactSolver          solver(contact_parameters(1e-9), heights);

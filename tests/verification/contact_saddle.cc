@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The isolated constriction h = 2 + cos 2πx + cos 2πy.
-#include "../unit/contact_tools.h"
-
 #include <strait/reference/wavy_contact.h>
 
 #include <gtest/gtest.h>
+
+#include "../unit/contact_tools.h"
 
 namespace
 {
@@ -27,7 +27,7 @@ namespace
   double
   saddle_gap(ContactSolver &solver, const int n, const double load)
   {
-    const double       p0 = load * reference::square_saddle::full_pressure(1., 1., 1.);
+    const double       p0    = load * reference::square_saddle::full_pressure(1., 1., 1.);
     const ContactState state = solver.solve(p0);
     EXPECT_TRUE(state.converged);
     return value_at(state.gap, n / 2, 0);
@@ -40,12 +40,15 @@ namespace
     for (const SaddleState &exact : expected)
       {
         SCOPED_TRACE(exact.load);
-        const double p0 = exact.load * reference::square_saddle::full_pressure(1., 1., 1.);
+        const double p0 =
+          exact.load * reference::square_saddle::full_pressure(1., 1., 1.);
         const ContactState state = solver.solve(p0);
         ASSERT_TRUE(state.converged);
         EXPECT_NEAR(state.contact_area_corrected, exact.contact_area, 5e-4);
         EXPECT_NEAR(state.mean_gap, exact.mean_gap, 2e-4 * exact.mean_gap);
-        EXPECT_NEAR(value_at(state.gap, n / 2, 0), exact.saddle_gap, 1e-3 * exact.saddle_gap);
+        EXPECT_NEAR(value_at(state.gap, n / 2, 0),
+                    exact.saddle_gap,
+                    1e-3 * exact.saddle_gap);
         // Both saddles of the cell are alike.
         EXPECT_NEAR(value_at(state.gap, 0, n / 2), value_at(state.gap, n / 2, 0), 1e-6);
       }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The wave h = cos 2πx cos 2πy, whose contact area is known for low and high load.
-#include "../unit/contact_tools.h"
-
 #include <strait/reference/wavy_contact.h>
 
 #include <gtest/gtest.h>
+
+#include "../unit/contact_tools.h"
 
 namespace
 {
@@ -18,7 +18,7 @@ namespace
     const SlabField heights = sampled({n, n, 1., 1.}, [](const double x, const double y) {
       return std::cos(2 * pi * x) * std::cos(2 * pi * y);
     });
-    ContactSolver       solver(contact_parameters(1e-8), heights);
+    ContactSolver   solver(contact_parameters(1e-8), heights);
     std::vector<double> fractions;
     for (const double load : loads)
       fractions.push_back(
@@ -29,8 +29,9 @@ namespace
   TEST(ProductWave, TendsToItsLimitAtLowLoad)
   {
     // The peaks interact in proportion to the load: extrapolate to none.
-    const std::vector<double> loads = {0.003, 0.006, 0.012}, areas = contact_fractions(512, loads);
-    std::vector<double>       ratios;
+    const std::vector<double> loads = {0.003, 0.006, 0.012},
+                              areas = contact_fractions(512, loads);
+    std::vector<double> ratios;
     for (std::size_t k = 0; k < loads.size(); ++k)
       ratios.push_back(areas[k] / wave::contact_fraction_at_low_load(loads[k]));
     EXPECT_NEAR(ratios[0], 1., 0.01);
@@ -40,10 +41,12 @@ namespace
 
   TEST(ProductWave, TendsToItsLimitAtHighLoad)
   {
-    const std::vector<double> loads = {0.9, 0.95, 0.98}, areas = contact_fractions(512, loads);
-    std::vector<double>       ratios;
+    const std::vector<double> loads = {0.9, 0.95, 0.98},
+                              areas = contact_fractions(512, loads);
+    std::vector<double> ratios;
     for (std::size_t k = 0; k < loads.size(); ++k)
-      ratios.push_back((1 - areas[k]) / (1 - wave::contact_fraction_at_high_load(loads[k])));
+      ratios.push_back((1 - areas[k]) /
+                       (1 - wave::contact_fraction_at_high_load(loads[k])));
     EXPECT_GT(ratios[0], ratios[1]);
     EXPECT_GT(ratios[1], ratios[2]);
     EXPECT_NEAR(ratios[2], 1., 0.01);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The wave h = cos 2πx, on a grid that is thin in y.
-#include "../unit/contact_tools.h"
-
 #include <strait/reference/wavy_contact.h>
 
 #include <gtest/gtest.h>
+
+#include "../unit/contact_tools.h"
 
 namespace
 {
@@ -21,9 +21,10 @@ namespace
   WestergaardErrors
   solve_westergaard(const int n, const double load)
   {
-    const reference::Westergaard exact   = {1., 1., 1., load * pi};
-    const SlabField              heights = sampled(
-      {n, 4, 1., 4. / n}, [](const double x, double) { return std::cos(2 * pi * x); });
+    const reference::Westergaard exact = {1., 1., 1., load * pi};
+    const SlabField    heights = sampled({n, 4, 1., 4. / n}, [](const double x, double) {
+      return std::cos(2 * pi * x);
+    });
     ContactSolver      solver(contact_parameters(1e-10), heights);
     const ContactState state = solver.solve(exact.nominal_pressure);
     EXPECT_TRUE(state.converged);
@@ -51,8 +52,9 @@ namespace
     const WestergaardErrors coarse = solve_westergaard(64, 0.5),
                             middle = solve_westergaard(256, 0.5),
                             fine   = solve_westergaard(1024, 0.5);
-    const double gap_order      = std::log(coarse.mean_gap / fine.mean_gap) / std::log(16.);
-    const double pressure_order = std::log(coarse.pressure / fine.pressure) / std::log(16.);
+    const double gap_order = std::log(coarse.mean_gap / fine.mean_gap) / std::log(16.);
+    const double pressure_order =
+      std::log(coarse.pressure / fine.pressure) / std::log(16.);
     RecordProperty("mean_gap_order", std::to_string(gap_order));
     RecordProperty("pressure_order", std::to_string(pressure_order));
     // Contact ends on a grid point here, which makes the mean gap superconverge.

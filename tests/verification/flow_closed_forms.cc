@@ -165,6 +165,29 @@ namespace strait
       EXPECT_NEAR(flow.leak_rate * resistance, 1., 2e-3);
     }
 
+    // However deep the walls of a channel are closed, one point is a channel.
+    TEST(FlowClosedForms, OnePointWideChannelLeaks)
+    {
+      std::vector<double> leaks;
+      for (const double wall : {0., -1e-2, -1., -1e6})
+        {
+          const SlabField gap =
+            sample([=](const double, const double y) { return y == .5 ? .01 : wall; },
+                   64,
+                   64);
+          const FlowResult flow = leak(gap, plain_fluid(1e-2));
+          EXPECT_EQ(flow.status, "ok");
+          EXPECT_GT(flow.lower, 0.);
+          leaks.push_back(flow.leak_rate);
+        }
+      // g³ over a spacing or so; how deep the wall is closed hardly matters.
+      EXPECT_LT(leaks[0], 1e-6 / 64);
+      EXPECT_GT(leaks[1], .1 * leaks[0]);
+      EXPECT_LT(leaks[2], 2. * leaks[1]);
+      EXPECT_GT(leaks[2], .5 * leaks[1]);
+      EXPECT_NEAR(leaks[3] / leaks[2], 1., .1);
+    }
+
     TEST(FlowClosedForms, BoundsAreMonotoneOnNestedMeshes)
     {
       const auto gap = [](const double x, const double y) {

@@ -2,6 +2,8 @@
 #ifndef strait_base_fluid_parameters_h
 #define strait_base_fluid_parameters_h
 
+#include <vector>
+
 namespace dealii
 {
   class ParameterHandler;
@@ -36,18 +38,28 @@ namespace strait
   /** The section Fluid of a scene: Reynolds flow through the gap. */
   struct FluidParameters
   {
-    bool               enabled          = true;
-    double             viscosity        = 1.;
-    double             inlet_pressure   = 1.;
-    double             outlet_pressure  = 0.;
-    double             slip_length      = 0.; // <= 0
-    FlowDirection      direction        = FlowDirection::x;
-    unsigned int       element_degree   = 1;
-    FlowPreconditioner preconditioner   = FlowPreconditioner::boomeramg;
-    GapInterpolation   interpolation    = GapInterpolation::monotone_cubic;
-    Refinement         refinement       = Refinement::adaptive;
-    double             target_accuracy  = 0.02;
-    unsigned int       maximum_unknowns = 1000000;
+    bool                enabled          = true;
+    double              viscosity        = 1.;
+    double              inlet_pressure   = 1.;
+    double              outlet_pressure  = 0.;
+    std::vector<double> slip_lengths     = {0.}; // <= 0, one row of results for each
+    FlowDirection       direction        = FlowDirection::x;
+    unsigned int        element_degree   = 1;
+    FlowPreconditioner  preconditioner   = FlowPreconditioner::boomeramg;
+    GapInterpolation    interpolation    = GapInterpolation::monotone_cubic;
+    Refinement          refinement       = Refinement::adaptive;
+    double              target_accuracy  = 0.02;
+    unsigned int        maximum_unknowns = 1000000;
+
+    /** Whether some slip length is not zero. */
+    bool
+    has_slip() const
+    {
+      for (const double slip_length : slip_lengths)
+        if (slip_length != 0.)
+          return true;
+      return false;
+    }
 
     static void declare(dealii::ParameterHandler &prm);
     void        parse(dealii::ParameterHandler &prm);

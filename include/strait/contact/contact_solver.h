@@ -32,7 +32,9 @@ namespace strait
      * the modulus, control, method, tolerance and cap on the iterations matter.
      * Collective.
      */
-    ContactSolver(const ContactParameters &parameters, SlabField heights, Report report = {});
+    ContactSolver(const ContactParameters &parameters,
+                  SlabField                heights,
+                  Report                   report = {});
     ~ContactSolver();
 
     /**

@@ -20,10 +20,10 @@ namespace strait
     double    mean_gap               = 0; // mean of gap
     double    contact_area           = 0; // fraction of the points with pressure > 0
     double    contact_area_corrected = 0; // the same for the continuum, see ContactArea
-    double    residual               = 0; // see ContactResidual, in units of the rms height
-    int       iterations             = 0; // on the grid itself, without coarser ones
-    long      fft_pairs              = 0; // likewise
-    bool      converged              = false;
+    double    residual   = 0; // see ContactResidual, in units of the rms height
+    int       iterations = 0; // on the grid itself, without coarser ones
+    long      fft_pairs  = 0; // likewise
+    bool      converged  = false;
   };
 } // namespace strait
 

@@ -61,8 +61,7 @@ namespace strait
      * read there, and may write them; after() when the result is complete on its
      * range.
      */
-    virtual void
-    precondition(double *values, const Pass &before, const Pass &after) = 0;
+    virtual void precondition(double *values, const Pass &before, const Pass &after) = 0;
 
     /** Room for size() values that lasts until the next apply(). */
     virtual double *scratch() = 0;

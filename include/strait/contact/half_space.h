@@ -32,10 +32,10 @@ namespace strait
      * mean of p·u, finds the displacement of the row. before() runs from the last
      * row to the first, and finds its row of scratch() unharmed. Collective.
      */
-    double apply(const double                            *pressure,
-                 double                                  *displacement,
-                 const std::function<void(int)>          &before,
-                 const std::function<void(int, double)>  &after);
+    double apply(const double                           *pressure,
+                 double                                 *displacement,
+                 const std::function<void(int)>         &before,
+                 const std::function<void(int, double)> &after);
 
     /** Room for one value a local grid point, valid until the next apply(). */
     double *

@@ -25,11 +25,11 @@ namespace strait
                                     double         *displacement,
                                     const Pass     &before,
                                     const WorkPass &after) override;
-    void precondition(double *values, const Pass &before, const Pass &after) override;
+    void    precondition(double *values, const Pass &before, const Pass &after) override;
     double *scratch() override;
-    void   sum_over_ranks(double *values, int count) const override;
-    double largest_over_ranks(double value) const override;
-    long   n_applications() const override;
+    void    sum_over_ranks(double *values, int count) const override;
+    double  largest_over_ranks(double value) const override;
+    long    n_applications() const override;
 
     /** Bytes on this rank, without the heights. */
     std::size_t memory_consumption() const;

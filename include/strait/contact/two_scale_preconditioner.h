@@ -47,12 +47,12 @@ namespace strait
     };
     static Stencil fit_stencil(double aspect);
 
-    void find_corrections();
-    void add_to_boxes(const double *values, int row);
-    void collect_boxes();
+    void                find_corrections();
+    void                add_to_boxes(const double *values, int row);
+    void                collect_boxes();
     std::vector<double> rows_beyond(const double *values) const;
-    void apply_stencil(double *values, const double *below);
-    void add_correction(double *values, int row) const;
+    void                apply_stencil(double *values, const double *below);
+    void                expand_corrections(int row);
 
     SlabLayoutPtr layout;
     double        aspect; // dy/dx
@@ -64,9 +64,10 @@ namespace strait
     // Only where a box lies on several ranks:
     std::vector<double> row_sums;
     std::vector<double> fetched_corrections;
-    int                               first_correction_row = 0;
+    int                 first_correction_row = 0;
 
-    std::vector<double> above, here, mixed; // lines of apply_stencil()
+    // Lines of apply_stencil().
+    std::vector<double> above, here, mixed, correction_line;
   };
 } // namespace strait
 

@@ -19,7 +19,8 @@ namespace strait
 
   /**
    * Write flow-STEP.vtu and flow-STEP.pvtu to @p directory for ParaView: the
-   * fluid's pressure, and per cell its mean conductivity and refinement level.
+   * fluid's pressure, and per cell its mean conductivity, refinement level and
+   * whether it leaks; where it does not, the pressure has no meaning.
    * Nothing where nothing percolates. Collective.
    */
   void write_flow_fields(const std::string     &directory,

@@ -7,17 +7,20 @@
 #include <strait/base/timers.h>
 #include <strait/contact/contact_solver.h>
 #include <strait/driver/step.h>
+#include <strait/driver/threshold_search.h>
 #include <strait/interface/gap_field.h>
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace strait
 {
   /**
    * The method in one place: for each load of the programme, press the surface
    * against the elastic half-space, ask whether a channel percolates through the
-   * gap, and solve for the flow through it.
+   * gap, and solve for the flow through it. If the scene asks for the threshold,
+   * that is found first.
    */
   class LoadSweep
   {
@@ -28,6 +31,19 @@ namespace strait
     /** @p scene, @p log and @p timers must outlive the sweep. */
     LoadSweep(const Scene &scene, SlabField heights, Log &log, Timers &timers);
 
+    /**
+     * Enclose the critical load of every slip length. The steps that follow know
+     * their reduced load, and those at `Reduced loads` are added. Collective.
+     */
+    const std::vector<Threshold> &find_thresholds();
+
+    /** Number of steps that run() will make. */
+    int
+    n_steps() const
+    {
+      return static_cast<int>(plan().size());
+    }
+
     /** Run all steps. Collective. @return whether all of them converged. */
     bool run(const Consumer &consume);
 
@@ -35,18 +51,31 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    void      press(Step &step, double target);
-    void      leak(Step &step);
-    SlabField gap_seen_by_fluid(const SlabField &gap) const;
-    void      report_flow(const FlowResult &flow) const;
-    void      report_step(const Step &step, int n_steps) const;
+    /** One step to come. */
+    struct Stop
+    {
+      double target; // nominal pressure or mean gap
+      double slip_length;
+    };
+
+    std::vector<Stop> plan() const;
+    ThresholdProbe    probe(double load);
+    void              press(Step &step, double target);
+    void              leak(Step &step);
+    void              compare_with_threshold(Step &step) const;
+    SlabField         gap_seen_by_fluid(const Step &step) const;
+    const Threshold  *threshold_of(double slip_length) const;
+    void              report_flow(const FlowResult &flow) const;
+    void              report_step(const Step &step, int n_steps) const;
 
     const Scene                   &scene;
     Log                           &log;
     Timers                        &timers;
-    SlabField                      given_gap; // if there is no contact to solve
+    double                         first_guess; // of the critical load
+    SlabField                      given_gap;   // if there is no contact to solve
     std::unique_ptr<ContactSolver> contact;
     std::unique_ptr<GapField>      gap_field;
+    std::vector<Threshold>         thresholds;
   };
 } // namespace strait
 

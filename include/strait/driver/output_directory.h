@@ -7,6 +7,7 @@
 #include <strait/base/timers.h>
 #include <strait/driver/result_table.h>
 #include <strait/driver/step.h>
+#include <strait/driver/threshold_tables.h>
 
 #include <string>
 
@@ -24,6 +25,9 @@ namespace strait
      *  written to. @p scene must outlive this object. */
     OutputDirectory(const Scene &scene, MPI_Comm comm, Log &log);
 
+    /** Write threshold.csv. Collective. */
+    void write(const std::vector<Threshold> &thresholds);
+
     /** Write a row, and fields and picture data as the scene asks. Collective. */
     void write(const Step &step, bool is_last);
 
@@ -38,11 +42,13 @@ namespace strait
     void write_record(const Timers &timers, double bytes_per_point) const;
     void draw_pictures() const;
 
-    const Scene &scene;
-    MPI_Comm     comm;
-    Log         &log;
-    std::string  path;
-    ResultTable  table;
+    const Scene      &scene;
+    MPI_Comm          comm;
+    Log              &log;
+    std::string       path;
+    ResultTable       table;
+    ConstrictionTable constrictions;
+    ScalingTable      scaling;
   };
 } // namespace strait
 

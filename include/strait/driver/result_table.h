@@ -2,10 +2,10 @@
 #ifndef strait_driver_result_table_h
 #define strait_driver_result_table_h
 
+#include <strait/base/csv_file.h>
 #include <strait/base/scene.h>
 #include <strait/driver/step.h>
 
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -42,8 +42,7 @@ namespace strait
     void add_flow_columns(const Scene &scene);
 
     std::vector<Column> columns;
-    std::string         file_name;
-    std::ofstream       file;
+    CsvFile             file;
   };
 } // namespace strait
 

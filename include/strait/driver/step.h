@@ -3,6 +3,7 @@
 #define strait_driver_step_h
 
 #include <strait/contact/contact_state.h>
+#include <strait/driver/constriction_report.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/clusters.h>
 #include <strait/percolation/flow_path.h>
@@ -21,6 +22,9 @@ namespace strait
     std::vector<FlowPath> paths;  // empty where nothing percolates
     FlowResult            result; // zero leak rate where nothing percolates
 
+    /** If the scene looks for the threshold and something percolates. */
+    std::optional<ConstrictionReport> constrictions;
+
     /** Mesh and pressure; none where nothing percolates. Valid until the next
      *  step changes the gap. */
     std::unique_ptr<const ReynoldsSolver> solver;
@@ -34,16 +38,28 @@ namespace strait
     double                      mean_gap = 0.; // closed points count as zero
     std::optional<ContactState> contact;       // unless the gap was given
     std::optional<StepFlow>     flow;          // unless the fluid is off
+    double                      slip_length = 0.;
+    std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
+    std::string                 remark;       // a doubt about a converged result
     double                      contact_seconds = 0.;
     double                      flow_seconds    = 0.;
 
-    /** "ok", or a short word for the first thing that failed. */
+    /** Whether all solvers reached what was asked of them. */
+    bool
+    converged() const
+    {
+      return (!contact || contact->converged) && (!flow || flow->result.status == "ok");
+    }
+
+    /** "ok", or a short word for the first thing that failed or is in doubt. */
     std::string
     status() const
     {
       if (contact && !contact->converged)
         return "contact-not-converged";
-      return flow ? flow->result.status : "ok";
+      if (flow && flow->result.status != "ok")
+        return flow->result.status;
+      return remark.empty() ? "ok" : remark;
     }
   };
 } // namespace strait

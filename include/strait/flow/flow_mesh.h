@@ -8,6 +8,9 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace strait
@@ -98,8 +101,14 @@ namespace strait
       return root_exponent - level;
     }
 
-    bool refine_contact_lines_and_paths(const GapField              &gap,
-                                        const std::vector<FlowPath> &paths);
+    /** Pairs (i, j) of cells of one size, sorted. */
+    using CellSet = std::vector<std::pair<int, int>>;
+
+    /** Cells that hold a point of a path or touch one that does. */
+    CellSet cells_near(const std::vector<FlowPath> &paths, int exponent) const;
+
+    bool refine_contact_lines_and_paths(const GapField               &gap,
+                                        const std::map<int, CellSet> &near_paths);
 
     PeriodicGrid  periodic_grid;
     FlowDirection flow_direction;

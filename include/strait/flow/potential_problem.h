@@ -126,18 +126,19 @@ namespace strait
                     const Source           &source,
                     dealii::Vector<double> &rhs) const;
 
-    Kind                              kind;
-    FlowMesh                         &mesh;
-    ElementMatrix                     element;
-    dealii::FE_Q<2>                   fe;
-    dealii::DoFHandler<2>             dofs;
-    dealii::IndexSet                  owned, relevant;
-    dealii::AffineConstraints<double> constraints;
-    Multigrid::Matrix                 matrix;
-    Vector                            right_hand_side, distributed, ghosted;
-    std::vector<GridCell>             cells; // owned, in the order of iteration
-    CellAnswers                       answers;
-    dealii::types::global_dof_index   n_active_unknowns = 0;
+    Kind                                         kind;
+    FlowMesh                                    &mesh;
+    ElementMatrix                                element;
+    dealii::FE_Q<2>                              fe;
+    dealii::DoFHandler<2>                        dofs;
+    dealii::IndexSet                             owned, relevant;
+    dealii::AffineConstraints<double>            constraints;
+    Multigrid::Matrix                            matrix; // between assemble() and solve()
+    std::vector<dealii::types::global_dof_index> unreached; // by no open cell
+    Vector                                       right_hand_side, distributed, ghosted;
+    std::vector<GridCell>           cells; // owned, in the order of iteration
+    CellAnswers                     answers;
+    dealii::types::global_dof_index n_active_unknowns = 0;
 
     using Transfer = dealii::parallel::distributed::SolutionTransfer<2, Vector>;
     std::unique_ptr<Transfer> transfer;

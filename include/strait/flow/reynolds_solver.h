@@ -77,10 +77,12 @@ namespace strait
     }
 
   private:
-    void solve_on_mesh(FlowResult &result);
+    /** @return whether the linear solver converged; the bounds hold either way. */
+    bool solve_on_mesh(FlowResult &result);
 
-    /** Each cell's share of upper − lower, in units of Q/Δp. */
-    dealii::Vector<float> indicator(double conductance_lower) const;
+    /** Each cell's share of upper − lower, over upper. */
+    dealii::Vector<float> indicator(double conductance_lower,
+                                    double conductance_upper) const;
 
     /** @return false, without refining, if the unknowns would become too many. */
     bool refine(const FlowResult &result);

@@ -14,6 +14,7 @@ namespace strait
   struct FlowPath
   {
     std::vector<GridPoint> points;
+    std::vector<double>    gaps;                 // at the points
     GridPoint              bottleneck;           // where the gap is smallest
     double                 bottleneck_gap  = 0.; // there
     double                 path_resistance = 0.; // ∫ ds / gap³ along the path
@@ -27,9 +28,10 @@ namespace strait
    * resists more than 2·10⁴ times as much as the first.
    *
    * Dijkstra's algorithm over the eight neighbours; a diagonal step is paid for at
-   * the harmonic worst of its ends and its middle. @p gap is positive where the
-   * fluid percolates (percolating_gap()). Runs on rank 0, whose memory it needs
-   * for 25 B a grid point; the result is the same on all ranks. Collective.
+   * the mean resistivity of its ends or that of its middle, whichever is larger. @p gap
+   * is positive where the fluid percolates (percolating_gap()). Runs on rank 0, whose
+   * memory it needs for 25 B a grid point; the result is the same on all ranks.
+   * Collective.
    */
   std::vector<FlowPath>
   find_flow_paths(const SlabField &gap, FlowDirection direction, unsigned int n_paths);

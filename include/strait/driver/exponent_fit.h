@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_driver_exponent_fit_h
+#define strait_driver_exponent_fit_h
+
+#include <vector>
+
+namespace strait
+{
+  /** A quantity at one distance from the threshold. */
+  struct ScalingPoint
+  {
+    double reduced_load = 0.; // ε = 1 − L/L_c > 0
+    double value        = 0.; // > 0
+  };
+
+  /** The exponent β of value ∝ ε^β over a window of ε. */
+  struct ExponentFit
+  {
+    double from     = 0.; // smallest ε of the window
+    double to       = 0.; // largest
+    double exponent = 0.;
+    double error    = 0.; // standard error of the fit; 0 for two points
+    int    n_points = 0;
+  };
+
+  /** log–log slopes between neighbouring points, in the order of falling ε. */
+  std::vector<ExponentFit> local_slopes(std::vector<ScalingPoint> points);
+
+  /**
+   * Least squares on log value against log ε over the points with ε <= @p largest.
+   * Fewer than two points give a result with n_points < 2.
+   */
+  ExponentFit fit_exponent(const std::vector<ScalingPoint> &points, double largest);
+} // namespace strait
+
+#endif

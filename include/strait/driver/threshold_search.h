@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_driver_threshold_search_h
+#define strait_driver_threshold_search_h
+
+#include <strait/percolation/bottleneck.h>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace strait
+{
+  /** What one contact solve tells about percolation. */
+  struct ThresholdProbe
+  {
+    Bottleneck bottleneck; // value > 0: the gap there; < 0: how firmly it is closed
+    double     contact_area = 0.;
+    long       fft_pairs    = 0;
+  };
+
+  /** The critical load, enclosed. */
+  struct Threshold
+  {
+    double    slip_length  = 0.;
+    double    lower        = 0.; // largest load known with a percolating channel
+    double    upper        = 0.; // smallest load known without
+    double    contact_area = 0.; // at lower
+    GridPoint last_constriction; // at lower
+    int       n_solves  = 0;     // contact solves made for this threshold
+    long      fft_pairs = 0;     // of those
+
+    double
+    critical_load() const
+    {
+      return .5 * (lower + upper);
+    }
+
+    double
+    relative_width() const
+    {
+      return (upper - lower) / upper;
+    }
+  };
+
+  /**
+   * Encloses the largest load at which a channel percolates.
+   *
+   * The value v(L) of the bottleneck falls with the load L and changes its sign at
+   * the critical load. On the open side it is the gap of a constriction, which
+   * vanishes as (1 − L/L_c)^(6/5), on the sealed side a contact pressure, which was
+   * found to grow as (L/L_c − 1)^0.63: raised to the reciprocal powers both are
+   * close to linear, and a line through two loads of one side foretells the
+   * threshold. The next load lies a little beyond, so that it closes in from the
+   * other side. Every load that was probed serves all later searches, so a second
+   * slip length costs little.
+   */
+  class ThresholdSearch
+  {
+  public:
+    using Probe = std::function<ThresholdProbe(double load)>;
+
+    /**
+     * @p first_load: where to begin; @p tolerance: relative width of the bracket to
+     * reach.
+     */
+    ThresholdSearch(Probe probe, double first_load, double tolerance);
+
+    /**
+     * The threshold for channels of a gap above @p level = 2|d0|. Collective if the
+     * probe is. Throws ComputationError if no load within a factor of 10⁶ of the
+     * first brackets it.
+     */
+    Threshold find(double slip_length);
+
+  private:
+    /** A load and the straightened value there, > 0 if open. */
+    struct Point
+    {
+      double load;
+      double value;
+    };
+
+    /** What is known at one level, by load. */
+    struct Known
+    {
+      std::vector<Point> open;   // ascending: the last is nearest to the threshold
+      std::vector<Point> sealed; // descending, likewise
+
+      double
+      width() const
+      {
+        return sealed.back().load - open.back().load;
+      }
+    };
+
+    Known  known_at(double level) const;
+    double load_outside(const Known &known) const;
+    double load_between(const Known &known, bool bisect) const;
+
+    Probe                            probe;
+    double                           first_load;
+    double                           tolerance;
+    std::map<double, ThresholdProbe> probed; // by load
+  };
+} // namespace strait
+
+#endif

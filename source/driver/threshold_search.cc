@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/base/text.h>
+#include <strait/driver/threshold_search.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr double widest_range = 1e6; // of loads around the first
+
+    /** Close to linear in the load around the threshold. */
+    double
+    straighten(const double value)
+    {
+      return value > 0 ? std::pow(value, 5. / 6) : -std::pow(-value, 1. / .63);
+    }
+  } // namespace
+
+  ThresholdSearch::ThresholdSearch(Probe        probe_,
+                                   const double first_load_,
+                                   const double tolerance_)
+    : probe(std::move(probe_))
+    , first_load(first_load_)
+    , tolerance(tolerance_)
+  {
+  }
+
+  ThresholdSearch::Known
+  ThresholdSearch::known_at(const double level) const
+  {
+    Known known;
+    for (const auto &[load, result] : probed)
+      if (const double value = straighten(result.bottleneck.value - level); value > 0)
+        known.open.push_back({load, value});
+      else
+        known.sealed.push_back({load, value});
+    std::reverse(known.sealed.begin(), known.sealed.end());
+    return known;
+  }
+
+  double
+  ThresholdSearch::load_outside(const Known &known) const
+  {
+    constexpr double smallest_step = 1.02, first_step = 1.2, largest_step = 1.6;
+    if (known.open.empty() && known.sealed.empty())
+      return first_load;
+    const bool                upwards = known.sealed.empty();
+    const std::vector<Point> &side    = upwards ? known.open : known.sealed;
+    const Point              &edge    = side.back();
+    double                    factor  = first_step;
+    if (side.size() > 1)
+      {
+        // A tenth of the way beyond where the line through two loads meets zero.
+        const Point &inner = side[side.size() - 2];
+        const double reach =
+          edge.value * (edge.load - inner.load) / (inner.value - edge.value);
+        const double aim = edge.load + 1.1 * reach;
+        factor           = upwards ? aim / edge.load : edge.load / aim;
+        if (!(factor > 1))
+          factor = largest_step;
+        factor = std::clamp(factor, smallest_step, largest_step);
+      }
+    return upwards ? edge.load * factor : edge.load / factor;
+  }
+
+  double
+  ThresholdSearch::load_between(const Known &known, const bool bisect) const
+  {
+    constexpr double overshoot = .2;
+    const double     lower = known.open.back().load, upper = known.sealed.back().load;
+    const double     middle = .5 * (lower + upper);
+    double           aim = middle, shortest = upper - lower;
+    for (const std::vector<Point> *side : {&known.open, &known.sealed})
+      if (side->size() > 1 && !bisect)
+        {
+          const Point &near = side->back(), &far = (*side)[side->size() - 2];
+          const double reach =
+            near.value * (near.load - far.load) / (far.value - near.value);
+          if (const double beyond = near.load + (1 + overshoot) * reach;
+              beyond > lower && beyond < upper && std::abs(reach) < shortest)
+            {
+              shortest = std::abs(reach);
+              aim      = beyond;
+            }
+        }
+    // A step to the other side of the threshold should end the search.
+    const double margin = std::min(.8 * tolerance * upper, .5 * (upper - lower));
+    return std::clamp(aim, lower + margin, upper - margin);
+  }
+
+  Threshold
+  ThresholdSearch::find(const double slip_length)
+  {
+    const double      level    = -2. * slip_length;
+    const std::size_t n_before = probed.size();
+    long              pairs    = 0;
+    bool              bisect   = false;
+    Known             known    = known_at(level);
+    while (known.open.empty() || known.sealed.empty() ||
+           known.width() > tolerance * known.sealed.back().load)
+      {
+        const bool   between = !known.open.empty() && !known.sealed.empty();
+        const double width   = between ? known.width() : 0.;
+        const double load = between ? load_between(known, bisect) : load_outside(known);
+        if (!(load < widest_range * first_load && load * widest_range > first_load))
+          throw ComputationError(
+            std::string("The threshold was not found: the contact ") +
+            (known.sealed.empty() ? "still leaks" : "is still sealed") +
+            " at a load of " + to_text(load) + ".");
+        const ThresholdProbe result = probe(load);
+        pairs += result.fft_pairs;
+        probed[load] = result;
+        known        = known_at(level);
+        // Where the line led astray, halve the bracket.
+        bisect = between && known.width() > .5 * width;
+      }
+    const double          lower = known.open.back().load;
+    const ThresholdProbe &last  = probed.at(lower);
+    return {slip_length,
+            lower,
+            known.sealed.back().load,
+            last.contact_area,
+            last.bottleneck.point,
+            static_cast<int>(probed.size() - n_before),
+            pairs};
+  }
+} // namespace strait

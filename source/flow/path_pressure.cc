@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/flow/grid_points.h>
+#include <strait/flow/path_pressure.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace strait
+{
+  std::vector<double>
+  pressure_along(const ReynoldsSolver &solver, const FlowPath &path)
+  {
+    const FlowMesh     &mesh = solver.mesh();
+    const PeriodicGrid &grid = mesh.grid();
+
+    // Points by row and column; the outlet's copies keep their pressure, zero.
+    std::map<std::pair<int, int>, std::size_t> wanted;
+    for (std::size_t k = 0; k < path.points.size(); ++k)
+      if (const GridPoint &p = path.points[k]; p.ix < grid.nx && p.iy < grid.ny)
+        wanted[{p.iy, p.ix}] = k;
+
+    std::vector<double>    result(path.points.size(), 0.);
+    dealii::Vector<double> corners(
+      solver.pressure().dof_handler().get_fe().n_dofs_per_cell());
+    for (const auto &cell : solver.pressure().dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const GridCell     here = mesh.grid_cell(*cell);
+          const PointsOfCell rows(here.j, here.exponent), columns(here.i, here.exponent);
+          if (rows.empty() || columns.empty())
+            continue;
+          bool has_values = false;
+          for (auto point = wanted.lower_bound({rows.first, 0});
+               point != wanted.end() && point->first.first < rows.end;
+               ++point)
+            {
+              const auto [iy, ix] = point->first;
+              if (ix < columns.first || ix >= columns.end)
+                continue;
+              if (!has_values)
+                cell->get_dof_values(solver.pressure().solution(), corners);
+              has_values        = true;
+              const double size = std::ldexp(1., here.exponent);
+              result[point->second] =
+                interpolate_bilinearly(corners, ix / size - here.i, iy / size - here.j);
+            }
+        }
+    dealii::Utilities::MPI::sum(result, mesh.triangulation().get_communicator(), result);
+    return result;
+  }
+} // namespace strait

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The optimisers on a problem that is no grid: points of different areas, all on
+// the first rank, with a dense matrix for G and preconditioners of all qualities.
+#include <strait/contact/dual_conjugate_gradients.h>
+#include <strait/contact/polonsky_keer.h>
+
+#include <gtest/gtest.h>
+
+#include "contact_tools.h"
+
+namespace
+{
+  using namespace contact_tests;
+
+  enum class Quality
+  {
+    none,    // M = 1
+    uneven,  // positive, but far from the inverse of G
+    negative // M = −1, which is never allowed
+  };
+
+  class DenseProblem : public DualProblem
+  {
+  public:
+    explicit DenseProblem(const Quality quality)
+      : quality(quality)
+    {
+      int rank = 0;
+      MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+      n = rank == 0 ? 60 : 0;
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          position.push_back(std::fmod(0.6180339887 * static_cast<double>(i + 1), 1.));
+          height.push_back(std::cos(2 * pi * position[i]) +
+                           0.3 * std::sin(9. * position[i]));
+        }
+      // Areas of 1 and 1/9 in units that sum to one.
+      const double unit = 1. / (20. + 40. / 9.);
+      if (n > 0)
+        ranges = {{0, 20, unit}, {20, 60, unit / 9}};
+      room.resize(n);
+    }
+
+    double
+    weight(const std::size_t i) const
+    {
+      return ranges[i < 20 ? 0 : 1].weight;
+    }
+
+    std::size_t
+    size() const override
+    {
+      return n;
+    }
+
+    const std::vector<Block> &
+    blocks() const override
+    {
+      return ranges;
+    }
+
+    const double *
+    heights() const override
+    {
+      return height.data();
+    }
+
+    double
+    apply(const double *p, double *u, const Pass &before, const WorkPass &after) override
+    {
+      for (const Block &range : ranges)
+        before(range);
+      double work = 0;
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          u[i] = 0;
+          for (std::size_t j = 0; j < n; ++j)
+            u[i] += std::exp(-8 * std::abs(position[i] - position[j])) * weight(j) * p[j];
+          work += weight(i) * p[i] * u[i];
+        }
+      work = sum(MPI_COMM_WORLD, work);
+      for (const Block &range : ranges)
+        after(range, work);
+      ++applications;
+      return work;
+    }
+
+    void
+    precondition(double *values, const Pass &before, const Pass &after) override
+    {
+      for (const Block &range : ranges)
+        {
+          before(range);
+          for (std::size_t i = range.begin; i < range.end; ++i)
+            values[i] *= quality == Quality::negative ? -1
+                         : quality == Quality::uneven
+                           ? 1. + 50. * static_cast<double>(i % 7)
+                           : 1.;
+          after(range);
+        }
+    }
+
+    double *
+    scratch() override
+    {
+      return room.data();
+    }
+
+    void
+    sum_over_ranks(double *values, const int count) const override
+    {
+      sum_in_place(MPI_COMM_WORLD, values, count);
+    }
+
+    double
+    largest_over_ranks(const double value) const override
+    {
+      return maximum(MPI_COMM_WORLD, value);
+    }
+
+    long
+    n_applications() const override
+    {
+      return applications;
+    }
+
+  private:
+    Quality             quality;
+    std::size_t         n = 0;
+    std::vector<double> position, height, room;
+    std::vector<Block>  ranges;
+    long                applications = 0;
+  };
+
+  /** Solve, check the conditions that define the solution, and return the gaps. */
+  template <class Optimiser>
+  std::vector<double>
+  solved(const Quality quality, const ContactConstraint &constraint, const double mean)
+  {
+    // Without M the steps go along the gradient, and need many.
+    const double          tolerance = quality == Quality::negative ? 1e-5 : 1e-10;
+    DenseProblem          problem(quality);
+    Optimiser             optimiser(problem, constraint, {tolerance, 1., 2000});
+    std::vector<double>   p(problem.size(), 1.), g(problem.size()), u(problem.size());
+    const ContactSolution solution = optimiser.solve(p.data(), g.data());
+    EXPECT_TRUE(solution.converged) << solution.residual;
+
+    problem.apply(p.data(), u.data(), no_pass, no_work_pass);
+    double total = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      {
+        EXPECT_GE(p[i], 0.);
+        EXPECT_GE(g[i], -tolerance);
+        EXPECT_LT(p[i] > 0 ? std::abs(g[i]) : 0., tolerance);
+        const double u0 = g[i] - u[i] + problem.heights()[i];
+        EXPECT_NEAR(u0, g[0] - u[0] + problem.heights()[0], 1e-9);
+        total += problem.weight(i) * p[i];
+      }
+    if (mean > 0)
+      {
+        EXPECT_NEAR(sum(MPI_COMM_WORLD, total), mean, 1e-12);
+      }
+    return g;
+  }
+
+  /**
+   * Two pressures that solve the problem to the residual ε differ by d with
+   * <d, Gd> <= 2 ε <p + p'>, so that |G d| <= sqrt(4 ε max <p>) = 4.5e-5 here.
+   */
+  void
+  expect_equal(const std::vector<double> &a, const std::vector<double> &b)
+  {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      EXPECT_NEAR(a[i], b[i], 4.5e-5) << "at point " << i;
+  }
+
+  TEST(Optimisers, KnowNoGridAndSurviveAnyPreconditioner)
+  {
+    for (const double load : {0.05, 0.5, 5.})
+      {
+        const auto constraint = ContactConstraint::mean_pressure(load);
+        const auto expected   = solved<PolonskyKeer>(Quality::none, constraint, load);
+        for (const Quality quality : {Quality::none, Quality::uneven, Quality::negative})
+          expect_equal(solved<DualConjugateGradients>(quality, constraint, load),
+                       expected);
+      }
+  }
+
+  TEST(Optimisers, HoldTheRigidDisplacement)
+  {
+    for (const double displacement : {0.9, 0., -2.})
+      {
+        const auto constraint = ContactConstraint::rigid_displacement(displacement);
+        const auto expected   = solved<PolonskyKeer>(Quality::none, constraint, 0.);
+        for (const Quality quality : {Quality::none, Quality::uneven})
+          expect_equal(solved<DualConjugateGradients>(quality, constraint, 0.), expected);
+        solved<DualConjugateGradients>(Quality::negative, constraint, 0.);
+      }
+  }
+} // namespace
