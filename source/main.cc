@@ -2,8 +2,10 @@
 #include <strait/base/build_info.h>
 #include <strait/base/command_line.h>
 #include <strait/base/error_exit.h>
+#include <strait/base/exceptions.h>
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
+#include <strait/driver/ensemble.h>
 #include <strait/driver/simulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -32,8 +34,11 @@ namespace
     Log         log(MPI_COMM_WORLD, command.quiet);
     if (command.dry_run)
       describe(scene, log);
-    else
-      simulate(scene, log);
+    else if (!run_all_realisations(command.scene, command.overrides, scene, log))
+      throw ComputationError(
+        "Some steps did not reach what was asked; the column status of "
+        "the table in '" +
+        scene.output.directory + "' tells which and why.");
     return 0;
   }
 } // namespace

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace strait
@@ -24,6 +25,12 @@ namespace strait
 
     const Choices<LoadPath> load_paths = {{LoadPath::loading, "loading"},
                                           {LoadPath::unloading, "unloading"}};
+
+    const Choices<Orientation> orientation_names = {{Orientation::as_is, "as is"},
+                                                    {Orientation::inverted, "inverted"},
+                                                    {Orientation::rotated, "rotated"},
+                                                    {Orientation::inverted_and_rotated,
+                                                     "inverted and rotated"}};
 
     std::vector<double>
     parse_list(const std::string &text)
@@ -137,6 +144,56 @@ namespace strait
                          " but 1 - L/L_c must lie between 0 and 1.");
   }
 
+  std::string
+  name_of(const Orientation orientation)
+  {
+    return orientation_names.name(orientation);
+  }
+
+  void
+  RealisationParameters::declare(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.enter_subsection("Realisations");
+    prm.declare_entry(
+      "Seeds",
+      "",
+      List(Integer(0)),
+      "Run the scene for each of these seeds instead of Surface/Seed, each "
+      "with its own folder of results; compare them in ensemble.csv.");
+    prm.declare_entry("Orientations",
+                      orientation_names.name(Orientation::as_is),
+                      List(Selection(orientation_names.pattern()), 1),
+                      "Run each seed in these orientations, which replace Surface/Invert "
+                      "and Surface/Rotate.");
+    prm.leave_subsection();
+  }
+
+  void
+  RealisationParameters::parse(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Realisations");
+    seeds.clear();
+    for (const std::string &value : split(prm.get("Seeds"), ','))
+      if (!value.empty())
+        seeds.push_back(std::stoull(value));
+    orientations.clear();
+    for (const std::string &value : split(prm.get("Orientations"), ','))
+      orientations.push_back(orientation_names.value(value));
+    prm.leave_subsection();
+  }
+
+  void
+  RealisationParameters::check() const
+  {
+    const std::set<unsigned long long> different_seeds(seeds.begin(), seeds.end());
+    const std::set<Orientation> different(orientations.begin(), orientations.end());
+    if (different_seeds.size() != seeds.size() || different.size() != orientations.size())
+      throw InputError(
+        "Realisations lists a seed or an orientation twice; the copies would "
+        "falsify the scatter, remove them.");
+  }
+
   void
   OutputParameters::declare(dealii::ParameterHandler &prm)
   {
@@ -185,6 +242,7 @@ namespace strait
     ContactParameters::declare(prm);
     FluidParameters::declare(prm);
     ProgrammeParameters::declare(prm);
+    RealisationParameters::declare(prm);
     OutputParameters::declare(prm);
   }
 
@@ -195,6 +253,7 @@ namespace strait
     contact.parse(prm);
     fluid.parse(prm);
     programme.parse(prm);
+    realisations.parse(prm);
     output.parse(prm);
     std::ostringstream text;
     prm.print_parameters(text, in_order);
@@ -208,6 +267,7 @@ namespace strait
     contact.check();
     fluid.check();
     programme.check();
+    realisations.check();
     output.check();
 
     if (contact.enabled)

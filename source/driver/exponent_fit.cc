@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace strait
 {
@@ -21,35 +22,66 @@ namespace strait
     return slopes;
   }
 
+  namespace
+  {
+    /** Least squares of y against x. */
+    struct Line
+    {
+      double slope;
+      double error; // of the slope
+    };
+
+    Line
+    fit_line(const std::vector<double> &x, const std::vector<double> &y)
+    {
+      const auto   n      = static_cast<double>(x.size());
+      const double mean_x = std::accumulate(x.begin(), x.end(), 0.) / n;
+      const double mean_y = std::accumulate(y.begin(), y.end(), 0.) / n;
+      double       xx = 0, xy = 0, yy = 0;
+      for (std::size_t k = 0; k < x.size(); ++k)
+        {
+          xx += (x[k] - mean_x) * (x[k] - mean_x);
+          xy += (x[k] - mean_x) * (y[k] - mean_y);
+          yy += (y[k] - mean_y) * (y[k] - mean_y);
+        }
+      const double left_over = std::max(yy - xy * xy / xx, 0.);
+      return {xy / xx, n > 2 ? std::sqrt(left_over / ((n - 2) * xx)) : 0.};
+    }
+  } // namespace
+
   ExponentFit
   fit_exponent(const std::vector<ScalingPoint> &points, const double largest)
   {
-    ExponentFit fit;
-    double      sum_x = 0, sum_y = 0;
+    ExponentFit         fit;
+    std::vector<double> x, y;
     for (const auto &[epsilon, value] : points)
       if (epsilon <= largest * (1 + 1e-9))
         {
-          fit.from = fit.n_points == 0 ? epsilon : std::min(fit.from, epsilon);
+          fit.from = x.empty() ? epsilon : std::min(fit.from, epsilon);
           fit.to   = std::max(fit.to, epsilon);
-          sum_x += std::log(epsilon);
-          sum_y += std::log(value);
-          ++fit.n_points;
+          x.push_back(std::log(epsilon));
+          y.push_back(std::log(value));
         }
+    fit.n_points = static_cast<int>(x.size());
     if (fit.n_points < 2)
       return fit;
-    const double mean_x = sum_x / fit.n_points, mean_y = sum_y / fit.n_points;
-    double       xx = 0, xy = 0, yy = 0;
-    for (const auto &[epsilon, value] : points)
-      if (epsilon <= largest * (1 + 1e-9))
-        {
-          const double x = std::log(epsilon) - mean_x, y = std::log(value) - mean_y;
-          xx += x * x;
-          xy += x * y;
-          yy += y * y;
-        }
-    fit.exponent = xy / xx;
-    if (fit.n_points > 2)
-      fit.error = std::sqrt(std::max(yy - xy * xy / xx, 0.) / ((fit.n_points - 2) * xx));
+    const Line line = fit_line(x, y);
+    fit.exponent    = line.slope;
+    fit.error       = line.error;
     return fit;
+  }
+
+  double
+  crossover_reduced_load(const std::vector<ScalingPoint> &points)
+  {
+    constexpr double    exponent = 69. / 20, nearest = .3, farthest = .7;
+    std::vector<double> x, y;
+    for (const auto &[epsilon, value] : points)
+      if (epsilon >= nearest - 1e-9 && epsilon <= farthest + 1e-9)
+        {
+          x.push_back(epsilon);
+          y.push_back(std::log(value));
+        }
+    return x.size() < 2 ? std::nan("") : exponent / fit_line(x, y).slope;
   }
 } // namespace strait

@@ -26,6 +26,9 @@ namespace strait
     {
       for (const char *exact : {"leakage.csv",
                                 "leakage.png",
+                                "ensemble.csv",
+                                "ensemble_summary.csv",
+                                "ensemble.png",
                                 "threshold.csv",
                                 "constrictions.csv",
                                 "fit.csv",
@@ -48,18 +51,54 @@ namespace strait
         result += c == '\'' ? std::string("'\\''") : std::string(1, c);
       return result + "'";
     }
-
-    void
-    write_text(const std::string &path, const std::string &text)
-    {
-      std::ofstream file(path);
-      file << text << std::flush;
-      if (!file)
-        throw ComputationError("The file '" + path +
-                               "' could not be written; is the disk full?");
-    }
   } // namespace
 
+  void
+  write_text(const std::string &path, const std::string &text)
+  {
+    std::ofstream file(path);
+    file << text << std::flush;
+    if (!file)
+      throw ComputationError("The file '" + path +
+                             "' could not be written; is the disk full?");
+  }
+
+  void
+  prepare_directory(const std::string &path, MPI_Comm comm)
+  {
+    run_on_root(comm, [&path]() {
+      std::error_code error;
+      fs::create_directories(path, error);
+      const fs::path probe = fs::path(path) / "log.txt";
+      if (error || !std::ofstream(probe, std::ios::app))
+        throw InputError("The output directory '" + path +
+                         "' cannot be written; choose another with Output/Directory or "
+                         "--output.");
+      std::vector<fs::path> earlier;
+      for (const auto &entry : fs::directory_iterator(path))
+        if (entry.is_regular_file() && is_result(entry.path().filename().string()))
+          earlier.push_back(entry.path());
+      for (const fs::path &file : earlier)
+        fs::remove(file, error);
+    });
+  }
+
+  void
+  draw_pictures(const std::string &path, Log &log)
+  {
+    const std::string script = find_script("plot.py");
+    if (script.empty())
+      {
+        log.warn("no pictures were drawn because the script plot.py was not found");
+        return;
+      }
+    // An interpreter that inherits MPI's variables may believe it is a rank.
+    const std::string command = "env -u OMPI_COMM_WORLD_SIZE " +
+                                quoted(python_interpreter()) + " " + quoted(script) +
+                                " " + quoted(path);
+    if (std::system(command.c_str()) != 0) // NOLINT(cert-env33-c,concurrency-mt-unsafe)
+      log.warn("the pictures could not be drawn; try again with: " + script + " " + path);
+  }
   OutputDirectory::OutputDirectory(const Scene &scene_, MPI_Comm comm_, Log &log_)
     : scene(scene_)
     , comm(comm_)
@@ -68,7 +107,7 @@ namespace strait
     , table(scene)
     , scaling(scene.programme.largest_fitted)
   {
-    run_on_root(comm, [this]() { prepare(); });
+    prepare_directory(path, comm);
     log.attach_file(path + "/log.txt");
     run_on_root(comm, [this]() {
       write_text(path + "/parameters.prm", scene.resolved);
@@ -76,24 +115,6 @@ namespace strait
       if (scene.programme.find_threshold)
         constrictions.open(path + "/constrictions.csv");
     });
-  }
-
-  void
-  OutputDirectory::prepare()
-  {
-    std::error_code error;
-    fs::create_directories(path, error);
-    const fs::path probe = fs::path(path) / "log.txt";
-    if (error || !std::ofstream(probe, std::ios::app))
-      throw InputError("The output directory '" + path +
-                       "' cannot be written; choose another with Output/Directory or "
-                       "--output.");
-    std::vector<fs::path> earlier;
-    for (const auto &entry : fs::directory_iterator(path))
-      if (entry.is_regular_file() && is_result(entry.path().filename().string()))
-        earlier.push_back(entry.path());
-    for (const fs::path &file : earlier)
-      fs::remove(file, error);
   }
 
   void
@@ -133,7 +154,7 @@ namespace strait
     run_on_root(comm, [&]() {
       write_record(timers, bytes_per_point);
       if (scene.output.pictures)
-        draw_pictures();
+        draw_pictures(path, log);
     });
   }
 
@@ -158,22 +179,5 @@ namespace strait
       .set("warnings", Json(log.warnings()))
       .set("parameters", scene.resolved);
     write_text(path + "/run.json", record.text());
-  }
-
-  void
-  OutputDirectory::draw_pictures() const
-  {
-    const std::string script = find_script("plot.py");
-    if (script.empty())
-      {
-        log.warn("no pictures were drawn because the script plot.py was not found");
-        return;
-      }
-    // An interpreter that inherits MPI's variables may believe it is a rank.
-    const std::string command = "env -u OMPI_COMM_WORLD_SIZE " +
-                                quoted(python_interpreter()) + " " + quoted(script) +
-                                " " + quoted(path);
-    if (std::system(command.c_str()) != 0) // NOLINT(cert-env33-c,concurrency-mt-unsafe)
-      log.warn("the pictures could not be drawn; try again with: " + script + " " + path);
   }
 } // namespace strait

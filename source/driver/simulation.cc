@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/base/exceptions.h>
+#include <strait/base/text.h>
 #include <strait/base/timers.h>
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/output_directory.h>
@@ -116,7 +116,7 @@ namespace strait
             scene.surface.size[1]};
   }
 
-  void
+  RunSummary
   simulate(const Scene &scene, Log &log)
   {
     Timers timers;
@@ -130,10 +130,14 @@ namespace strait
     // The first thing that is written, after the last check of the input.
     OutputDirectory output(scene, MPI_COMM_WORLD, log);
     LoadSweep       sweep(scene, std::move(heights), log, timers);
+    RunSummary      summary;
     if (scene.programme.find_threshold)
-      output.write(sweep.find_thresholds());
-    const int  n_steps   = sweep.n_steps();
-    const bool converged = sweep.run([&](const Step &step) {
+      {
+        summary.thresholds = sweep.find_thresholds();
+        output.write(summary.thresholds);
+      }
+    const int n_steps = sweep.n_steps();
+    summary.converged = sweep.run([&](const Step &step) {
       const auto scope = timers.scope("output");
       output.write(step, step.number == n_steps);
     });
@@ -143,11 +147,9 @@ namespace strait
     log.line(timers.summary());
     output.finish(timers, bytes / n_points);
     log.line("results are in " + scene.output.directory);
-    if (!converged)
-      throw ComputationError(
-        "Some steps did not reach what was asked; the column status "
-        "of '" +
-        scene.output.directory + "/leakage.csv' tells which and why.");
+    summary.exponent  = output.exponents().leak_rate_fit();
+    summary.crossover = output.exponents().crossover();
+    return summary;
   }
 
   void
@@ -167,5 +169,15 @@ namespace strait
                   scene.fluid.enabled ? "on" : "off",
                   scene.contact.enabled ? scene.programme.pressures.size() : 1);
     log.line(text);
+    if (scene.programme.find_threshold)
+      log.line("the threshold is searched to a relative width of " +
+               to_text(scene.programme.threshold_tolerance) + "; " +
+               std::to_string(scene.programme.reduced_loads.size() *
+                              scene.fluid.slip_lengths.size()) +
+               " steps near it");
+    if (scene.realisations.enabled())
+      log.line(std::to_string(std::max<std::size_t>(scene.realisations.seeds.size(), 1) *
+                              scene.realisations.orientations.size()) +
+               " realisations, one after the other");
   }
 } // namespace strait

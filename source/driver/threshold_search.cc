@@ -35,10 +35,11 @@ namespace strait
   {
     Known known;
     for (const auto &[load, result] : probed)
-      if (const double value = straighten(result.bottleneck.value - level); value > 0)
-        known.open.push_back({load, value});
-      else
-        known.sealed.push_back({load, value});
+      {
+        const double openness = result.bottleneck.value - level;
+        (openness > 0 ? known.open : known.sealed)
+          .push_back({load, openness, straighten(openness)});
+      }
     std::reverse(known.sealed.begin(), known.sealed.end());
     return known;
   }
@@ -68,26 +69,53 @@ namespace strait
     return upwards ? edge.load * factor : edge.load / factor;
   }
 
+  bool
+  ThresholdSearch::is_linear(const Known &known)
+  {
+    constexpr double alike = 1.6;
+    const auto       slope = [](const Point &a, const Point &b) {
+      return (a.openness - b.openness) / (b.load - a.load);
+    };
+    const double across = slope(known.open.back(), known.sealed.back());
+    for (const std::vector<Point> *side : {&known.open, &known.sealed})
+      if (side->size() > 1)
+        {
+          const double ratio = slope((*side)[side->size() - 2], side->back()) / across;
+          if (ratio < alike && ratio * alike > 1)
+            return true;
+        }
+    return false;
+  }
+
   double
   ThresholdSearch::load_between(const Known &known, const bool bisect) const
   {
     constexpr double overshoot = .2;
-    const double     lower = known.open.back().load, upper = known.sealed.back().load;
-    const double     middle = .5 * (lower + upper);
-    double           aim = middle, shortest = upper - lower;
-    for (const std::vector<Point> *side : {&known.open, &known.sealed})
-      if (side->size() > 1 && !bisect)
-        {
-          const Point &near = side->back(), &far = (*side)[side->size() - 2];
-          const double reach =
-            near.value * (near.load - far.load) / (far.value - near.value);
-          if (const double beyond = near.load + (1 + overshoot) * reach;
-              beyond > lower && beyond < upper && std::abs(reach) < shortest)
-            {
-              shortest = std::abs(reach);
-              aim      = beyond;
-            }
-        }
+    const Point     &open = known.open.back(), &sealed = known.sealed.back();
+    const double     lower = open.load, upper = sealed.load;
+    double           aim = .5 * (lower + upper), shortest = upper - lower;
+    if (!bisect && is_linear(known))
+      {
+        // A little to the side of the farther end, which thus comes close.
+        const double zero =
+          lower + (upper - lower) * open.openness / (open.openness - sealed.openness);
+        const double far_end = zero - lower > upper - zero ? lower : upper;
+        aim                  = zero + .1 * (far_end - zero);
+      }
+    else if (!bisect)
+      for (const std::vector<Point> *side : {&known.open, &known.sealed})
+        if (side->size() > 1)
+          {
+            const Point &near = side->back(), &far = (*side)[side->size() - 2];
+            const double reach =
+              near.value * (near.load - far.load) / (far.value - near.value);
+            if (const double beyond = near.load + (1 + overshoot) * reach;
+                beyond > lower && beyond < upper && std::abs(reach) < shortest)
+              {
+                shortest = std::abs(reach);
+                aim      = beyond;
+              }
+          }
     // A step to the other side of the threshold should end the search.
     const double margin = std::min(.8 * tolerance * upper, .5 * (upper - lower));
     return std::clamp(aim, lower + margin, upper - margin);

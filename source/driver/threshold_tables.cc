@@ -96,6 +96,26 @@ namespace strait
     add("throat_width", throat.width);
   }
 
+  ExponentFit
+  ScalingTable::leak_rate_fit() const
+  {
+    if (by_slip_length.empty())
+      return {};
+    const auto &trusted = by_slip_length.rbegin()->second.trusted;
+    const auto  found   = trusted.find("leak_rate");
+    return found == trusted.end() ? ExponentFit{} : fit_exponent(found->second, largest);
+  }
+
+  double
+  ScalingTable::crossover() const
+  {
+    if (by_slip_length.empty())
+      return std::nan("");
+    const auto &all   = by_slip_length.rbegin()->second.all;
+    const auto  found = all.find("leak_rate");
+    return found == all.end() ? std::nan("") : crossover_reduced_load(found->second);
+  }
+
   void
   ScalingTable::write(const std::string &path, Log &log, MPI_Comm comm) const
   {

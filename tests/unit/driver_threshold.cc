@@ -43,7 +43,8 @@ namespace strait
           EXPECT_DOUBLE_EQ(found.contact_area, found.lower);
           EXPECT_EQ(found.n_solves, n_probes);
           EXPECT_EQ(found.fft_pairs, 10 * n_probes);
-          EXPECT_LE(n_probes, 14) << critical;
+          // A start that is off by a factor of six costs a few steps to get there.
+          EXPECT_LE(n_probes, critical < .5 ? 18 : 13) << critical;
         }
     }
 

@@ -13,59 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "driver_fixture.h"
+
 namespace strait
 {
   namespace
   {
-    constexpr double pi = 3.14159265358979323846;
-
-    struct Row
-    {
-      double pressure, contact_area, mean_gap, worst_gap, leak_rate, lower, upper;
-      int    n_refinements;
-    };
-
-    std::vector<Row>
-    sweep(const Scene &scene)
-    {
-      Log              log(MPI_COMM_WORLD, true);
-      Timers           timers;
-      const auto       layout = make_layout({scene.contact.grid_points[0],
-                                             scene.contact.grid_points[1],
-                                             scene.surface.size[0],
-                                             scene.surface.size[1]},
-                                      MPI_COMM_WORLD);
-      LoadSweep        loads(scene,
-                      make_surface(scene.surface, MPI_COMM_WORLD)->heights(layout),
-                      log,
-                      timers);
-      std::vector<Row> rows;
-      EXPECT_TRUE(loads.run([&rows](const Step &step) {
-        const FlowResult &flow = step.flow->result;
-        rows.push_back(
-          {step.contact->nominal_pressure,
-           step.contact->contact_area_corrected,
-           step.mean_gap,
-           step.flow->paths.empty() ? 0. : step.flow->paths[0].bottleneck_gap,
-           flow.leak_rate,
-           flow.lower,
-           flow.upper,
-           static_cast<int>(flow.refinements)});
-      }));
-      return rows;
-    }
-
-    Scene
-    saddle_scene()
-    {
-      Scene scene;
-      scene.surface.kind          = SurfaceKind::square_saddle;
-      scene.fluid.viscosity       = 1. / 12;
-      scene.fluid.target_accuracy = 1e-3;
-      scene.programme.pressures   = {.18 * 2 * pi, .20 * 2 * pi, .22 * 2 * pi};
-      return scene;
-    }
-
     // Contact areas, gaps and conductivities of physics of the isolated saddle,
     // known to about 0.1 %.
     TEST(SaddleSweep, AgreesWithIndependentNumbersParallel)

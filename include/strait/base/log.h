@@ -58,6 +58,13 @@ namespace strait
      */
     void attach_file(const std::string &path);
 
+    /** Whether nothing is shown on the screen. */
+    bool
+    is_quiet() const
+    {
+      return screen == Screen::silent;
+    }
+
     /** The texts of all warnings, on all ranks that gave them. */
     const std::vector<std::string> &
     warnings() const

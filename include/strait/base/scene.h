@@ -33,6 +33,36 @@ namespace strait
     void        check() const;
   };
 
+  /** How a realisation of a surface is turned. */
+  enum class Orientation
+  {
+    as_is,
+    inverted,
+    rotated,
+    inverted_and_rotated
+  };
+
+  /** The section Realisations: several surfaces of one kind in one run. */
+  struct RealisationParameters
+  {
+    std::vector<unsigned long long> seeds; // empty: that of the surface
+    std::vector<Orientation>        orientations = {Orientation::as_is};
+
+    /** Whether there is more than the surface of the section Surface. */
+    bool
+    enabled() const
+    {
+      return !seeds.empty() || orientations.size() > 1;
+    }
+
+    static void declare(dealii::ParameterHandler &prm);
+    void        parse(dealii::ParameterHandler &prm);
+    void        check() const;
+  };
+
+  /** The name of an orientation in a scene. */
+  std::string name_of(Orientation orientation);
+
   enum class FieldOutput
   {
     none,
@@ -55,11 +85,12 @@ namespace strait
   /** All that a scene file says, parsed and checked; constant from then on. */
   struct Scene
   {
-    SurfaceParameters   surface;
-    ContactParameters   contact;
-    FluidParameters     fluid;
-    ProgrammeParameters programme;
-    OutputParameters    output;
+    SurfaceParameters     surface;
+    ContactParameters     contact;
+    FluidParameters       fluid;
+    ProgrammeParameters   programme;
+    RealisationParameters realisations;
+    OutputParameters      output;
 
     /** The scene file, with every default filled in (ParameterHandler text). */
     std::string resolved;

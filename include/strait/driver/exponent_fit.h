@@ -31,6 +31,14 @@ namespace strait
    * Fewer than two points give a result with n_points < 2.
    */
   ExponentFit fit_exponent(const std::vector<ScalingPoint> &points, double largest);
+
+  /**
+   * The reduced load ε_x at which the exponential decay far from the threshold turns
+   * into the power law ε^β near it. Far away value ∝ exp(s ε) with s from least
+   * squares over 0.3 <= ε <= 0.7; the local exponent s ε reaches β = 69/20 at
+   * ε_x = β/s. Not a number with fewer than two points in that range.
+   */
+  double crossover_reduced_load(const std::vector<ScalingPoint> &points);
 } // namespace strait
 
 #endif

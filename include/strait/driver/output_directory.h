@@ -14,9 +14,21 @@
 namespace strait
 {
   /**
-   * The folder of one run: table, fields, pictures, log and record. Opening it
-   * removes the results of an earlier run, and only those, so that a folder never
-   * mixes two runs.
+   * Make the folder @p path and remove the results of an earlier run from it, and
+   * only those, so that a folder never mixes two runs. Collective. Throws InputError
+   * on all ranks if the folder cannot be made or written to.
+   */
+  void prepare_directory(const std::string &path, MPI_Comm comm);
+
+  /** Write a whole file. Throws ComputationError if that fails. */
+  void write_text(const std::string &path, const std::string &text);
+
+  /** Let the plotting script draw the results in @p path; a failure is a warning.
+   *  For rank 0 only. */
+  void draw_pictures(const std::string &path, Log &log);
+
+  /**
+   * The folder of one run: tables, fields, pictures, log and record.
    */
   class OutputDirectory
   {
@@ -37,10 +49,15 @@ namespace strait
      */
     void finish(const Timers &timers, double bytes_per_point);
 
+    /** What is known of exponents so far. */
+    const ScalingTable &
+    exponents() const
+    {
+      return scaling;
+    }
+
   private:
-    void prepare();
     void write_record(const Timers &timers, double bytes_per_point) const;
-    void draw_pictures() const;
 
     const Scene      &scene;
     MPI_Comm          comm;

@@ -4,20 +4,32 @@
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
+#include <strait/driver/exponent_fit.h>
+#include <strait/driver/threshold_search.h>
 #include <strait/spectral/periodic_grid.h>
+
+#include <vector>
 
 namespace strait
 {
   /** The grid that @p scene asks for. */
   PeriodicGrid grid_of(const Scene &scene);
 
+  /** What a run leaves besides its files. */
+  struct RunSummary
+  {
+    bool                   converged = true; // all steps
+    std::vector<Threshold> thresholds;       // if the scene looks for them
+    ExponentFit            exponent;         // of the leak rate at the smallest slip
+    double                 crossover = 0.;   // reduced load, see crossover_reduced_load()
+  };
+
   /**
-   * Run @p scene and write its results to the output directory. Collective.
-   * Throws InputError before anything is written if the scene's input is bad, and
-   * ComputationError at the end, with all results on the disk, if a step did not
-   * converge.
+   * Run @p scene, without its section Realisations, and write its results to the
+   * output directory. Collective. Throws InputError before anything is written if the
+   * scene's input is bad, and ComputationError if no threshold is found.
    */
-  void simulate(const Scene &scene, Log &log);
+  RunSummary simulate(const Scene &scene, Log &log);
 
   /**
    * Check @p scene as simulate() would and print sizes, memory, resolution

@@ -50,9 +50,10 @@ namespace strait
    * vanishes as (1 − L/L_c)^(6/5), on the sealed side a contact pressure, which was
    * found to grow as (L/L_c − 1)^0.63: raised to the reciprocal powers both are
    * close to linear, and a line through two loads of one side foretells the
-   * threshold. The next load lies a little beyond, so that it closes in from the
-   * other side. Every load that was probed serves all later searches, so a second
-   * slip length costs little.
+   * threshold. Within a grid spacing of closing, v itself is linear through zero, and
+   * the line through one load of each side does. The next load lies a little beyond, so
+   * that it closes in from the other side. Every load that was probed serves all later
+   * searches, so a second slip length costs little.
    */
   class ThresholdSearch
   {
@@ -73,10 +74,11 @@ namespace strait
     Threshold find(double slip_length);
 
   private:
-    /** A load and the straightened value there, > 0 if open. */
+    /** A load, the openness there, and the same straightened. */
     struct Point
     {
       double load;
+      double openness;
       double value;
     };
 
@@ -93,9 +95,10 @@ namespace strait
       }
     };
 
-    Known  known_at(double level) const;
-    double load_outside(const Known &known) const;
-    double load_between(const Known &known, bool bisect) const;
+    Known       known_at(double level) const;
+    double      load_outside(const Known &known) const;
+    double      load_between(const Known &known, bool bisect) const;
+    static bool is_linear(const Known &known);
 
     Probe                            probe;
     double                           first_load;

@@ -50,6 +50,10 @@ namespace strait
 
     void collect(const Step &step);
 
+    /** The fit of the leak rate at the smallest slip, and its crossover. */
+    ExponentFit leak_rate_fit() const;
+    double      crossover() const;
+
     /** Write the table to @p path (on rank 0) and the fits to @p log. Collective. */
     void write(const std::string &path, Log &log, MPI_Comm comm) const;
 

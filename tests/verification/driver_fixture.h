@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_tests_driver_fixture_h
+#define strait_tests_driver_fixture_h
+
+#include <strait/driver/load_sweep.h>
+#include <strait/driver/simulation.h>
+#include <strait/surface/surface.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace strait
+{
+  constexpr double pi = 3.14159265358979323846;
+
+  /** What the tests look at in a step. */
+  struct Row
+  {
+    double pressure, contact_area, mean_gap, worst_gap, leak_rate, lower, upper;
+    double slip_length, reduced_load;
+    Throat throat;
+  };
+
+  struct Sweep
+  {
+    std::vector<Threshold> thresholds;
+    std::vector<Row>       rows;
+  };
+
+  inline Sweep
+  run_sweep(const Scene &scene)
+  {
+    Log        log(MPI_COMM_WORLD, true);
+    Timers     timers;
+    const auto layout = make_layout(grid_of(scene), MPI_COMM_WORLD);
+    LoadSweep  loads(scene,
+                    make_surface(scene.surface, MPI_COMM_WORLD)->heights(layout),
+                    log,
+                    timers);
+    Sweep      result;
+    if (scene.programme.find_threshold)
+      result.thresholds = loads.find_thresholds();
+    EXPECT_TRUE(loads.run([&result](const Step &step) {
+      const FlowResult &flow = step.flow->result;
+      result.rows.push_back(
+        {step.contact->nominal_pressure,
+         step.contact->contact_area_corrected,
+         step.mean_gap,
+         step.flow->paths.empty() ? 0. : step.flow->paths[0].bottleneck_gap,
+         flow.leak_rate,
+         flow.lower,
+         flow.upper,
+         step.slip_length,
+         step.reduced_load.value_or(0.),
+         step.flow->constrictions ? step.flow->constrictions->throat : Throat()});
+    }));
+    return result;
+  }
+
+  inline std::vector<Row>
+  sweep(const Scene &scene)
+  {
+    return run_sweep(scene).rows;
+  }
+
+  inline Scene
+  saddle_scene(const int n = 512)
+  {
+    Scene scene;
+    scene.surface.kind          = SurfaceKind::square_saddle;
+    scene.contact.grid_points   = {{n, n}};
+    scene.fluid.viscosity       = 1. / 12;
+    scene.fluid.target_accuracy = 1e-3;
+    scene.programme.pressures   = {.18 * 2 * pi, .20 * 2 * pi, .22 * 2 * pi};
+    return scene;
+  }
+} // namespace strait
+
+#endif
