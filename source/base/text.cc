@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdarg>
+#include <cstdio>
 
 namespace strait
 {
@@ -49,6 +51,19 @@ namespace strait
     for (std::size_t i = 0; i < parts.size(); ++i)
       joined += (i > 0 ? separator : "") + parts[i];
     return joined;
+  }
+
+  std::string
+  format(const char *pattern, ...)
+  {
+    std::va_list arguments, again;
+    va_start(arguments, pattern);
+    va_copy(again, arguments);
+    std::string text(std::vsnprintf(nullptr, 0, pattern, arguments), ' ');
+    std::vsnprintf(text.data(), text.size() + 1, pattern, again);
+    va_end(again);
+    va_end(arguments);
+    return text;
   }
 
   std::string

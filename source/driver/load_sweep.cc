@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
 #include <strait/driver/load_sweep.h>
+#include <strait/driver/step_report.h>
+#include <strait/percolation/percolating_gap.h>
 #include <strait/surface/statistics.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 namespace strait
 {
@@ -20,15 +22,6 @@ namespace strait
     seconds_since(const Timers::Clock::time_point start)
     {
       return std::chrono::duration<double>(Timers::Clock::now() - start).count();
-    }
-
-    template <typename... Arguments>
-    std::string
-    format(const char *pattern, Arguments... arguments)
-    {
-      char text[256];
-      std::snprintf(text, sizeof text, pattern, arguments...);
-      return text;
     }
   } // namespace
 
@@ -164,7 +157,7 @@ namespace strait
         leak(step);
         compare_with_threshold(step);
         converged = converged && step.converged();
-        report_step(step, static_cast<int>(stops.size()));
+        report_step(step, static_cast<int>(stops.size()), timers.total(), log);
         consume(step);
       }
     return converged;
@@ -217,7 +210,8 @@ namespace strait
         const auto solver_scope = timers.scope("mesh and solver");
         auto       solver =
           std::make_unique<ReynoldsSolver>(scene.fluid, *gap_field, flow.paths);
-        flow.result = solver->run([this](const FlowResult &now) { report_flow(now); });
+        flow.result =
+          solver->run([this](const FlowResult &now) { report_flow(now, log); });
         flow.solver = std::move(solver);
         if (scene.programme.find_threshold)
           flow.constrictions =
@@ -271,46 +265,6 @@ namespace strait
     for (double &value : seen)
       value += 2. * step.slip_length;
     return seen;
-  }
-
-  void
-  LoadSweep::report_flow(const FlowResult &flow) const
-  {
-    log.progress(format("  flow: mesh %u, %llu cells, leak rate between %.4g and %.4g",
-                        flow.refinements + 1,
-                        flow.cells,
-                        flow.lower,
-                        flow.upper));
-  }
-
-  void
-  LoadSweep::report_step(const Step &step, const int n_steps) const
-  {
-    std::string text = format("step %d of %d", step.number, n_steps);
-    if (step.contact)
-      text +=
-        format(": pressure %.5g, contact %.3f %%, residual %.1e (%ld FFT pairs, %.1f s)",
-               step.contact->nominal_pressure,
-               100. * step.contact->contact_area,
-               step.contact->residual,
-               step.contact->fft_pairs,
-               step.contact_seconds);
-    if (step.flow && step.flow->clusters.percolates)
-      text += format("; leak rate %.5g ± %.1g %% (%llu cells, %.1f s)",
-                     step.flow->result.leak_rate,
-                     50. * step.flow->result.relative_width(),
-                     step.flow->result.cells,
-                     step.flow_seconds);
-    else if (step.flow)
-      text += "; sealed";
-    if (step.reduced_load)
-      text += format("; 1 - L/L_c = %.3g", *step.reduced_load);
-    if (step.status() != "ok")
-      text += "; " + step.status();
-    log.line(text);
-    if (step.number < n_steps)
-      log.progress(format("  about %.0f s remain",
-                          timers.total() / step.number * (n_steps - step.number)));
   }
 
   std::size_t

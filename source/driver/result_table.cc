@@ -29,7 +29,7 @@ namespace strait
     add("step", [](const Step &step) { return step.number; });
     if (scene.contact.enabled)
       {
-        const std::string branch =
+        const char *branch =
           scene.programme.path == LoadPath::loading ? "loading" : "unloading";
         columns.push_back({"branch", [branch](const Step &) { return branch; }});
         add("pressure", [](const Step &step) { return step.contact->nominal_pressure; });

@@ -5,67 +5,54 @@
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/simulation.h>
+#include <strait/interface/moment_set.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/resolution.h>
 #include <strait/surface/statistics.h>
 #include <strait/surface/surface.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 namespace strait
 {
   namespace
   {
-    constexpr std::size_t line_length = 256;
-
     void
     report_sizes(const Scene &scene, Log &log)
     {
       const PeriodicGrid grid    = grid_of(scene);
       int                n_ranks = 1;
       MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
-      char text[line_length];
-      std::snprintf(text,
-                    sizeof text,
-                    "grid %d × %d on a box of %.6g × %.6g, %d %s",
-                    grid.nx,
-                    grid.ny,
-                    grid.lx,
-                    grid.ly,
-                    n_ranks,
-                    n_ranks == 1 ? "rank" : "ranks");
-      log.line(text);
+      log.line(format("grid %d × %d on a box of %.6g × %.6g, %d %s",
+                      grid.nx,
+                      grid.ny,
+                      grid.lx,
+                      grid.ly,
+                      n_ranks,
+                      n_ranks == 1 ? "rank" : "ranks"));
     }
 
     void
     report_surface(const Scene &scene, const SlabField &heights, Log &log)
     {
       const SurfaceStatistics surface = statistics(heights);
-      char                    text[line_length];
-      std::snprintf(text,
-                    sizeof text,
-                    "surface: rms height %.5g, rms slope %.5g, rms curvature %.5g, "
-                    "heights from %.5g to %.5g",
-                    surface.rms_height,
-                    surface.rms_slope,
-                    surface.rms_curvature,
-                    surface.lowest,
-                    surface.highest);
-      log.line(text);
+      log.line(
+        format("surface: rms height %.5g, rms slope %.5g, rms curvature %.5g, "
+               "heights from %.5g to %.5g",
+               surface.rms_height,
+               surface.rms_slope,
+               surface.rms_curvature,
+               surface.lowest,
+               surface.highest));
       if (scene.surface.kind == SurfaceKind::self_affine)
         {
           const PeriodicGrid &grid = heights.grid();
-          std::snprintf(text,
-                        sizeof text,
-                        "resolution: λs/a = %.4g, λr/λs = %.4g, L/λr = %.4g",
-                        scene.surface.short_cut_off_wavelength /
-                          std::max(grid.dx(), grid.dy()),
-                        scene.surface.roll_off_wavelength /
-                          scene.surface.short_cut_off_wavelength,
-                        std::min(grid.lx, grid.ly) / scene.surface.roll_off_wavelength);
-          log.line(text);
+          log.line(format(
+            "resolution: λs/a = %.4g, λr/λs = %.4g, L/λr = %.4g",
+            scene.surface.short_cut_off_wavelength / std::max(grid.dx(), grid.dy()),
+            scene.surface.roll_off_wavelength / scene.surface.short_cut_off_wavelength,
+            std::min(grid.lx, grid.ly) / scene.surface.roll_off_wavelength));
         }
     }
 
@@ -155,20 +142,20 @@ namespace strait
   void
   describe(const Scene &scene, Log &log)
   {
-    constexpr double bytes_contact = 57., bytes_flow = 2 * 14. + 8. + 25.;
+    // Contact fields; two moment pyramids, the gap and the path search.
+    constexpr double bytes_contact = 57.;
+    const double     bytes_flow =
+      2 * 8. / 3 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
     make_heights(scene, log);
     const auto   n_points = static_cast<double>(grid_of(scene).n_points());
     const double bytes    = n_points * ((scene.contact.enabled ? bytes_contact : 8.) +
                                      (scene.fluid.enabled ? bytes_flow : 0.));
-    char         text[line_length];
-    std::snprintf(text,
-                  sizeof text,
-                  "memory for the grid: about %.3g GB; contact %s, fluid %s; %zu steps",
-                  1e-9 * bytes,
-                  scene.contact.enabled ? "on" : "off (the surface is the gap)",
-                  scene.fluid.enabled ? "on" : "off",
-                  scene.contact.enabled ? scene.programme.pressures.size() : 1);
-    log.line(text);
+    log.line(format(
+      "memory for the grid, without the mesh: about %.3g GB; contact %s, fluid %s; %zu steps",
+      1e-9 * bytes,
+      scene.contact.enabled ? "on" : "off (the surface is the gap)",
+      scene.fluid.enabled ? "on" : "off",
+      scene.contact.enabled ? scene.programme.pressures.size() : 1));
     if (scene.programme.find_threshold)
       log.line("the threshold is searched to a relative width of " +
                to_text(scene.programme.threshold_tolerance) + "; " +

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/text.h>
 #include <strait/driver/threshold_tables.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace strait
 {
@@ -155,18 +155,14 @@ namespace strait
           if (fit.n_points < 2)
             continue;
           append(name, slip_length, "fit", fit);
-          char text[160];
-          std::snprintf(
-            text,
-            sizeof text,
+          log.line(format(
             "exponent of %s: %.3f ± %.3f for %.3g <= 1 - L/L_c <= %.3g (%d points)",
             name.c_str(),
             fit.exponent,
             fit.error,
             fit.from,
             fit.to,
-            fit.n_points);
-          log.line(text);
+            fit.n_points));
           double smallest = fit.exponent, greatest = fit.exponent;
           for (const ExponentFit &slope : local_slopes(trusted->second))
             if (slope.to <= fit.to)
@@ -176,15 +172,12 @@ namespace strait
               }
           if (greatest - smallest > settled)
             {
-              std::snprintf(
-                text,
-                sizeof text,
-                "corrections to scaling: the local exponent of %s drifts from "
-                "%.3f to %.3f within the fit",
-                name.c_str(),
-                smallest,
-                greatest);
-              log.warn(text);
+              log.warn(
+                format("corrections to scaling: the local exponent of %s drifts from "
+                       "%.3f to %.3f within the fit",
+                       name.c_str(),
+                       smallest,
+                       greatest));
             }
         }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/clusters.h>
 #include <strait/percolation/flow_path.h>
+#include <strait/percolation/percolating_gap.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of tools/plot.py: the pictures show what the results say, and odd results break nothing."""
 import contextlib
-import importlib.util
+import importlib
 import io
 import pathlib
 import subprocess
@@ -13,12 +13,14 @@ import warnings
 
 import h5py
 import numpy as np
+from matplotlib.figure import Figure
 from matplotlib.image import imread
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "tools" / "plot.py"
-SPEC = importlib.util.spec_from_file_location("plot", SCRIPT)
-plot = importlib.util.module_from_spec(SPEC)
-SPEC.loader.exec_module(plot)
+sys.path.insert(0, str(SCRIPT.parent))
+plot, plot_common, plot_ensemble, plot_leakage, plot_pictures = map(
+    importlib.import_module,
+    ("plot", "plot_common", "plot_ensemble", "plot_leakage", "plot_pictures"))
 
 HEADER = ("step,branch,pressure,mean_gap,contact_area,contact_area_corrected,percolates,"
           "reduced_load,leak_rate,leak_rate_lower,leak_rate_upper,status")
@@ -55,7 +57,7 @@ def write_picture(folder, step, fields, **changes):
 def panels_of(path, lx=1.0, ly=1.0):
     """The pixels (rows from the bottom, 0 to 1) inside the frames of both panels of a picture."""
     pixels = imread(path)[::-1, :, :3]
-    _, panels, _ = plot.add_panels(lx, ly)
+    _, panels, _ = plot_pictures.add_panels(lx, ly)
     height, width = pixels.shape[:2]
     inside = []
     for panel in panels:
@@ -127,6 +129,70 @@ class Leakage(PlotTest):
                         for row in (ROWS[1].replace("9e-7,1.2e-6", "nan,nan"), wide))
         self.assertGreater(loose, tight)
 
+    def axes_of(self, draw, *lines, fits=()):
+        """What a panel's function draws of a table."""
+        self.write_table(*lines)
+        axes = Figure().subplots()
+        draw(axes, plot_common.read_table(self.folder / "leakage.csv"), {}, fits)
+        return axes
+
+    def test_each_slip_length_has_a_line(self):
+        header = "pressure,leak_rate,reduced_load,slip_length,status"
+        lines = [f"{0.1 * step},{10.0**-step},{0.5 / step},{slip},ok"
+                 for step in (2, 1, 3) for slip in (0, -1e-3, -1e-2)]
+        axes = self.axes_of(plot_leakage.draw_threshold, header, *lines, fits=["one", "two"])
+        labels = axes.get_legend_handles_labels()[1]
+        self.assertEqual(labels, ["$d_0$ = 0", "$d_0$ = -0.001", "$d_0$ = -0.01",
+                                  "slope 69/20", "slope 3"])
+        self.assertEqual(len({line.get_color() for line in axes.lines[:6]}), 3)
+        self.assertTrue(np.all(np.diff(axes.lines[0].get_xdata()) > 0), "ordered by load")
+        self.assertEqual(axes.texts[0].get_text(), "one\ntwo")
+        self.assert_draws(header, *lines)
+
+    def test_guides_have_their_slopes(self):
+        header = "pressure,leak_rate,reduced_load,slip_length"
+        lines = [f"{step},{0.1**step},{0.5 / step},{slip}" for step in (1, 2) for slip in (0, -1)]
+        axes = self.axes_of(plot_leakage.draw_threshold, header, *lines)
+        for line, slope in zip(axes.lines[-2:], (3.45, 3)):
+            x, y = np.log(line.get_data())
+            self.assertAlmostEqual((y[1] - y[0]) / (x[1] - x[0]), slope)
+            self.assertLess(line.get_linewidth(), 1)
+        dry = self.axes_of(plot_leakage.draw_threshold, header.replace("slip_length", "other"),
+                           *lines)
+        self.assertIn("slope 69/20", dry.get_legend_handles_labels()[1])
+        self.assertNotIn("slope 3", dry.get_legend_handles_labels()[1])
+
+    def test_doubtful_steps_are_hollow_and_failed_ones_ringed(self):
+        header = "pressure,leak_rate,leak_rate_lower,leak_rate_upper,status"
+        lines = ["1,1e-3,1e-3,1e-3,ok", "2,1e-4,1e-4,1e-4,unresolved-throat",
+                 "3,1e-5,1e-5,1e-5,uncertain-threshold", "4,1e-30,1e-50,1e-9,flow-accuracy"]
+        axes = self.axes_of(plot_leakage.draw_leak_rate, header, *lines)
+        line, hollow = axes.lines[:2]
+        self.assertEqual(list(line.get_xdata()), [1, 2, 3])
+        self.assertEqual(list(hollow.get_xdata()), [2, 3])
+        self.assertEqual(hollow.get_markerfacecolor(), "white")
+        self.assertEqual(axes.get_legend_handles_labels()[1],
+                         ["hollow: unresolved-throat, uncertain-threshold",
+                          "failed: flow-accuracy"])
+        self.assertGreater(axes.get_ylim()[0], 1e-8, "a failed step stretches the scale")
+
+    def test_fitted_exponents(self):
+        path = self.folder / "fit.csv"
+        path.write_text("quantity,slip_length,kind,from,to,exponent,error,points\n"
+                        "leak_rate,0,local,0.1,0.2,3.6,0,2\n"
+                        "leak_rate,0,fit,0.003,0.02,3.47,0.01,5\n"
+                        "throat_gap,0,fit,0.003,0.02,1.2,0.01,5\n")
+        self.assertEqual(plot_leakage.read_fits(path),
+                         [r"$\beta$ = 3.470 $\pm$ 0.010, 0.003 to 0.02"])
+        with path.open("a") as file:
+            file.write("leak_rate,-0.01,fit,0.003,0.02,3,0,2\n")  # two points have no error
+        self.assertEqual(plot_leakage.read_fits(path)[1],
+                         r"$d_0$ = -0.01: $\beta$ = 3.000, 0.003 to 0.02")
+        for text in ("", "quantity\nleak_rate\n"):
+            path.write_text(text)
+            self.assertEqual(plot_leakage.read_fits(path), [])
+        self.assertEqual(plot_leakage.read_fits(self.folder / "none.csv"), [])
+
     def test_odd_tables(self):
         self.assert_draws(HEADER, ROWS[0])
         self.assert_draws(HEADER, ROWS[2])
@@ -156,9 +222,9 @@ class Leakage(PlotTest):
         for text in ('{"units": {"length": "m", "pressure": "Pa"}}', '{"units": 3}', '{', '[]'):
             (self.folder / "run.json").write_text(text)
             self.assert_draws(HEADER, *ROWS)
-        self.assertEqual(plot.with_unit("Gap", "length", {"length": "m"}), "Gap (m)")
-        self.assertEqual(plot.with_unit("Gap", "length", {}), "Gap (scene units)")
-        self.assertEqual(plot.with_unit("Current", "current", {"length": "m"}), "Current")
+        self.assertEqual(plot_common.with_unit("Gap", "length", {"length": "m"}), "Gap (m)")
+        self.assertEqual(plot_common.with_unit("Gap", "length", {}), "Gap (scene units)")
+        self.assertEqual(plot_common.with_unit("Current", "current", {"length": "m"}), "Current")
 
 
 class Pictures(PlotTest):
@@ -176,7 +242,7 @@ class Pictures(PlotTest):
             fields = channel(ny, nx)
             for panel in self.assert_draws(fields, lx=lx, ly=ly, worst_x=np.nan):
                 contact = np.mean(fields["open"] == 0)
-                self.assertAlmostEqual(share(panel, plot.CONTACT), contact, delta=0.02)
+                self.assertAlmostEqual(share(panel, plot_pictures.CONTACT), contact, delta=0.02)
 
     def test_size(self):
         self.assert_draws(channel(64, 64))
@@ -186,7 +252,8 @@ class Pictures(PlotTest):
         gap, flow = self.assert_draws(channel(200, 200), worst_x=np.nan)
         at = lambda pixels, x, y: pixels[int(y * len(pixels)), int(x * pixels.shape[1])]
         self.assertLess(at(flow, 0.5, 0.1).max(), 0.05)  # row 0 is at the bottom
-        np.testing.assert_allclose(at(flow, 0.25, 0.25), np.divide(plot.POCKET, 255), atol=0.02)
+        np.testing.assert_allclose(at(flow, 0.25, 0.25), np.divide(plot_pictures.POCKET, 255),
+                                   atol=0.02)
         self.assertLess(at(gap, 0.25, 0.25).mean(), at(gap, 0.5, 0.7).mean())
         red, green, blue = at(flow, 0.05, 0.55)
         self.assertGreater(green, max(red, blue))
@@ -208,14 +275,14 @@ class Pictures(PlotTest):
         _, flow = self.assert_draws(fields, percolates=0.0, leak_rate=0.0, worst_x=np.nan)
         pockets = np.mean(fields["open"] == 1)
         self.assertGreater(share(flow, (255, 255, 255)), 0.002)  # the word "sealed" on white
-        self.assertAlmostEqual(share(flow, plot.POCKET), pockets, delta=0.03)
+        self.assertAlmostEqual(share(flow, plot_pictures.POCKET), pockets, delta=0.03)
 
     def test_dry_contact_shows_its_pressure(self):
         fields = channel(100, 100, flow=False)
         dry = dict.fromkeys(("worst_x", "worst_y", "leak_rate", "percolates"))
         gap, load = self.assert_draws(fields, **dry)
         contact = np.mean(fields["open"] == 0)
-        self.assertAlmostEqual(share(gap, plot.CONTACT), contact, delta=0.02)
+        self.assertAlmostEqual(share(gap, plot_pictures.CONTACT), contact, delta=0.02)
         self.assertAlmostEqual(share(load, (255, 255, 255)), 1 - contact, delta=0.02)
         self.assertAlmostEqual(share(load, (255, 243, 77)), contact, delta=0.02)
 
@@ -231,23 +298,24 @@ class Pictures(PlotTest):
 
     def test_headline_leaves_out_what_is_unknown(self):
         about = {"nominal_pressure": 0.1, "contact_area": 0.25, "leak_rate": 2e-9}
-        self.assertEqual(plot.headline(about, {"pressure": "Pa"}).split("   ·   "),
+        self.assertEqual(plot_pictures.headline(about, {"pressure": "Pa"}).split("   ·   "),
                          ["nominal pressure 0.1 Pa", "contact area 25.0 %",
                           r"leak rate $2\times10^{-9}$"])
         about.update(nominal_pressure=np.nan, leak_rate=np.nan)
-        self.assertEqual(plot.headline(about, {}), "contact area 25.0 %")
+        self.assertEqual(plot_pictures.headline(about, {}), "contact area 25.0 %")
 
     def test_given_gap(self):
         fields = channel(100, 100)
         del fields["pressure"]
         _, flow = self.assert_draws(fields, nominal_pressure=None, contact_area=None)
-        self.assertGreater(share(flow, plot.POCKET), 0.02)
+        self.assertGreater(share(flow, plot_pictures.POCKET), 0.02)
 
     def test_flow_stays_out_of_the_contact(self):
         fields = channel(100, 100)
         fields.update(fluid_pressure=np.full((100, 100), 0.5), current=np.ones((100, 100)))
         _, flow = self.assert_draws(fields, worst_x=np.nan)
-        self.assertAlmostEqual(share(flow, plot.CONTACT), np.mean(fields["open"] == 0), delta=0.02)
+        contact = np.mean(fields["open"] == 0)
+        self.assertAlmostEqual(share(flow, plot_pictures.CONTACT), contact, delta=0.02)
 
     def test_odd_fields(self):
         flat = channel(32, 32)
@@ -275,6 +343,57 @@ class Pictures(PlotTest):
         self.assertEqual(message.count("\n"), 1, message)
         self.assertIn("picture-3.h5", message)
         self.assertEqual(self.drawn(), ["picture-1.png", "picture-12.png"])
+
+
+class Ensemble(PlotTest):
+    """ensemble.png."""
+
+    HEADER = ("realisation,seed,orientation,critical_load_lower,critical_load_upper,contact_area,"
+              "crossover_load,exponent,exponent_error,status\n")
+
+    def write_realisation(self, number, factor, status="ok"):
+        folder = self.folder / f"realisation-{number}"
+        folder.mkdir()
+        rows = [f"0.1,{reduced},{factor * reduced**3.45},{status}\n"
+                for reduced in (0.5, 0.2, 0.1, 0.05)]
+        (folder / "leakage.csv").write_text("pressure,reduced_load,leak_rate,status\n" +
+                                            "".join(rows))
+
+    def write_ensemble(self, *rows):
+        (self.folder / "ensemble.csv").write_text(self.HEADER +
+                                                  "".join(row + "\n" for row in rows))
+
+    def test_curves_are_superposed(self):
+        for number, factor in enumerate((1e-3, 1, 1e4), 1):
+            self.write_realisation(number, factor)
+        curves = plot_ensemble.read_curves(self.folder)
+        factors, (low, high) = plot_ensemble.superpose(list(curves.values()))
+        self.assertEqual((low, high), (0.05, 0.3))
+        np.testing.assert_allclose(factors * [1e-3, 1, 1e4], np.full(3, 10**(1 / 3)))
+
+    def test_picture(self):
+        self.write_realisation(1, 1e-3)
+        self.write_realisation(2, 1e-5, "unresolved-throat")
+        self.write_ensemble("1,1,as is,0.23,0.2301,0.42,0.3,3.5,0.1,ok",
+                            "2,1,inverted,0.25,0.2501,0.44,nan,nan,nan,ok")
+        self.assertEqual(self.draw(), (0, ""))
+        self.assertEqual(self.drawn(), ["ensemble.png"])
+        self.assertGreater(np.mean(imread(self.folder / "ensemble.png")[..., :3] < 0.9), 0.002)
+
+    def test_samples(self):
+        self.write_ensemble("1,1,as is,0.2,0.3,0.4,0.2,nan,nan,ok",
+                            "2,2,rotated,nan,nan,nan,nan,nan,nan,threshold-not-found")
+        table = plot_common.read_table(self.folder / "ensemble.csv")
+        self.assertEqual(list(plot_ensemble.samples(table, "critical_load")), [0.25])
+        self.assertEqual(list(plot_ensemble.samples(table, "crossover")), [0.8])
+
+    def test_odd_ensembles(self):
+        self.write_realisation(1, 1)
+        self.write_ensemble()
+        self.assertEqual(self.draw(), (0, ""))  # one curve, no threshold
+        (self.folder / "realisation-1" / "leakage.csv").write_text("pressure\n1\n")
+        status, message = self.draw()
+        self.assertEqual((status, message.count("\n")), (0, 2), message)
 
 
 class CommandLine(PlotTest):

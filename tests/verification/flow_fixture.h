@@ -5,6 +5,7 @@
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/clusters.h>
 #include <strait/percolation/flow_path.h>
+#include <strait/percolation/percolating_gap.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,9 @@
 
 #include <strait/base/contact_parameters.h>
 #include <strait/base/fluid_parameters.h>
+#include <strait/base/output_parameters.h>
+#include <strait/base/programme_parameters.h>
+#include <strait/base/realisation_parameters.h>
 #include <strait/base/surface_parameters.h>
 
 #include <iosfwd>
@@ -12,76 +15,6 @@
 
 namespace strait
 {
-  enum class LoadPath
-  {
-    loading,
-    unloading
-  };
-
-  /** The section Load programme: which loads (or mean gaps), in which order. */
-  struct ProgrammeParameters
-  {
-    std::vector<double> pressures           = {0.05, 0.1};
-    bool                find_threshold      = false;
-    double              threshold_tolerance = 1e-4;
-    std::vector<double> reduced_loads;         // 1 − L/L_c
-    double              largest_fitted = 0.02; // reduced load
-    LoadPath            path           = LoadPath::loading;
-
-    static void declare(dealii::ParameterHandler &prm);
-    void        parse(dealii::ParameterHandler &prm);
-    void        check() const;
-  };
-
-  /** How a realisation of a surface is turned. */
-  enum class Orientation
-  {
-    as_is,
-    inverted,
-    rotated,
-    inverted_and_rotated
-  };
-
-  /** The section Realisations: several surfaces of one kind in one run. */
-  struct RealisationParameters
-  {
-    std::vector<unsigned long long> seeds; // empty: that of the surface
-    std::vector<Orientation>        orientations = {Orientation::as_is};
-
-    /** Whether there is more than the surface of the section Surface. */
-    bool
-    enabled() const
-    {
-      return !seeds.empty() || orientations.size() > 1;
-    }
-
-    static void declare(dealii::ParameterHandler &prm);
-    void        parse(dealii::ParameterHandler &prm);
-    void        check() const;
-  };
-
-  /** The name of an orientation in a scene. */
-  std::string name_of(Orientation orientation);
-
-  enum class FieldOutput
-  {
-    none,
-    last,
-    all
-  };
-
-  /** The section Output. */
-  struct OutputParameters
-  {
-    std::string directory = "output";
-    FieldOutput fields    = FieldOutput::none;
-    bool        pictures  = true;
-
-    static void declare(dealii::ParameterHandler &prm);
-    void        parse(dealii::ParameterHandler &prm);
-    void        check() const;
-  };
-
   /** All that a scene file says, parsed and checked; constant from then on. */
   struct Scene
   {

@@ -16,6 +16,9 @@ namespace strait
   /** The parts, with @p separator between them. */
   std::string join(const std::vector<std::string> &parts, const std::string &separator);
 
+  /** A text in the manner of printf. */
+  [[gnu::format(printf, 1, 2)]] std::string format(const char *pattern, ...);
+
   /** The shortest decimal number that reads back as @p value. */
   std::string to_text(double value);
 

@@ -65,8 +65,6 @@ namespace strait
     void              compare_with_threshold(Step &step) const;
     SlabField         gap_seen_by_fluid(const Step &step) const;
     const Threshold  *threshold_of(double slip_length) const;
-    void              report_flow(const FlowResult &flow) const;
-    void              report_step(const Step &step, int n_steps) const;
 
     const Scene                   &scene;
     Log                           &log;

@@ -40,20 +40,6 @@ namespace strait
    * union–find; collective.
    */
   Clusters find_clusters(const SlabField &flow_gap, FlowDirection direction);
-
-  /**
-   * What the flow solver may see of @p flow_gap: its value at percolating points,
-   * zero at other open points, and the value itself (<= 0) at closed points, so
-   * that an interpolant crosses zero where the threshold lies. Closed values are
-   * raised to no less than minus the smallest percolating gap beside them: a channel
-   * one point wide stays open for half a spacing to each side.
-   *
-   * A point on the seam belongs to the inlet and, as a copy, to the outlet; it is
-   * kept if either of the two percolates. Collective.
-   */
-  SlabField percolating_gap(const SlabField &flow_gap,
-                            const Clusters  &clusters,
-                            FlowDirection    direction);
 } // namespace strait
 
 #endif

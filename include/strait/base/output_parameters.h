@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_output_parameters_h
+#define strait_base_output_parameters_h
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace strait
+{
+  enum class FieldOutput
+  {
+    none,
+    last,
+    all
+  };
+
+  /** The section Output. */
+  struct OutputParameters
+  {
+    std::string directory = "output";
+    FieldOutput fields    = FieldOutput::none;
+    bool        pictures  = true;
+
+    static void declare(dealii::ParameterHandler &prm);
+    void        parse(dealii::ParameterHandler &prm);
+    void        check() const;
+  };
+} // namespace strait
+
+#endif

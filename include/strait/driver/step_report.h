@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_driver_step_report_h
+#define strait_driver_step_report_h
+
+#include <strait/base/log.h>
+#include <strait/driver/step.h>
+
+namespace strait
+{
+  /** Show how far the bracket of the leak rate is, as progress. */
+  void report_flow(const FlowResult &flow, Log &log);
+
+  /** A line on a step that is done, and how long the others may take. */
+  void report_step(const Step &step, int n_steps, double seconds_so_far, Log &log);
+} // namespace strait
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/driver/step_report.h>
+
+namespace strait
+{
+  void
+  report_flow(const FlowResult &flow, Log &log)
+  {
+    log.progress(format("  flow: mesh %u, %llu cells, leak rate between %.4g and %.4g",
+                        flow.refinements + 1,
+                        flow.cells,
+                        flow.lower,
+                        flow.upper));
+  }
+
+  void
+  report_step(const Step &step, const int n_steps, const double seconds_so_far, Log &log)
+  {
+    std::string text = format("step %d of %d", step.number, n_steps);
+    if (step.contact)
+      text +=
+        format(": pressure %.5g, contact %.3f %%, residual %.1e (%ld FFT pairs, %.1f s)",
+               step.contact->nominal_pressure,
+               100. * step.contact->contact_area,
+               step.contact->residual,
+               step.contact->fft_pairs,
+               step.contact_seconds);
+    if (step.flow && step.flow->clusters.percolates)
+      text += format("; leak rate %.5g ± %.1g %% (%llu cells, %.1f s)",
+                     step.flow->result.leak_rate,
+                     50. * step.flow->result.relative_width(),
+                     step.flow->result.cells,
+                     step.flow_seconds);
+    else if (step.flow)
+      text += "; sealed";
+    if (step.reduced_load)
+      text += format("; 1 - L/L_c = %.3g", *step.reduced_load);
+    if (step.status() != "ok")
+      text += "; " + step.status();
+    log.line(text);
+    if (step.number < n_steps)
+      log.progress(format("  about %.0f s remain",
+                          seconds_so_far / step.number * (n_steps - step.number)));
+  }
+} // namespace strait
