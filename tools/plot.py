@@ -1,327 +1,39 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw the results of a run: leakage.png, and one picture-STEP.png a load step.
+"""Draw the results of a run: leakage.png, one picture-STEP.png a load step, or ensemble.png.
 
-Reads leakage.csv, picture-STEP.h5 and, for the units on the axes, run.json: its entry "units"
-may name those of length, pressure, leak_rate and current; without it they are the scene's.
+Reads leakage.csv, fit.csv, picture-STEP.h5 or, of several realisations, ensemble.csv and the
+folders beside it; for the units on the axes, run.json: its entry "units" may name those of length,
+pressure, leak_rate and current; without it they are the scene's.
 Exit status 1 where the folder holds no results or a file could not be read or written; whatever
 else can be drawn is drawn.
 """
 import argparse
-import csv
-import json
 import pathlib
 import re
 import sys
 
 try:
-    import h5py
-    import matplotlib
-    import numpy as np
-    from matplotlib import lines, patches, patheffects
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize
-    from matplotlib.figure import Figure
+    from plot_common import read_units, use_style
+    from plot_ensemble import draw_ensemble
+    from plot_leakage import draw_leakage
+    from plot_pictures import draw_picture
 except ImportError as missing:
     sys.exit(f"plot.py: the Python module {missing.name} is missing; "
              "install python3-numpy, python3-matplotlib and python3-h5py.")
-
-STYLE = {"font.size": 10, "xtick.labelsize": 9, "ytick.labelsize": 9, "legend.fontsize": 9,
-         "legend.frameon": False, "lines.linewidth": 1.4, "lines.markersize": 5, "savefig.dpi": 150,
-         "axes.formatter.use_mathtext": True, "axes.formatter.limits": (-3, 4)}
-BLUE, VERMILLION, GREEN = "#0072b2", "#d55e00", "#009e73"  # Okabe and Ito
-CONTACT, POCKET, PATH = (0, 0, 0), (62, 76, 97), (150, 190, 205)  # open = 0, 1, 2
-GAPS = LinearSegmentedColormap.from_list(
-    "gaps", [(0, "#4c5f75"), (0.3, "#a9bccd"), (1, "#f7fbff")])
-PRESSURES = LinearSegmentedColormap.from_list("pressures", ["#173a8a", "#1d7d95", "#58b368"])
-CURRENTS = LinearSegmentedColormap.from_list(
-    "currents", ["#b0001a", "#e2201c", "#ff6a13", "#ffb020", "#fff34d"])
-CURRENT_DECADES = 3
-RING = {"marker": "o", "fillstyle": "none", "color": "white", "markeredgewidth": 2,
-        "path_effects": [patheffects.withStroke(linewidth=4, foreground="black")]}
-NARROWEST = 4.4  # inches for two colour bars
-
-
-def with_unit(text, name, units):
-    """An axis label with the unit of quantity @p name."""
-    unit = units.get(name) if units else "scene units"
-    return f"{text} ({unit})" if unit else text
-
-
-def scientific(value):
-    """A number to three digits, with a power of ten where that is shorter."""
-    mantissa, _, exponent = f"{value:.3g}".partition("e")
-    return rf"${mantissa}\times10^{{{int(exponent)}}}$" if exponent else mantissa
-
-
-def read_units(folder):
-    """The units named in run.json; empty where it names none."""
-    try:
-        units = json.loads((folder / "run.json").read_text(encoding="utf-8"))["units"]
-        return {name: str(unit) for name, unit in units.items() if unit}
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
-        return {}
-
-
-def read_table(path):
-    """The columns of leakage.csv: branch and status as text, the others as numbers or NaN."""
-    def entry(name, text):
-        if name in ("branch", "status"):
-            return (text or "").strip()
-        try:
-            return float(text)
-        except (TypeError, ValueError):
-            return np.nan
-
-    with open(path, newline="", encoding="utf-8", errors="replace") as file:
-        rows = list(csv.DictReader(file, skipinitialspace=True))
-    return {name: np.array([entry(name, row[name]) for row in rows])
-            for name in (rows[0] if rows else {}) if name}
-
-
-def draw_steps(axes, table, x):
-    """Leak rates against the column @p x, one line a branch, with what is known of their bounds."""
-    leak = table["leak_rate"]
-    branches = table.get("branch", np.full(len(leak), ""))
-    drawn = np.isfinite(table[x]) & np.isfinite(leak) & (leak > 0)
-    for branch, marker in zip(dict.fromkeys(branches), "osDv^<>p"):
-        rows = drawn & (branches == branch)
-        bars = np.array([leak - table.get("leak_rate_lower", leak),
-                         table.get("leak_rate_upper", leak) - leak])[:, rows]
-        bars = np.where(np.isfinite(bars), np.maximum(bars, 0), 0)  # no bound, no bar
-        axes.errorbar(table[x][rows], leak[rows], yerr=bars, marker=marker, color=BLUE,
-                      elinewidth=2.5, label=branch if len(set(branches)) > 1 else None)
-    status = table.get("status", np.full(len(leak), "ok"))
-    failed = drawn & ~np.isin(status, ["ok", ""])
-    if failed.any():
-        axes.plot(table[x][failed], leak[failed], "o", color=VERMILLION, fillstyle="none",
-                  markersize=10, label="failed: " + ", ".join(dict.fromkeys(status[failed])))
-
-
-def draw_leak_rate(axes, table, units):
-    """Leak rate (log) against load; steps that do not percolate are marked on the axis."""
-    leak, pressure = table["leak_rate"], table["pressure"]
-    percolates = table.get("percolates", np.full(len(leak), np.nan))
-    sealed = np.where(np.isfinite(percolates), percolates == 0, leak == 0)
-    draw_steps(axes, table, "pressure")
-    if (leak > 0).any():
-        axes.set_yscale("log")
-    else:
-        axes.set_yticks([])
-    if sealed.any():
-        axes.plot(pressure[sealed], np.full(sealed.sum(), 0.035), "v", color=VERMILLION,
-                  markersize=7, fillstyle="none", transform=axes.get_xaxis_transform(),
-                  label="sealed")
-    axes.set(xlabel=with_unit("Nominal pressure", "pressure", units),
-             ylabel=with_unit("Leak rate", "leak_rate", units))
-
-
-def draw_contact(axes, table, units):
-    """Contact area (left scale) and mean gap (right scale) against load."""
-    axes.set_xlabel(with_unit("Nominal pressure", "pressure", units))
-    quantities = [("contact_area", "Contact area / nominal area", GREEN, "o"),
-                  ("mean_gap", with_unit("Mean gap", "length", units), VERMILLION, "s")]
-    present = [quantity for quantity in quantities if quantity[0] in table]
-    for i, (name, label, colour, marker) in enumerate(present):
-        scale = axes.twinx() if i else axes
-        scale.plot(table["pressure"], table[name], marker=marker, color=colour)
-        scale.set_ylabel(label, color=colour)
-        scale.tick_params(axis="y", colors=colour)
-        scale.set_ylim(bottom=0)
-
-
-def draw_threshold(axes, table, units):
-    """Leak rate against the distance from the threshold, on double logarithmic axes."""
-    draw_steps(axes, table, "reduced_load")
-    axes.set(xscale="log", yscale="log", xlabel=r"Distance from threshold, $1 - L/L_c$",
-             ylabel=with_unit("Leak rate", "leak_rate", units))
-
-
-def draw_leakage(path, units):
-    """leakage.png from leakage.csv: one panel for each relation that the table holds."""
-    table = read_table(path)
-    if table and "pressure" not in table:
-        return None  # a given gap: one row, nothing to draw it against
-    reduced = table.get("reduced_load", np.zeros(1))
-    panels = [draw_leak_rate] if "leak_rate" in table else []
-    panels += [draw_contact] if "contact_area" in table or "mean_gap" in table else []
-    panels += [draw_threshold] if panels[:1] == [draw_leak_rate] and (reduced > 0).sum() > 1 else []
-    if not panels or not np.isfinite(table.get("pressure", np.nan)).any():
-        return print(f"plot.py: {path} holds no load steps: no leakage.png.", file=sys.stderr)
-    figure = Figure(figsize=(0.3 + 4.8 * len(panels), 4.0), layout="constrained")
-    figure.get_layout_engine().set(wspace=0.06)
-    for draw, axes in zip(panels, np.ravel(figure.subplots(1, len(panels)))):
-        draw(axes, table, units)
-        axes.grid(color="0.9", linewidth=0.6)
-        if axes.get_legend_handles_labels()[0]:
-            axes.legend()
-    return figure.savefig(path.with_suffix(".png"))
-
-
-def read_picture(path):
-    """Fields (arrays) and attributes of picture-STEP.h5; numbers that it lacks are NaN."""
-    with h5py.File(path, "r") as file:
-        fields = {name: field[()] for name, field in file.items()}
-        about = {name: np.ravel(value)[0] for name, value in file.attrs.items()}
-    fields["open"] = np.clip(fields["open"], 0, 2).astype(np.uint8)
-    about = {name: value.decode(errors="replace") if isinstance(value, bytes) else value
-             for name, value in about.items()}
-    unknown = dict.fromkeys(("nominal_pressure", "contact_area", "leak_rate", "percolates",
-                             "worst_x", "worst_y"), np.nan)
-    title = f"{path.resolve().parent.name}, step {path.stem.split('-')[1]}"
-    return fields, {"direction": "x", "title": title, **unknown, **about}
-
-
-def colour_scales(fields, about):
-    """Colour scales, by field: of the gap, and of flow or (in a dry contact) contact pressure."""
-    def up_to_top(values):
-        high = values[values > 0]  # the topmost 0.5 % saturate
-        return Normalize(0, float(np.percentile(high, 99.5)) if high.size else 1.0, clip=True)
-
-    scales = {"gap": ScalarMappable(up_to_top(fields["gap"]), GAPS)}
-    if np.isnan(about["percolates"]) and "pressure" in fields:
-        scales["pressure"] = ScalarMappable(up_to_top(fields["pressure"]), CURRENTS)
-    if "fluid_pressure" in fields:
-        low, high = sorted((about["inlet_pressure"], about["outlet_pressure"]))
-        scales["fluid_pressure"] = ScalarMappable(Normalize(low, high, clip=True), PRESSURES)
-    largest = float(np.fmax.reduce(fields.get("current", np.zeros(1)), axis=None))
-    if largest > 0:
-        norm = LogNorm(largest / 10**CURRENT_DECADES, largest, clip=True)
-        scales["current"] = ScalarMappable(norm, CURRENTS)
-    return scales
-
-
-def paint_gap(fields, scales):
-    """The picture (ny, nx, 3) of the gap's depth, with the contact black."""
-    image = scales["gap"].to_rgba(fields["gap"].astype(float), bytes=True)[..., :3]
-    image[fields["open"] == 0] = CONTACT
-    return image
-
-
-def paint_load(fields, scales):
-    """The picture of a dry contact: contact pressure, on white."""
-    image = np.full((*fields["open"].shape, 3), 255, dtype=np.uint8)
-    if "pressure" in scales:
-        touches = fields["open"] == 0
-        pressure = fields["pressure"][touches].astype(float)
-        image[touches] = scales["pressure"].to_rgba(pressure, bytes=True)[:, :3]
-    return image
-
-
-def paint_flow(fields, scales):
-    """The picture of the flow: contact, pockets, fluid pressure, and the current over it."""
-    image = np.array([CONTACT, POCKET, PATH], dtype=np.uint8)[fields["open"]]
-    path = fields["open"] == 2
-    if "fluid_pressure" in scales:
-        wet = path & np.isfinite(fields["fluid_pressure"])
-        pressure = fields["fluid_pressure"][wet].astype(float)
-        image[wet] = scales["fluid_pressure"].to_rgba(pressure, bytes=True)[:, :3]
-    if "current" in scales:
-        flows = path & (fields["current"] > 0)
-        current = fields["current"][flows].astype(float)
-        opacity = np.clip(1.8 * np.asarray(scales["current"].norm(current)), 0, 1)[:, None]
-        glow = scales["current"].to_rgba(current, bytes=True)[:, :3]
-        image[flows] = (1 - opacity) * image[flows] + opacity * glow
-    return image
-
-
-def add_panels(lx, ly):
-    """A figure with two axes for pictures of the box, and the inches of one: width and height.
-
-    Boxes up to 1.6 times as wide as high stand side by side, wider ones on top of each other; the
-    axes have the shape of the box up to 8 : 1, and between them is room for two colour bars each.
-    """
-    ratio = float(np.clip(lx / ly, 1 / 8, 8))
-    width = min(5.2, 6.5 * ratio) if ratio <= 1.6 else 8.5
-    height, cell = width / ratio, max(width, NARROWEST)
-    right, up = (cell + 0.9, 0) if ratio <= 1.6 else (0, height + 1.7)
-    size = np.array([cell + right + 1.3, height + up + 2.25])
-    figure = Figure(figsize=size)
-    corners = ((0.8 + (cell - width) / 2, 1.3 + up), (0.8 + (cell - width) / 2 + right, 1.3))
-    axes = [figure.add_axes((*(corner / size), *((width, height) / size))) for corner in corners]
-    return figure, axes, (width, height)
-
-
-def show_box(axes, image, about, units):
-    """An image of the box on its axes, with the worst constriction circled."""
-    axes.imshow(image, origin="lower", extent=(0, about["lx"], 0, about["ly"]), aspect="auto")
-    axes.plot(about["worst_x"], about["worst_y"], markersize=19, clip_on=False, **RING)
-    axes.set(xlabel=with_unit("x", "length", units), ylabel=with_unit("y", "length", units),
-             xlim=(0, about["lx"]), ylim=(0, about["ly"]))
-
-
-def add_colour_bars(axes, inches, bars):
-    """Colour bars, (scale, label) each, side by side below a panel."""
-    width, height = inches
-    share = max(width, NARROWEST) / width
-    for start, (scale, label) in zip((0.5 - share / 2, 0.5 + 0.15 / width), bars):
-        place = axes.inset_axes((start, -0.78 / height, share / 2 - 0.15 / width, 0.13 / height))
-        axes.figure.colorbar(scale, cax=place, orientation="horizontal").set_label(label)
-
-
-def add_legend(axes, inches, about):
-    """The meaning of plain colours and of the ring, below the right half of a panel."""
-    colours = {"contact": CONTACT, "open, not joined to both sides": POCKET}
-    keys = [patches.Patch(color=np.divide(rgb, 255), label=text) for text, rgb in colours.items()]
-    if np.isfinite(about["worst_x"]):
-        keys.append(lines.Line2D([], [], linestyle="", markersize=11, label="worst constriction",
-                                 **RING))
-    axes.legend(handles=keys[:1] if np.isnan(about["percolates"]) else keys, loc="upper left",
-                bbox_to_anchor=(0.52, -0.5 / inches[1]))
-
-
-def mark_flow(axes, about):
-    """Where the fluid enters and leaves; or that it cannot."""
-    for at, words in enumerate(("inlet ⟶", "⟶ outlet")):
-        if about["direction"] == "y":
-            axes.text(1.015, at, words, transform=axes.transAxes, rotation=90,
-                      verticalalignment=("bottom", "top")[at])
-        else:
-            axes.set_title(words, loc=("left", "right")[at], fontsize=10)
-    if about["percolates"] == 0:
-        axes.text(0.5, 0.5, "sealed", transform=axes.transAxes, ha="center", va="center",
-                  fontsize=16, bbox={"facecolor": "white", "edgecolor": "none"})
-
-
-def headline(about, units):
-    """What is known of load, contact area and leak rate, in one line."""
-    words = {"nominal pressure": (scientific(about["nominal_pressure"]), units.get("pressure", "")),
-             "contact area": (f"{100 * about['contact_area']:.1f}", "%"),
-             "leak rate": (scientific(about["leak_rate"]), units.get("leak_rate", ""))}
-    return "   ·   ".join(f"{name} {value} {unit}".rstrip()
-                          for name, (value, unit) in words.items() if value != "nan")
-
-
-def draw_picture(path, units):
-    """picture-STEP.png from picture-STEP.h5: the contact, and the flow (or load) in it."""
-    fields, about = read_picture(path)
-    scales = colour_scales(fields, about)
-    labels = {"pressure": with_unit("Contact pressure", "pressure", units),
-              "fluid_pressure": with_unit("Fluid pressure", "pressure", units),
-              "current": with_unit("Current density", "current", units)}
-    figure, (left, right), inches = add_panels(about["lx"], about["ly"])
-    show_box(left, paint_gap(fields, scales), about, units)
-    add_colour_bars(left, inches, [(scales["gap"], with_unit("Gap", "length", units))])
-    add_legend(left, inches, about)
-    dry = np.isnan(about["percolates"])
-    show_box(right, (paint_load if dry else paint_flow)(fields, scales), about, units)
-    add_colour_bars(right, inches, [(scales[key], labels[key]) for key in labels if key in scales])
-    if not dry:
-        mark_flow(right, about)
-    title = about["title"].replace("$", r"\$")
-    figure.suptitle(f"{title}\n{headline(about, units)}", y=1 - 0.12 / figure.get_figheight(),
-                    fontsize=12, linespacing=1.5)
-    figure.savefig(path.with_suffix(".png"))
 
 
 def find_results(folder, only, steps):
     """What to draw: (function, path) pairs; says which of the wanted files are missing."""
     names = (re.fullmatch(r"picture-(\d+)\.h5", path.name) for path in folder.glob("*.h5"))
     pictures = {int(name[1]): folder / name[0] for name in names if name}
-    table = folder / "leakage.csv"
-    if not (table.exists() or pictures):
-        sys.exit(f"plot.py: {folder} holds no results (leakage.csv or picture-STEP.h5).")
-    wanted = [] if only == "pictures" else [(draw_leakage, table)]
+    table, ensemble = folder / "leakage.csv", folder / "ensemble.csv"
+    if not (table.exists() or ensemble.exists() or pictures):
+        sys.exit(f"plot.py: {folder} holds no results (leakage.csv, ensemble.csv or "
+                 "picture-STEP.h5).")
+    wanted = [(draw_ensemble, ensemble)] if only != "pictures" and ensemble.exists() else []
+    if only != "pictures" and not wanted:
+        wanted.append((draw_leakage, table))
     if only != "leakage":
         wanted += [(draw_picture, pictures.get(step, folder / f"picture-{step}.h5"))
                    for step in steps or sorted(pictures)]
@@ -338,8 +50,7 @@ def main(arguments=None):
     parser.add_argument("--only", choices=("leakage", "pictures"), help="draw these alone")
     parser.add_argument("--steps", type=int, nargs="+", metavar="STEP", help="these pictures")
     options = parser.parse_args(arguments)
-    matplotlib.rcdefaults()  # a user's own settings, TeX for one, could break the pictures
-    matplotlib.rcParams.update(STYLE)
+    use_style()
     units, status = read_units(options.folder), 0
     for draw, path in find_results(options.folder, options.only, options.steps):
         try:

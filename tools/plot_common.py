@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the pictures of a run have in common: style, numbers and units, tables."""
+import csv
+import json
+
+import matplotlib
+import numpy as np
+
+STYLE = {"font.size": 10, "xtick.labelsize": 9, "ytick.labelsize": 9, "legend.fontsize": 9,
+         "legend.frameon": False, "lines.linewidth": 1.4, "lines.markersize": 5, "savefig.dpi": 150,
+         "axes.formatter.use_mathtext": True, "axes.formatter.limits": (-3, 4)}
+BLUE, VERMILLION, GREEN = "#0072b2", "#d55e00", "#009e73"  # Okabe and Ito
+COLOURS = (BLUE, GREEN, "#cc79a7", "#e69f00", "#56b4e9", "#000000")
+TEXT_COLUMNS = ("branch", "status", "quantity", "kind", "orientation")
+UNCERTAIN = ("unresolved-throat", "uncertain-threshold")  # converged, but not the last word
+
+
+def use_style():
+    """Our style alone: a user's own settings, TeX for one, could break the pictures."""
+    matplotlib.rcdefaults()
+    matplotlib.rcParams.update(STYLE)
+
+
+def with_unit(text, name, units):
+    """An axis label with the unit of quantity @p name."""
+    unit = units.get(name) if units else "scene units"
+    return f"{text} ({unit})" if unit else text
+
+
+def scientific(value):
+    """A number to three digits, with a power of ten where that is shorter."""
+    mantissa, _, exponent = f"{value:.3g}".partition("e")
+    return rf"${mantissa}\times10^{{{int(exponent)}}}$" if exponent else mantissa
+
+
+def read_units(folder):
+    """The units named in run.json; empty where it names none."""
+    try:
+        units = json.loads((folder / "run.json").read_text(encoding="utf-8"))["units"]
+        return {name: str(unit) for name, unit in units.items() if unit}
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return {}
+
+
+def read_table(path):
+    """The columns of a table: TEXT_COLUMNS as text, the others as numbers or NaN."""
+    def entry(name, text):
+        if name in TEXT_COLUMNS:
+            return (text or "").strip()
+        try:
+            return float(text)
+        except (TypeError, ValueError):
+            return np.nan
+
+    with open(path, newline="", encoding="utf-8", errors="replace") as file:
+        rows = list(csv.DictReader(file, skipinitialspace=True))
+    return {name: np.array([entry(name, row[name]) for row in rows])
+            for name in (rows[0] if rows else {}) if name}

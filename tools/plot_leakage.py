@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""leakage.png: leak rate, contact and gap against load; near the threshold, against 1 - L/L_c."""
+import sys
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from plot_common import (COLOURS, GREEN, UNCERTAIN, VERMILLION, read_table, scientific, with_unit)
+
+
+def column(table, name, default):
+    """A column of the table, or the same value in every row."""
+    return table.get(name, np.full(len(next(iter(table.values()))), default))
+
+
+def all_series(table):
+    """(label, slip length, branch, rows) of each line: one a branch and slip length."""
+    branches, slips = column(table, "branch", ""), column(table, "slip_length", 0.)
+    several_branches, several_slips = len(set(branches)) > 1, len(set(slips)) > 1
+    for slip in dict.fromkeys(slips):
+        for branch in dict.fromkeys(branches):
+            words = [f"$d_0$ = {scientific(slip)}"] if several_slips else []
+            words += [branch] if several_branches else []
+            yield ", ".join(words) or None, slip, branch, (branches == branch) & (slips == slip)
+
+
+def error_bars(table, rows):
+    """Distances of the bounds from the leak rate, below and above; no bound, no bar."""
+    leak = table["leak_rate"]
+    bars = np.array([leak - column(table, "leak_rate_lower", np.nan),
+                     column(table, "leak_rate_upper", np.nan) - leak])[:, rows]
+    return np.where(np.isfinite(bars), np.maximum(bars, 0), 0)
+
+
+def draw_line(axes, x, y, hollow, **style):
+    """A line in the order of @p x, its markers hollow where @p hollow."""
+    order = np.argsort(x, kind="stable")
+    marker, label = style.pop("marker"), style.pop("label", None)
+    axes.plot(x[order], y[order], marker=marker, label=label, **style)
+    axes.plot(x[hollow], y[hollow], marker, markerfacecolor="white", **style)
+
+
+def draw_steps(axes, table, x):
+    """Leak rates against the column @p x, with what is known of their bounds."""
+    leak, status = table["leak_rate"], column(table, "status", "ok")
+    drawn = np.isfinite(table[x]) & np.isfinite(leak) & (leak > 0)
+    failed = drawn & ~np.isin(status, ["ok", "", *UNCERTAIN])
+    hollow = drawn & np.isin(status, UNCERTAIN)
+    slips, branches = [], []
+    for label, slip, branch, chosen in all_series(table):
+        slips += [slip] * (slip not in slips)
+        branches += [branch] * (branch not in branches)
+        rows = drawn & chosen
+        colour = COLOURS[slips.index(slip) % len(COLOURS)]
+        axes.errorbar(table[x][rows], leak[rows], yerr=error_bars(table, rows), fmt="none",
+                      ecolor=colour, elinewidth=2.5)
+        rows = rows & ~failed
+        draw_line(axes, table[x][rows], leak[rows], hollow[rows], color=colour,
+                  marker="osDv^<>p"[branches.index(branch) % 8], label=label)
+    if hollow.any():
+        axes.plot([], [], "o", color="0.4", markerfacecolor="white",
+                  label="hollow: " + ", ".join(dict.fromkeys(status[hollow])))
+    keep_in_view(axes, leak[drawn & ~failed])
+    if failed.any():  # where it is, or on the edge that is nearer
+        axes.plot(table[x][failed], np.clip(leak[failed], *axes.get_ylim()), "o", color=VERMILLION,
+                  fillstyle="none", markersize=10, clip_on=False,
+                  label="failed: " + ", ".join(dict.fromkeys(status[failed])))
+
+
+def keep_in_view(axes, trusted):
+    """Log scale; a failed step's bounds, which can be far off, do not stretch it."""
+    if trusted.size and trusted.max() > trusted.min():
+        low, high = np.log10([trusted.min(), trusted.max()])
+        margin = max(0.08 * (high - low), 0.5)
+        axes.set(yscale="log", ylim=(10.0**(low - margin), 10.0**(high + margin)))
+    elif axes.has_data():
+        axes.set_yscale("log")
+
+
+def draw_leak_rate(axes, table, units, _):
+    """Leak rate (log) against load; steps that do not percolate are marked on the axis."""
+    leak, pressure = table["leak_rate"], table["pressure"]
+    percolates = column(table, "percolates", np.nan)
+    sealed = np.where(np.isfinite(percolates), percolates == 0, leak == 0)
+    if (leak > 0).any():
+        draw_steps(axes, table, "pressure")
+    else:
+        axes.set_yticks([])
+    if sealed.any():
+        axes.plot(pressure[sealed], np.full(sealed.sum(), 0.035), "v", color=VERMILLION,
+                  markersize=7, fillstyle="none", transform=axes.get_xaxis_transform(),
+                  label="sealed")
+    axes.set(xlabel=with_unit("Nominal pressure", "pressure", units),
+             ylabel=with_unit("Leak rate", "leak_rate", units))
+
+
+def draw_contact(axes, table, units, _):
+    """Contact area (left scale) and mean gap (right scale) against load."""
+    axes.set_xlabel(with_unit("Nominal pressure", "pressure", units))
+    quantities = [("contact_area", "Contact area / nominal area", GREEN, "o"),
+                  ("mean_gap", with_unit("Mean gap", "length", units), VERMILLION, "s")]
+    present = [quantity for quantity in quantities if quantity[0] in table]
+    branches = column(table, "branch", "")
+    for i, (name, label, colour, marker) in enumerate(present):
+        scale = axes.twinx() if i else axes
+        for branch in dict.fromkeys(branches):
+            rows = branches == branch
+            draw_line(scale, table["pressure"][rows], table[name][rows],
+                      np.zeros(rows.sum(), bool), marker=marker, color=colour)
+        scale.set_ylabel(label, color=colour)
+        scale.tick_params(axis="y", colors=colour)
+        scale.set_ylim(bottom=0)
+
+
+def draw_guides(axes, table):
+    """Thin lines of the expected slopes at the last point: 69/20, and 3 of the largest slip."""
+    reduced, leak, slips = (column(table, name, 0.)
+                            for name in ("reduced_load", "leak_rate", "slip_length"))
+    converged = np.isin(column(table, "status", "ok"), ["ok", "", *UNCERTAIN])
+    for slope, name, kind in ((69 / 20, "69/20", slips == 0), (3, "3", slips < 0)):
+        rows = np.flatnonzero(kind & converged & (reduced > 0) & (leak > 0))
+        rows = rows[slips[rows] == slips[rows].min(initial=0)]
+        if rows.size == 0:
+            continue
+        last = rows[np.argmin(reduced[rows])]
+        x = reduced[last] * np.array([1, min(10, 1 / reduced[last])])
+        axes.plot(x, 2 * leak[last] * (x / x[0])**slope, "--" if slope > 3 else ":",
+                  color="0.35", linewidth=0.9, label=f"slope {name}")
+
+
+def fitted_exponents(table):
+    """One line for each exponent of the leak rate in the table fit.csv."""
+    wanted = (table["quantity"] == "leak_rate") & (table["kind"] == "fit") if table else []
+    several = len(set(column(table, "slip_length", 0.))) > 1 if table else False
+    return [(f"$d_0$ = {scientific(table['slip_length'][k])}: " if several else "") +
+            rf"$\beta$ = {table['exponent'][k]:.3f}" +
+            (rf" $\pm$ {table['error'][k]:.3f}, " if table["points"][k] > 2 else ", ") +
+            f"{table['from'][k]:.2g} to {table['to'][k]:.2g}" for k in np.flatnonzero(wanted)]
+
+
+def draw_threshold(axes, table, units, fits):
+    """Leak rate against the distance from the threshold, on double logarithmic axes."""
+    near = {name: values[column(table, "reduced_load", np.nan) > 0]
+            for name, values in table.items()}
+    draw_steps(axes, near, "reduced_load")
+    draw_guides(axes, near)
+    axes.set(xscale="log", yscale="log", xlabel=r"Distance from threshold, $1 - L/L_c$",
+             ylabel=with_unit("Leak rate", "leak_rate", units))
+    axes.text(0.97, 0.03, "\n".join(fits), transform=axes.transAxes, ha="right", fontsize=9)
+
+
+def read_fits(path):
+    """What fit.csv says of the leak rate; nothing where it is missing or odd."""
+    try:
+        return fitted_exponents(read_table(path))
+    except (OSError, KeyError, ValueError):
+        return []
+
+
+def draw_leakage(path, units):
+    """leakage.png from leakage.csv: one panel for each relation that the table holds."""
+    table = read_table(path)
+    if table and "pressure" not in table:
+        return None  # a given gap: one row, nothing to draw it against
+    reduced = table.get("reduced_load", np.zeros(1))
+    panels = [draw_leak_rate] if "leak_rate" in table else []
+    panels += [draw_contact] if "contact_area" in table or "mean_gap" in table else []
+    panels += [draw_threshold] if panels[:1] == [draw_leak_rate] and (reduced > 0).sum() > 1 else []
+    if not panels or not np.isfinite(table.get("pressure", np.nan)).any():
+        return print(f"plot.py: {path} holds no load steps: no leakage.png.", file=sys.stderr)
+    figure = Figure(figsize=(0.3 + 4.8 * len(panels), 4.0), layout="constrained")
+    figure.get_layout_engine().set(wspace=0.06)
+    fits = read_fits(path.with_name("fit.csv"))
+    for draw, axes in zip(panels, np.ravel(figure.subplots(1, len(panels)))):
+        draw(axes, table, units, fits)
+        axes.grid(color="0.9", linewidth=0.6)
+        if axes.get_legend_handles_labels()[0]:
+            axes.legend()
+    return figure.savefig(path.with_suffix(".png"))
