@@ -42,7 +42,8 @@ namespace strait
         const bool solved = solve_on_mesh(result);
         if (observer)
           observer(result);
-        if (!(result.lower > 0 && result.lower <= result.upper * (1 + 1e-6)))
+        if (!(result.mesh_lower > 0 &&
+              result.mesh_lower <= result.mesh_upper * (1 + 1e-6)))
           {
             result.status = "flow-bracket";
             return result;
@@ -77,12 +78,19 @@ namespace strait
     shares                         = indicator(conductance_lower, conductance_upper);
 
     const double drop = std::abs(pressure_drop);
-    result.upper      = conductance_upper * drop;
-    result.lower      = conductance_lower * drop;
-    result.leak_rate =
-      std::sqrt(result.upper) * std::sqrt(result.lower) * (pressure_drop < 0 ? -1 : 1);
-    result.cells    = flow_mesh.triangulation().n_global_active_cells();
-    result.unknowns = pressure_problem.n_unknowns() + stream_problem.n_unknowns();
+    result.mesh_upper = conductance_upper * drop;
+    result.mesh_lower = conductance_lower * drop;
+    // A bound of an earlier mesh still holds, should the solver fail on this one.
+    const bool first = result.upper == 0;
+    result.upper = first ? result.mesh_upper : std::min(result.upper, result.mesh_upper);
+    result.lower = std::max(result.lower, result.mesh_lower);
+    // Of a wide bracket the upper end is nearer: the lower bound waits for a channel.
+    const double best = 2. * result.lower < result.upper
+                          ? result.upper
+                          : std::sqrt(result.upper) * std::sqrt(result.lower);
+    result.leak_rate  = pressure_drop < 0 ? -best : best;
+    result.cells      = flow_mesh.triangulation().n_global_active_cells();
+    result.unknowns   = pressure_problem.n_unknowns() + stream_problem.n_unknowns();
     return solved;
   }
 

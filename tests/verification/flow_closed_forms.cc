@@ -198,11 +198,11 @@ namespace strait
       int        n_meshes = 0;
       const auto check    = [&](const FlowResult &flow) {
         // Cells below the grid spacing integrate the same gap more finely.
-        EXPECT_LE(flow.upper, upper * (1 + 1e-5));
-        EXPECT_GE(flow.lower, lower * (1 - 1e-5));
-        EXPECT_LE(flow.lower, flow.upper);
-        lower = flow.lower;
-        upper = flow.upper;
+        EXPECT_LE(flow.mesh_upper, upper * (1 + 1e-5));
+        EXPECT_GE(flow.mesh_lower, lower * (1 - 1e-5));
+        EXPECT_LE(flow.mesh_lower, flow.mesh_upper);
+        lower = flow.mesh_lower;
+        upper = flow.mesh_upper;
         ++n_meshes;
       };
       leak(sample(gap, 128, 128), plain_fluid(2e-3), check);

@@ -13,9 +13,11 @@ namespace strait
   /** The leak rate Q of one gap and how it was found. */
   struct FlowResult
   {
-    double leak_rate = 0.; // best value within the bracket
-    double lower     = 0.; // from the stream function
-    double upper     = 0.; // from the pressure
+    double leak_rate  = 0.; // best value within the bracket
+    double lower      = 0.; // from the stream function, best of all meshes
+    double upper      = 0.; // from the pressure, likewise
+    double mesh_lower = 0.; // the same on the last mesh alone
+    double mesh_upper = 0.;
 
     unsigned long long cells       = 0;
     unsigned long long unknowns    = 0; // of both problems, on the last mesh
