@@ -60,18 +60,12 @@ namespace strait
     void
     warn_of_odd_grid(const Scene &scene, Log &log)
     {
-      constexpr int many = 10000;
-      PeriodicGrid  grid = grid_of(scene);
-      if (!scene.fluid.enabled)
-        return;
-      while (grid.nx % 2 == 0 && grid.ny % 2 == 0)
-        {
-          grid.nx /= 2;
-          grid.ny /= 2;
-        }
-      if (grid.n_points() > many)
+      constexpr std::int64_t many       = 10000;
+      const PeriodicGrid     grid       = grid_of(scene);
+      const std::int64_t     n_coarsest = grid.n_points() >> (2 * grid.n_halvings());
+      if (scene.fluid.enabled && n_coarsest > many)
         log.warn(
-          "the coarsest mesh of this grid has " + std::to_string(grid.n_points()) +
+          "the coarsest mesh of this grid has " + std::to_string(n_coarsest) +
           " cells, which costs time and memory: choose numbers of grid points that "
           "can be halved several times");
     }

@@ -96,24 +96,28 @@ namespace strait
     add("throat_width", throat.width);
   }
 
+  const ScalingTable::Series *
+  ScalingTable::leak_rates(std::map<std::string, Series> Quantities::*which) const
+  {
+    if (by_slip_length.empty())
+      return nullptr;
+    const auto &series = by_slip_length.rbegin()->second.*which;
+    const auto  found  = series.find("leak_rate");
+    return found == series.end() ? nullptr : &found->second;
+  }
+
   ExponentFit
   ScalingTable::leak_rate_fit() const
   {
-    if (by_slip_length.empty())
-      return {};
-    const auto &trusted = by_slip_length.rbegin()->second.trusted;
-    const auto  found   = trusted.find("leak_rate");
-    return found == trusted.end() ? ExponentFit{} : fit_exponent(found->second, largest);
+    const Series *trusted = leak_rates(&Quantities::trusted);
+    return trusted == nullptr ? ExponentFit{} : fit_exponent(*trusted, largest);
   }
 
   double
   ScalingTable::crossover() const
   {
-    if (by_slip_length.empty())
-      return std::nan("");
-    const auto &all   = by_slip_length.rbegin()->second.all;
-    const auto  found = all.find("leak_rate");
-    return found == all.end() ? std::nan("") : crossover_reduced_load(found->second);
+    const Series *all = leak_rates(&Quantities::all);
+    return all == nullptr ? std::nan("") : crossover_reduced_load(*all);
   }
 
   void

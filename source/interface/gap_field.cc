@@ -13,15 +13,6 @@ namespace strait
   {
     constexpr unsigned char open_flag = 1, closed_flag = 2;
 
-    int
-    count_halvings(const PeriodicGrid &grid)
-    {
-      int n = 0;
-      while (((grid.nx >> n) & 1) == 0 && ((grid.ny >> n) & 1) == 0)
-        ++n;
-      return n;
-    }
-
     /** The grid row that decides which rank owns a cell. */
     int
     first_grid_row(const GridCell &cell)
@@ -35,7 +26,7 @@ namespace strait
     , set(fluid.element_degree)
     , interpolant(fluid.interpolation, fluid.direction)
     , viscosity(fluid.viscosity)
-    , halvings(count_halvings(slab_layout->grid()))
+    , halvings(slab_layout->grid().n_halvings())
     , conductivity(slab_layout, set, halvings)
   {
     const dealii::QGauss<1> gauss(fluid.element_degree + 1);

@@ -66,6 +66,9 @@ namespace strait
       std::map<std::string, Series> trusted; // those without a doubt
     };
 
+    /** Of the smallest slip length; null if there are none. */
+    const Series *leak_rates(std::map<std::string, Series> Quantities::*which) const;
+
     double                       largest;
     std::map<double, Quantities> by_slip_length;
   };

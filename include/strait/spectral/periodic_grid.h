@@ -36,6 +36,16 @@ namespace strait
       return static_cast<std::int64_t>(nx) * ny;
     }
 
+    /** Number of times that both numbers of points can be halved. */
+    int
+    n_halvings() const
+    {
+      int n = 0;
+      while (((nx >> n) & 1) == 0 && ((ny >> n) & 1) == 0)
+        ++n;
+      return n;
+    }
+
     bool
     operator==(const PeriodicGrid &other) const
     {
