@@ -15,6 +15,16 @@ TEXT_COLUMNS = ("branch", "status", "quantity", "kind", "orientation")
 UNCERTAIN = ("unresolved-throat", "uncertain-threshold")  # converged, but not the last word
 
 
+def is_uncertain(status):
+    """Where every word of a status, joined by +, is a doubt about a converged result."""
+    return np.array([set(text.split("+")) <= set(UNCERTAIN) for text in status], bool)
+
+
+def is_trusted(status):
+    """Where nothing failed, doubts or not."""
+    return np.isin(status, ["ok", ""]) | is_uncertain(status)
+
+
 def use_style():
     """Our style alone: a user's own settings, TeX for one, could break the pictures."""
     matplotlib.rcdefaults()

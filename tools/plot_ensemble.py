@@ -9,7 +9,8 @@ import sys
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import BLUE, COLOURS, UNCERTAIN, VERMILLION, read_table, with_unit
+from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, read_table,
+                         with_unit)
 
 LARGEST_SUPERPOSED = 0.3
 QUANTITIES = (("critical_load", "Critical load", "pressure"),
@@ -25,10 +26,9 @@ def read_curve(path):
     table = read_table(path)
     slips = table.get("slip_length", np.zeros(len(table["leak_rate"])))
     reduced, leak, status = table["reduced_load"], table["leak_rate"], table["status"]
-    rows = np.flatnonzero((reduced > 0) & (leak > 0) & (slips == slips.max()) &
-                          np.isin(status, ["ok", *UNCERTAIN]))
+    rows = np.flatnonzero((reduced > 0) & (leak > 0) & (slips == slips.max()) & is_trusted(status))
     rows = rows[np.argsort(reduced[rows])]
-    return reduced[rows], leak[rows], np.isin(status[rows], UNCERTAIN)
+    return reduced[rows], leak[rows], is_uncertain(status[rows])
 
 
 def read_curves(folder):

@@ -5,7 +5,8 @@ import sys
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import (COLOURS, GREEN, UNCERTAIN, VERMILLION, read_table, scientific, with_unit)
+from plot_common import (COLOURS, GREEN, VERMILLION, is_trusted, is_uncertain, read_table,
+                         scientific, with_unit)
 
 
 def column(table, name, default):
@@ -44,8 +45,8 @@ def draw_steps(axes, table, x):
     """Leak rates against the column @p x, with what is known of their bounds."""
     leak, status = table["leak_rate"], column(table, "status", "ok")
     drawn = np.isfinite(table[x]) & np.isfinite(leak) & (leak > 0)
-    failed = drawn & ~np.isin(status, ["ok", "", *UNCERTAIN])
-    hollow = drawn & np.isin(status, UNCERTAIN)
+    failed = drawn & ~is_trusted(status)
+    hollow = drawn & is_uncertain(status)
     slips, branches = [], []
     for label, slip, branch, chosen in all_series(table):
         slips += [slip] * (slip not in slips)
@@ -116,7 +117,7 @@ def draw_guides(axes, table):
     """Thin lines of the expected slopes at the last point: 69/20, and 3 of the largest slip."""
     reduced, leak, slips = (column(table, name, 0.)
                             for name in ("reduced_load", "leak_rate", "slip_length"))
-    converged = np.isin(column(table, "status", "ok"), ["ok", "", *UNCERTAIN])
+    converged = is_trusted(column(table, "status", "ok"))
     for slope, name, kind in ((69 / 20, "69/20", slips == 0), (3, "3", slips < 0)):
         rows = np.flatnonzero(kind & converged & (reduced > 0) & (leak > 0))
         rows = rows[slips[rows] == slips[rows].min(initial=0)]

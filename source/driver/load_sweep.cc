@@ -223,7 +223,7 @@ namespace strait
   void
   LoadSweep::compare_with_threshold(Step &step) const
   {
-    step.remark.clear();
+    step.doubts.clear();
     const Threshold *threshold = threshold_of(step.slip_length);
     if (threshold == nullptr)
       return;
@@ -237,7 +237,7 @@ namespace strait
     const double points      = step.flow->constrictions->points_along;
     if (reduced < load_errors_needed * uncertainty)
       {
-        step.remark = "uncertain-threshold";
+        step.doubts.emplace_back("uncertain-threshold");
         log.warn(
           format("at a reduced load of %.3g the critical load, known to %.1e, is too "
                  "uncertain: a threshold tolerance of %.1e would do",
@@ -245,9 +245,9 @@ namespace strait
                  uncertainty,
                  2. * reduced / load_errors_needed));
       }
-    else if (!(points >= points_needed))
+    if (!(points >= points_needed))
       {
-        step.remark = "unresolved-throat";
+        step.doubts.emplace_back("unresolved-throat");
         log.warn(
           format("at a reduced load of %.3g the throat has %.2g grid points along it, "
                  "%.0f are needed: a grid finer by a factor of %.2g would do",

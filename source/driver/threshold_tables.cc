@@ -87,7 +87,7 @@ namespace strait
       if (!(value > 0))
         return;
       quantities.all[name].push_back({*step.reduced_load, value});
-      if (step.remark.empty())
+      if (step.doubts.empty())
         quantities.trusted[name].push_back({*step.reduced_load, value});
     };
     add("leak_rate", std::abs(step.flow->result.leak_rate));

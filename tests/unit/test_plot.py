@@ -165,15 +165,18 @@ class Leakage(PlotTest):
     def test_doubtful_steps_are_hollow_and_failed_ones_ringed(self):
         header = "pressure,leak_rate,leak_rate_lower,leak_rate_upper,status"
         lines = ["1,1e-3,1e-3,1e-3,ok", "2,1e-4,1e-4,1e-4,unresolved-throat",
-                 "3,1e-5,1e-5,1e-5,uncertain-threshold", "4,1e-30,1e-50,1e-9,flow-accuracy"]
+                 "3,1e-5,1e-5,1e-5,uncertain-threshold",
+                 "4,1e-30,1e-50,1e-9,flow-accuracy+unresolved-throat",
+                 "5,1e-5,1e-5,1e-5,uncertain-threshold+unresolved-throat"]
         axes = self.axes_of(plot_leakage.draw_leak_rate, header, *lines)
         line, hollow = axes.lines[:2]
-        self.assertEqual(list(line.get_xdata()), [1, 2, 3])
-        self.assertEqual(list(hollow.get_xdata()), [2, 3])
+        self.assertEqual(list(line.get_xdata()), [1, 2, 3, 5])
+        self.assertEqual(list(hollow.get_xdata()), [2, 3, 5])
         self.assertEqual(hollow.get_markerfacecolor(), "white")
         self.assertEqual(axes.get_legend_handles_labels()[1],
-                         ["hollow: unresolved-throat, uncertain-threshold",
-                          "failed: flow-accuracy"])
+                         ["hollow: unresolved-throat, uncertain-threshold, "
+                          "uncertain-threshold+unresolved-throat",
+                          "failed: flow-accuracy+unresolved-throat"])
         self.assertGreater(axes.get_ylim()[0], 1e-8, "a failed step stretches the scale")
 
     def test_fitted_exponents(self):

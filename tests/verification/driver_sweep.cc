@@ -143,6 +143,21 @@ namespace strait
       EXPECT_TRUE(contains(columns(given), "leak_rate"));
     }
 
+    TEST(Sweep, StatusNamesEveryFailureAndDoubt)
+    {
+      Step step;
+      EXPECT_EQ(step.status(), "ok");
+      step.doubts = {"uncertain-threshold", "unresolved-throat"};
+      EXPECT_EQ(step.status(), "uncertain-threshold+unresolved-throat");
+      EXPECT_TRUE(step.converged());
+      step.flow.emplace().result.status = "flow-accuracy";
+      step.contact.emplace().converged  = false;
+      EXPECT_EQ(
+        step.status(),
+        "contact-not-converged+flow-accuracy+uncertain-threshold+unresolved-throat");
+      EXPECT_FALSE(step.converged());
+    }
+
     TEST(Sweep, ContinuesFromStepToStep)
     {
       // The steps of a programme give what each gives alone.

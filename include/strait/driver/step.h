@@ -2,6 +2,7 @@
 #ifndef strait_driver_step_h
 #define strait_driver_step_h
 
+#include <strait/base/text.h>
 #include <strait/contact/contact_state.h>
 #include <strait/driver/constriction_report.h>
 #include <strait/flow/reynolds_solver.h>
@@ -40,7 +41,7 @@ namespace strait
     std::optional<StepFlow>     flow;          // unless the fluid is off
     double                      slip_length = 0.;
     std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
-    std::string                 remark;       // a doubt about a converged result
+    std::vector<std::string>    doubts;       // about a result that may have converged
     double                      contact_seconds = 0.;
     double                      flow_seconds    = 0.;
 
@@ -51,15 +52,17 @@ namespace strait
       return (!contact || contact->converged) && (!flow || flow->result.status == "ok");
     }
 
-    /** "ok", or a short word for the first thing that failed or is in doubt. */
+    /** "ok", or a short word for each thing that failed or is in doubt, joined by +. */
     std::string
     status() const
     {
+      std::vector<std::string> words;
       if (contact && !contact->converged)
-        return "contact-not-converged";
+        words.emplace_back("contact-not-converged");
       if (flow && flow->result.status != "ok")
-        return flow->result.status;
-      return remark.empty() ? "ok" : remark;
+        words.push_back(flow->result.status);
+      words.insert(words.end(), doubts.begin(), doubts.end());
+      return words.empty() ? "ok" : join(words, "+");
     }
   };
 } // namespace strait

@@ -38,7 +38,7 @@ namespace strait
    * Exponents of leak rate and throat against 1 − L/L_c. Collects the steps, then
    * writes fit.csv: local slopes between neighbouring steps, and for each quantity a
    * fit over all steps with ε up to a largest one. Steps that are in doubt
-   * (Step::remark) or did not converge are left out of the fits.
+   * (Step::doubts) or did not converge are left out of the fits.
    */
   class ScalingTable
   {
