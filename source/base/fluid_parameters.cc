@@ -91,6 +91,7 @@ namespace strait
       Integer(),
       "Refinement stops before the flow has more unknowns than this, the first mesh "
       "apart [1].");
+    FeedbackParameters::declare(prm);
     prm.leave_subsection();
   }
 
@@ -112,6 +113,7 @@ namespace strait
     refinement       = refinements.value(prm.get("Refinement"));
     target_accuracy  = prm.get_double("Target accuracy");
     maximum_unknowns = static_cast<unsigned int>(prm.get_integer("Maximum unknowns"));
+    feedback.parse(prm);
     prm.leave_subsection();
   }
 
@@ -121,7 +123,7 @@ namespace strait
     if (!(viscosity > 0.))
       throw InputError("Fluid/Viscosity is " + to_text(viscosity) +
                        " but must be positive.");
-    if (enabled && inlet_pressure == outlet_pressure)
+    if (enabled && inlet_pressure == outlet_pressure && !feedback.enabled)
       throw InputError("Fluid/Inlet pressure and Outlet pressure are both " +
                        to_text(inlet_pressure) +
                        ", so nothing drives a flow; change one or set Fluid/Enabled = "
@@ -141,5 +143,6 @@ namespace strait
       throw InputError("Fluid/Maximum unknowns is " +
                        std::to_string(static_cast<int>(maximum_unknowns)) +
                        " but must be at least 1.");
+    feedback.check();
   }
 } // namespace strait

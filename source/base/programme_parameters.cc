@@ -42,10 +42,17 @@ namespace strait
       "Find the critical load L_c, the largest at which an open channel connects "
       "inlet and outlet, before the steps; the table then has the column "
       "reduced_load.");
+    prm.declare_entry(
+      "Find blow-out",
+      "false",
+      Bool(),
+      "With Fluid/Wall feedback: for each of Pressures find the inlet pressure at which "
+      "the seal begins to leak when it is raised, before the steps; see blow_out.csv.");
     prm.declare_entry("Threshold tolerance",
                       "1e-4",
                       Double(),
-                      "Relative width of the bracket of L_c, between 1e-9 and 0.1 [1].");
+                      "Relative width of the brackets of L_c and of blow-out pressures, "
+                      "between 1e-9 and 0.1 [1].");
     prm.declare_entry(
       "Reduced loads",
       "",
@@ -71,6 +78,7 @@ namespace strait
     prm.enter_subsection("Load programme");
     pressures           = parse_list(prm.get("Pressures"));
     find_threshold      = prm.get_bool("Find threshold");
+    find_blow_out       = prm.get_bool("Find blow-out");
     threshold_tolerance = prm.get_double("Threshold tolerance");
     reduced_loads       = parse_list(prm.get("Reduced loads"));
     largest_fitted      = prm.get_double("Largest reduced load of fits");

@@ -95,6 +95,16 @@ namespace strait
       throw InputError(
         "Load programme/Find threshold looks for a critical load; it needs "
         "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
+    if (fluid.feedback.enabled && (!contact.enabled || !fluid.enabled))
+      throw InputError(
+        "Fluid/Wall feedback lets a fluid press on an elastic wall; it "
+        "needs Contact/Enabled and Fluid/Enabled.");
+    if (programme.find_blow_out &&
+        (!fluid.feedback.enabled || contact.control != ContactControl::load))
+      throw InputError(
+        "Load programme/Find blow-out raises the inlet pressure until the "
+        "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
+        "Contact/Control = load.");
     if (!contact.enabled && !fluid.enabled)
       throw InputError(
         "Contact/Enabled and Fluid/Enabled are both false, so there is "

@@ -37,11 +37,8 @@ namespace strait
     , report(std::move(report_line))
     , heights(std::move(surface_heights))
   {
-    const double peak = max_value(heights);
-    for (double &h : heights)
-      h -= peak;
-    mean_height = mean(heights);
-    rms_height  = rms(heights);
+    lower_highest_peak_to_zero();
+    rms_height = rms(heights);
     if (!std::isfinite(rms_height))
       throw InputError(
         "The surface has heights that are not finite numbers; mend the "
@@ -54,21 +51,49 @@ namespace strait
   ContactState
   ContactSolver::solve(const double target)
   {
+    check(target);
     if (!makes_contact(target))
       return state_without_contact(target);
 
-    choose_start(target);
+    const double of_solid = share_of_solid(target);
+    choose_start(of_solid);
     SlabField              gap(heights.layout_pointer());
-    const ContactTolerance tolerance = tolerance_for(target);
+    const ContactTolerance tolerance = tolerance_for(of_solid);
     const long             n_before  = problem->n_applications();
-    const ContactSolution solution = optimise(*problem, target, tolerance, pressure, gap);
-    last_target                    = target;
+    const ContactSolution  solution =
+      optimise(*problem, of_solid, tolerance, pressure, gap);
+    last_target = of_solid;
 
     ContactState state = state_of(solution, std::move(gap));
     if (parameters.control == ContactControl::load)
       state.nominal_pressure = target; // the mean, without its rounding
     state.fft_pairs = problem->n_applications() - n_before;
     return state;
+  }
+
+  void
+  ContactSolver::set_fluid_pressure(const SlabField &fluid_pressure)
+  {
+    if (dry_heights.empty())
+      dry_heights = heights;
+    HalfSpace wall(heights.layout_pointer(), parameters.effective_modulus);
+    wall.apply(fluid_pressure.data(), heights.data());
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      heights[i] = dry_heights[i] - heights[i];
+    lower_highest_peak_to_zero();
+    fluid_load = mean(fluid_pressure);
+    // Only states under the same fluid lie on a line.
+    earlier_pressure = std::vector<float>();
+    earlier_target   = 0;
+  }
+
+  void
+  ContactSolver::lower_highest_peak_to_zero()
+  {
+    const double peak = max_value(heights);
+    for (double &h : heights)
+      h -= peak;
+    mean_height = mean(heights);
   }
 
   void
@@ -79,13 +104,13 @@ namespace strait
     last_target = earlier_target = 0;
   }
 
-  bool
-  ContactSolver::makes_contact(const double target) const
+  void
+  ContactSolver::check(const double target) const
   {
-    const bool by_load = parameters.control == ContactControl::load;
+    const bool         by_load = parameters.control == ContactControl::load;
+    std::ostringstream message;
     if (!(target > 0) || !std::isfinite(target))
       {
-        std::ostringstream message;
         message << "Load programme/Pressures contains " << target << " but a "
                 << (by_load ? "nominal pressure must be positive: without a load the "
                               "surfaces never make contact."
@@ -93,8 +118,26 @@ namespace strait
                               "load.");
         throw InputError(message.str());
       }
+    if (!(share_of_solid(target) > 0))
+      {
+        message << "The fluid carries a mean pressure of " << fluid_load
+                << ", more than the nominal pressure of " << target
+                << ", so the surfaces do not stay in contact.";
+        throw ComputationError(message.str());
+      }
+  }
+
+  bool
+  ContactSolver::makes_contact(const double target) const
+  {
     // The highest peak has height 0 here.
-    return by_load || target + mean_height < 0;
+    return parameters.control == ContactControl::load || target + mean_height < 0;
+  }
+
+  double
+  ContactSolver::share_of_solid(const double target) const
+  {
+    return parameters.control == ContactControl::load ? target - fluid_load : target;
   }
 
   ContactConstraint
@@ -241,7 +284,7 @@ namespace strait
     ContactState      state;
     state.pressure               = pressure;
     state.gap                    = std::move(gap);
-    state.nominal_pressure       = mean(state.pressure);
+    state.nominal_pressure       = mean(state.pressure) + fluid_load;
     state.mean_gap               = mean(state.gap);
     state.contact_area           = area.fraction;
     state.contact_area_corrected = area.corrected_fraction;
@@ -256,8 +299,9 @@ namespace strait
   {
     forget();
     ContactState state;
-    state.pressure = SlabField(heights.layout_pointer());
-    state.gap      = SlabField(heights.layout_pointer());
+    state.nominal_pressure = fluid_load;
+    state.pressure         = SlabField(heights.layout_pointer());
+    state.gap              = SlabField(heights.layout_pointer());
     for (std::size_t i = 0; i < heights.size(); ++i)
       state.gap[i] = std::max(0., mean_gap + mean_height - heights[i]);
     state.mean_gap  = mean(state.gap);
@@ -269,8 +313,9 @@ namespace strait
   ContactSolver::note_memory(const std::size_t optimiser_bytes)
   {
     // Heights, pressure and gap; the coarser grids hold a quarter of this.
-    const std::size_t fields = (heights.size() + pressure.size() + heights.size());
-    const std::size_t bytes  = fields * sizeof(double) +
+    const std::size_t fields =
+      2 * heights.size() + pressure.size() + (dry_heights.empty() ? 0 : heights.size());
+    const std::size_t bytes = fields * sizeof(double) +
                               earlier_pressure.size() * sizeof(float) +
                               problem->memory_consumption() + optimiser_bytes;
     peak_memory = std::max(peak_memory, bytes);

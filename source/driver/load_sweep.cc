@@ -2,7 +2,6 @@
 #include <strait/base/text.h>
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/step_report.h>
-#include <strait/percolation/percolating_gap.h>
 #include <strait/surface/statistics.h>
 
 #include <algorithm>
@@ -12,12 +11,6 @@ namespace strait
 {
   namespace
   {
-    // The lower bound divides by the conductivity, which is therefore taken to be no
-    // smaller than this share of the narrowest point's, in contact as well: that lets
-    // the bound leak a little, by about this share times width over length.
-    constexpr double       floor_share    = 1e-8;
-    constexpr unsigned int n_paths_wanted = 3;
-
     double
     seconds_since(const Timers::Clock::time_point start)
     {
@@ -32,7 +25,7 @@ namespace strait
     , first_guess(0.)
   {
     if (scene.fluid.enabled)
-      gap_field = std::make_unique<GapField>(heights.layout_pointer(), scene.fluid);
+      flow = std::make_unique<FlowStage>(scene, heights.layout_pointer(), log, timers);
     if (!scene.contact.enabled)
       {
         given_gap = std::move(heights);
@@ -51,17 +44,24 @@ namespace strait
           std::min(parameters.tolerance, .01 * scene.programme.threshold_tolerance);
       }
     contact = std::make_unique<ContactSolver>(parameters, std::move(heights));
+    if (scene.fluid.feedback.enabled)
+      coupling = std::make_unique<CoupledStage>(scene, *contact, *flow, log);
   }
 
   const std::vector<Threshold> &
   LoadSweep::find_thresholds()
   {
-    const auto      scope = timers.scope("threshold");
-    ThresholdSearch search([this](const double load) { return probe(load); },
-                           first_guess,
-                           scene.programme.threshold_tolerance);
-    for (const double slip_length : scene.fluid.slip_lengths)
+    const auto scope = timers.scope("threshold");
+    // A dry contact, once probed, serves all slip lengths.
+    double     slip_length = 0.;
+    const auto probe_load  = [&](const double load) { return probe(load, slip_length); };
+    ThresholdSearch search(probe_load, first_guess, scene.programme.threshold_tolerance);
+    for (const double next : scene.fluid.slip_lengths)
       {
+        slip_length = next;
+        if (coupling)
+          search =
+            ThresholdSearch(probe_load, first_guess, scene.programme.threshold_tolerance);
         thresholds.push_back(search.find(slip_length));
         const Threshold &found = thresholds.back();
         log.line(
@@ -79,10 +79,77 @@ namespace strait
     return thresholds;
   }
 
-  ThresholdProbe
-  LoadSweep::probe(const double load)
+  std::vector<BlowOut>
+  LoadSweep::find_blow_outs()
   {
-    const ContactState  state = contact->solve(load);
+    const auto           scope  = timers.scope("blow-out");
+    const double         outlet = scene.fluid.outlet_pressure;
+    std::vector<BlowOut> result;
+    for (const double load : scene.programme.pressures)
+      {
+        // The pressure rises: each probe starts from the fluid of the last held one.
+        SlabField held(contact->layout());
+        result.push_back(find_blow_out(
+          [&](const double pressure) {
+            flow->set_inlet_pressure(outlet + pressure);
+            coupling->fluid_pressure() = held;
+            Step step;
+            step.slip_length = scene.fluid.slip_lengths.front();
+            coupling->settle(step, load);
+            BlowOutProbe probe;
+            probe.leaks        = step.flow->clusters.percolates;
+            probe.contact_area = step.contact->contact_area;
+            if (!probe.leaks)
+              held = coupling->fluid_pressure();
+            else if (!step.flow->paths.empty())
+              probe.constriction = step.flow->paths.front().bottleneck;
+            log.progress(format("  blow-out: inlet pressure %.6g %s",
+                                outlet + pressure,
+                                probe.leaks ? "leaks" : "is held"));
+            return probe;
+          },
+          load,
+          scene.programme.threshold_tolerance));
+        BlowOut &found = result.back();
+        found.load     = load;
+        found.lower += outlet;
+        found.upper += outlet;
+        log.line(
+          format("blow-out at a load of %.6g: inlet pressure between %.8g and "
+                 "%.8g (%d solves of contact and flow)",
+                 load,
+                 found.lower,
+                 found.upper,
+                 found.n_solves));
+      }
+    flow->set_inlet_pressure(scene.fluid.inlet_pressure);
+    coupling->fluid_pressure() = SlabField(contact->layout());
+    return result;
+  }
+
+  ContactState
+  LoadSweep::state_under(const double load, const double slip_length)
+  {
+    if (!coupling)
+      return contact->solve(load);
+    // Each probe starts from the fluid on the side that the path comes from.
+    if (!probe_start.empty())
+      coupling->fluid_pressure() = probe_start;
+    Step step;
+    step.slip_length = slip_length;
+    coupling->settle(step, load);
+    const bool open = step.flow->clusters.percolates;
+    if (open == (scene.programme.path == LoadPath::loading))
+      probe_start = coupling->fluid_pressure();
+    if (!step.feedback->converged && !step.feedback->undecided)
+      log.warn(format("contact and flow did not agree at a load of %.6g", load));
+    return std::move(*step.contact);
+  }
+
+  ThresholdProbe
+  LoadSweep::probe(const double load, const double slip_length)
+  {
+    const ContactState  state = state_under(load, slip_length);
     const PeriodicGrid &grid  = state.gap.grid();
     if (!state.converged)
       log.warn(format("the contact did not converge at a load of %.6g, residual %.1e",
@@ -150,11 +217,16 @@ namespace strait
       {
         step.number      = static_cast<int>(k) + 1;
         step.slip_length = stops[k].slip_length;
-        if (k > 0 && stops[k].target == stops[k - 1].target)
-          step.contact_seconds = 0.; // another slip length in the same gap
+        if (coupling)
+          press_with_fluid(step, stops[k].target);
         else
-          press(step, stops[k].target);
-        leak(step);
+          {
+            if (k > 0 && stops[k].target == stops[k - 1].target)
+              step.contact_seconds = 0.; // another slip length in the same gap
+            else
+              press(step, stops[k].target);
+            leak(step);
+          }
         compare_with_threshold(step);
         converged = converged && step.converged();
         report_step(step, static_cast<int>(stops.size()), timers.total(), log);
@@ -186,38 +258,22 @@ namespace strait
   void
   LoadSweep::leak(Step &step)
   {
-    if (!gap_field)
+    if (!flow)
       return;
-    const auto scope = timers.scope("flow");
-    const auto start = Timers::Clock::now();
-    StepFlow  &flow  = step.flow.emplace();
-
-    const SlabField seen = gap_seen_by_fluid(step);
-    flow.clusters        = find_clusters(seen, scene.fluid.direction);
-    if (flow.clusters.percolates)
-      {
-        const SlabField open =
-          percolating_gap(seen, flow.clusters, scene.fluid.direction);
-        {
-          const auto path_scope = timers.scope("paths");
-          flow.paths = find_flow_paths(open, scene.fluid.direction, n_paths_wanted);
-        }
-        {
-          const auto   bridge_scope = timers.scope("bridge");
-          const double narrowest    = flow.paths.front().bottleneck_gap;
-          gap_field->update(open, floor_share * gap_field->conductivity_of(narrowest));
-        }
-        const auto solver_scope = timers.scope("mesh and solver");
-        auto       solver =
-          std::make_unique<ReynoldsSolver>(scene.fluid, *gap_field, flow.paths);
-        flow.result =
-          solver->run([this](const FlowResult &now) { report_flow(now, log); });
-        flow.solver = std::move(solver);
-        if (scene.programme.find_threshold)
-          flow.constrictions =
-            report_constrictions(seen, flow.paths.front(), *flow.solver);
-      }
+    const auto scope  = timers.scope("flow");
+    const auto start  = Timers::Clock::now();
+    step.flow         = flow->solve(step.gap, step.slip_length);
     step.flow_seconds = seconds_since(start);
+  }
+
+  void
+  LoadSweep::press_with_fluid(Step &step, const double target)
+  {
+    const auto scope = timers.scope("coupling");
+    const auto start = Timers::Clock::now();
+    step.flow.reset(); // its mesh was made for another gap
+    coupling->solve(step, target);
+    step.flow_seconds = seconds_since(start) - step.contact_seconds;
   }
 
   void
@@ -258,19 +314,11 @@ namespace strait
       }
   }
 
-  SlabField
-  LoadSweep::gap_seen_by_fluid(const Step &step) const
-  {
-    SlabField seen = step.gap;
-    for (double &value : seen)
-      value += 2. * step.slip_length;
-    return seen;
-  }
-
   std::size_t
   LoadSweep::memory_consumption() const
   {
     return (contact ? contact->memory_consumption() : given_gap.size() * sizeof(double)) +
-           (gap_field ? gap_field->memory_consumption() : 0);
+           (flow ? flow->memory_consumption() : 0) +
+           (coupling ? coupling->memory_consumption() : 0);
   }
 } // namespace strait

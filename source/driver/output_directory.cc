@@ -30,6 +30,7 @@ namespace strait
                                 "ensemble_summary.csv",
                                 "ensemble.png",
                                 "threshold.csv",
+                                "blow_out.csv",
                                 "constrictions.csv",
                                 "fit.csv",
                                 "run.json",
@@ -126,6 +127,14 @@ namespace strait
   }
 
   void
+  OutputDirectory::write(const std::vector<BlowOut> &blow_outs)
+  {
+    run_on_root(comm, [&]() {
+      write_blow_outs(path + "/blow_out.csv", blow_outs, grid_of(scene));
+    });
+  }
+
+  void
   OutputDirectory::write(const Step &step, const bool is_last)
   {
     run_on_root(comm, [&]() {
@@ -135,6 +144,8 @@ namespace strait
     });
     if (scene.programme.find_threshold)
       scaling.collect(step);
+    if (step.feedback && step.feedback->lifted_off)
+      return; // there is no state to show
     const bool wanted = scene.output.fields == FieldOutput::all ||
                         (scene.output.fields == FieldOutput::last && is_last);
     if (wanted)

@@ -57,6 +57,12 @@ namespace strait
       add("contact_seconds", [](const Step &step) { return step.contact_seconds; });
     if (scene.fluid.enabled)
       add("flow_seconds", [](const Step &step) { return step.flow_seconds; });
+    if (scene.fluid.feedback.enabled)
+      {
+        add("fluid_load", [](const Step &step) { return step.feedback->fluid_load; });
+        add("feedback_iterations",
+            [](const Step &step) { return step.feedback->iterations; });
+      }
     columns.push_back({"status", [](const Step &step) { return step.status(); }});
   }
 

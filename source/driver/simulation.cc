@@ -117,6 +117,8 @@ namespace strait
         summary.thresholds = sweep.find_thresholds();
         output.write(summary.thresholds);
       }
+    if (scene.programme.find_blow_out)
+      output.write(sweep.find_blow_outs());
     const int n_steps = sweep.n_steps();
     summary.converged = sweep.run([&](const Step &step) {
       const auto scope = timers.scope("output");

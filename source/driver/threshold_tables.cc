@@ -35,6 +35,30 @@ namespace strait
   }
 
   void
+  write_blow_outs(const std::string          &path,
+                  const std::vector<BlowOut> &blow_outs,
+                  const PeriodicGrid         &grid)
+  {
+    CsvFile file;
+    file.open(path,
+              {"pressure",
+               "blow_out_pressure_lower",
+               "blow_out_pressure_upper",
+               "contact_area",
+               "x",
+               "y",
+               "solves"});
+    for (const BlowOut &found : blow_outs)
+      file.append({full_precision(found.load),
+                   full_precision(found.lower),
+                   full_precision(found.upper),
+                   full_precision(found.contact_area),
+                   full_precision(found.constriction.ix * grid.dx()),
+                   full_precision(found.constriction.iy * grid.dy()),
+                   std::to_string(found.n_solves)});
+  }
+
+  void
   ConstrictionTable::open(const std::string &path)
   {
     file.open(path,

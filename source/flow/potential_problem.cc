@@ -29,21 +29,29 @@ namespace strait
   }
 
   void
-  PotentialProblem::set_up()
+  PotentialProblem::number_unknowns()
   {
     MPI_Comm comm = mesh.triangulation().get_communicator();
     dofs.distribute_dofs(fe);
     owned = dofs.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dofs, relevant);
     make_constraints();
+    right_hand_side.reinit(owned, comm);
+    distributed.reinit(owned, comm);
+    ghosted.reinit(owned, relevant, comm);
+    is_numbered = true;
+  }
 
+  void
+  PotentialProblem::set_up()
+  {
+    if (!is_numbered)
+      number_unknowns();
+    MPI_Comm               comm = mesh.triangulation().get_communicator();
     DynamicSparsityPattern pattern(relevant);
     DoFTools::make_sparsity_pattern(dofs, pattern, constraints, false);
     SparsityTools::distribute_sparsity_pattern(pattern, owned, comm, relevant);
     matrix.reinit(owned, owned, pattern, comm);
-    right_hand_side.reinit(owned, comm);
-    distributed.reinit(owned, comm);
-    ghosted.reinit(owned, relevant, comm);
   }
 
   void
@@ -227,6 +235,7 @@ namespace strait
   {
     transfer = std::make_unique<Transfer>(dofs);
     transfer->prepare_for_coarsening_and_refinement(ghosted);
+    is_numbered = false;
   }
 
   void

@@ -59,19 +59,31 @@ namespace strait
       }
   }
 
+  LinearSolve
+  ReynoldsSolver::solve(PotentialProblem &problem)
+  {
+    problem.set_up();
+    problem.assemble(gap_field);
+    return problem.solve(parameters.preconditioner,
+                         linear_share * parameters.target_accuracy);
+  }
+
+  double
+  ReynoldsSolver::solve_pressure()
+  {
+    solve(pressure_problem);
+    return pressure_problem.energy() * std::abs(pressure_drop);
+  }
+
   bool
   ReynoldsSolver::solve_on_mesh(FlowResult &result)
   {
     bool solved = true;
     for (PotentialProblem *problem : {&pressure_problem, &stream_problem})
       {
-        problem->set_up();
-        problem->assemble(gap_field);
-        const LinearSolve solve =
-          problem->solve(parameters.preconditioner,
-                         linear_share * parameters.target_accuracy);
-        result.iterations += solve.iterations;
-        solved = solved && solve.converged;
+        const LinearSolve outcome = solve(*problem);
+        result.iterations += outcome.iterations;
+        solved = solved && outcome.converged;
       }
     const double conductance_upper = pressure_problem.energy();
     const double conductance_lower = 1. / stream_problem.energy();

@@ -246,10 +246,8 @@ TEST(Scene, UnknownNamesSuggestTheNearest)
 
 TEST(Scene, EffectsThatAreNotThereAreUnknown)
 {
-  for (const char *name : {"Contact/Adhesion/Enabled=true",
-                           "Fluid/Wall feedback/Enabled=true",
-                           "Fluid/Mesh=a.msh",
-                           "Theory/Enabled=true"})
+  for (const char *name :
+       {"Contact/Adhesion/Enabled=true", "Fluid/Mesh=a.msh", "Theory/Enabled=true"})
     expect_in("unknown", error_of("", {name}));
 }
 

@@ -2,6 +2,8 @@
 #ifndef strait_base_fluid_parameters_h
 #define strait_base_fluid_parameters_h
 
+#include <strait/base/feedback_parameters.h>
+
 #include <vector>
 
 namespace dealii
@@ -50,6 +52,7 @@ namespace strait
     Refinement          refinement       = Refinement::adaptive;
     double              target_accuracy  = 0.02;
     unsigned int        maximum_unknowns = 1000000;
+    FeedbackParameters  feedback;
 
     /** Whether some slip length is not zero. */
     bool

@@ -46,8 +46,25 @@ namespace strait
      */
     ContactState solve(double target);
 
+    /**
+     * Let a fluid of the pressure @p fluid_pressure, on the grid of the heights and
+     * continued under the contact, press against the wall in the solves to come. It
+     * displaces the wall by G p_f and carries its mean pressure of the load; the
+     * contact pressure is what the solid bears beyond it, so that a point opens where
+     * that would be negative. Of the state, nominal_pressure then includes the
+     * fluid's share and pressure does not. Collective; one FFT pair.
+     * solve() throws ComputationError if the fluid carries more than the load.
+     */
+    void set_fluid_pressure(const SlabField &fluid_pressure);
+
     /** Start the next solve anew, without the states before. */
     void forget();
+
+    const SlabLayoutPtr &
+    layout() const
+    {
+      return heights.layout_pointer();
+    }
 
     /** Largest number of bytes held on this rank during a solve so far. */
     std::size_t
@@ -57,8 +74,14 @@ namespace strait
     }
 
   private:
+    /** What is to carry the load @p target or to keep the mean gap @p target: the
+     *  load without the fluid's share, and the mean gap itself. */
+    double share_of_solid(double target) const;
+
+    void              lower_highest_peak_to_zero();
     ContactConstraint constraint_for(double target) const;
     ContactTolerance  tolerance_for(double target) const;
+    void              check(double target) const;
     bool              makes_contact(double target) const;
     ContactState      state_without_contact(double mean_gap);
     ContactState      state_of(const ContactSolution &solution, SlabField gap);
@@ -79,7 +102,9 @@ namespace strait
     const ContactParameters           parameters;
     const Report                      report;
     SlabField                         heights;     // below the highest peak, <= 0
-    double                            mean_height; // of these
+    SlabField                         dry_heights; // without G p_f, if there is a fluid
+    double                            fluid_load = 0; // mean of p_f
+    double                            mean_height;    // of these
     double                            rms_height;
     std::unique_ptr<HalfSpaceProblem> problem;
     std::size_t                       peak_memory = 0;

@@ -6,9 +6,11 @@
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
 #include <strait/contact/contact_solver.h>
+#include <strait/driver/blow_out.h>
+#include <strait/driver/coupled_stage.h>
+#include <strait/driver/flow_stage.h>
 #include <strait/driver/step.h>
 #include <strait/driver/threshold_search.h>
-#include <strait/interface/gap_field.h>
 
 #include <functional>
 #include <memory>
@@ -37,6 +39,9 @@ namespace strait
      */
     const std::vector<Threshold> &find_thresholds();
 
+    /** Enclose the blow-out pressure of every load of the programme. Collective. */
+    std::vector<BlowOut> find_blow_outs();
+
     /** Number of steps that run() will make. */
     int
     n_steps() const
@@ -59,11 +64,12 @@ namespace strait
     };
 
     std::vector<Stop> plan() const;
-    ThresholdProbe    probe(double load);
+    ThresholdProbe    probe(double load, double slip_length);
+    ContactState      state_under(double load, double slip_length);
     void              press(Step &step, double target);
     void              leak(Step &step);
+    void              press_with_fluid(Step &step, double target);
     void              compare_with_threshold(Step &step) const;
-    SlabField         gap_seen_by_fluid(const Step &step) const;
     const Threshold  *threshold_of(double slip_length) const;
 
     const Scene                   &scene;
@@ -72,7 +78,9 @@ namespace strait
     double                         first_guess; // of the critical load
     SlabField                      given_gap;   // if there is no contact to solve
     std::unique_ptr<ContactSolver> contact;
-    std::unique_ptr<GapField>      gap_field;
+    std::unique_ptr<FlowStage>     flow;        // unless the fluid is off
+    std::unique_ptr<CoupledStage>  coupling;    // if the fluid presses on the wall
+    SlabField                      probe_start; // fluid pressure, with coupling
     std::vector<Threshold>         thresholds;
   };
 } // namespace strait

@@ -40,6 +40,9 @@ namespace strait
     /** Write threshold.csv. Collective. */
     void write(const std::vector<Threshold> &thresholds);
 
+    /** Write blow_out.csv. Collective. */
+    void write(const std::vector<BlowOut> &blow_outs);
+
     /** Write a row, and fields and picture data as the scene asks. Collective. */
     void write(const Step &step, bool is_last);
 

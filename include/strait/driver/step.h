@@ -28,7 +28,19 @@ namespace strait
 
     /** Mesh and pressure; none where nothing percolates. Valid until the next
      *  step changes the gap. */
-    std::unique_ptr<const ReynoldsSolver> solver;
+    std::unique_ptr<ReynoldsSolver> solver;
+  };
+
+  /** How contact and flow came to agree, where the fluid presses on the wall. */
+  struct StepFeedback
+  {
+    double fluid_load         = 0.; // mean fluid pressure over the nominal area
+    int    iterations         = 0;  // rounds of contact and flow
+    int    contact_iterations = 0;  // of all rounds
+    long   fft_pairs          = 0;  // likewise
+    bool   converged          = false;
+    bool   undecided          = false; // see FeedbackResult
+    bool   lifted_off         = false; // the fluid carries more than the load
   };
 
   /** One step of the load programme, with all that its output may need. */
@@ -39,6 +51,7 @@ namespace strait
     double                      mean_gap = 0.; // closed points count as zero
     std::optional<ContactState> contact;       // unless the gap was given
     std::optional<StepFlow>     flow;          // unless the fluid is off
+    std::optional<StepFeedback> feedback;      // if the fluid presses on the wall
     double                      slip_length = 0.;
     std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
     std::vector<std::string>    doubts;       // about a result that may have converged
@@ -49,7 +62,8 @@ namespace strait
     bool
     converged() const
     {
-      return (!contact || contact->converged) && (!flow || flow->result.status == "ok");
+      return (!contact || contact->converged) && (!flow || flow->result.status == "ok") &&
+             (!feedback || feedback->converged);
     }
 
     /** "ok", or a short word for each thing that failed or is in doubt, joined by +. */
@@ -61,6 +75,10 @@ namespace strait
         words.emplace_back("contact-not-converged");
       if (flow && flow->result.status != "ok")
         words.push_back(flow->result.status);
+      if (feedback && !feedback->converged)
+        words.emplace_back(feedback->lifted_off  ? "lifted-off"
+                           : feedback->undecided ? "feedback-undecided"
+                                                 : "feedback-not-converged");
       words.insert(words.end(), doubts.begin(), doubts.end());
       return words.empty() ? "ok" : join(words, "+");
     }

@@ -4,6 +4,7 @@
 
 #include <strait/base/csv_file.h>
 #include <strait/base/log.h>
+#include <strait/driver/blow_out.h>
 #include <strait/driver/exponent_fit.h>
 #include <strait/driver/step.h>
 #include <strait/driver/threshold_search.h>
@@ -15,6 +16,11 @@
 
 namespace strait
 {
+  /** Write blow_out.csv: one row for each load. For rank 0 only. */
+  void write_blow_outs(const std::string          &path,
+                       const std::vector<BlowOut> &blow_outs,
+                       const PeriodicGrid         &grid);
+
   /** Write threshold.csv: one row for each slip length. For rank 0 only. */
   void write_thresholds(const std::string            &path,
                         const std::vector<Threshold> &thresholds,

@@ -43,7 +43,8 @@ namespace strait
 
     PotentialProblem(Kind kind, FlowMesh &mesh, const MomentSet &set);
 
-    /** Number the unknowns of the current mesh. Collective. */
+    /** Number the unknowns of the current mesh, unless that was done, and make room
+     *  for the matrix. The solution on the same mesh is kept as a start. Collective. */
     void set_up();
 
     /**
@@ -118,6 +119,7 @@ namespace strait
     }
 
   private:
+    void number_unknowns();
     void make_constraints();
     void pin_one_value();
     void pin_unreached_rows();
@@ -139,6 +141,7 @@ namespace strait
     std::vector<GridCell>           cells; // owned, in the order of iteration
     CellAnswers                     answers;
     dealii::types::global_dof_index n_active_unknowns = 0;
+    bool                            is_numbered       = false;
 
     using Transfer = dealii::parallel::distributed::SolutionTransfer<2, Vector>;
     std::unique_ptr<Transfer> transfer;

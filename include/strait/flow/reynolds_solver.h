@@ -55,8 +55,17 @@ namespace strait
                    const GapField              &gap,
                    const std::vector<FlowPath> &paths);
 
-    /** Run the adaptive cycle. Collective. */
+    /**
+     * Run the adaptive cycle, from the mesh and the solution that are there if it ran
+     * before. Collective.
+     */
     FlowResult run(const Observer &observer = {});
+
+    /**
+     * Solve for the pressure alone on the mesh of run(), after the gap has changed a
+     * little. Returns the upper bound of the leak rate. Collective.
+     */
+    double solve_pressure();
 
     /** The mesh and the pressure (1 at the inlet, 0 at the outlet) of run(). */
     const FlowMesh &
@@ -79,6 +88,8 @@ namespace strait
     }
 
   private:
+    LinearSolve solve(PotentialProblem &problem);
+
     /** @return whether the linear solver converged; the bounds hold either way. */
     bool solve_on_mesh(FlowResult &result);
 

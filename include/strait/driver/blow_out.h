@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_driver_blow_out_h
+#define strait_driver_blow_out_h
+
+#include <strait/percolation/flow_lattice.h>
+
+#include <functional>
+
+namespace strait
+{
+  /** The inlet pressure at which a seal under a given load begins to leak. */
+  struct BlowOut
+  {
+    double    load         = 0.;
+    double    lower        = 0.; // largest inlet pressure known to be held
+    double    upper        = 0.; // smallest known to leak; 0: it leaks without any
+    double    contact_area = 0.; // at lower
+    GridPoint constriction;      // the first to open, at upper
+    int       n_solves = 0;      // of contact and flow together
+  };
+
+  /** What one inlet pressure does. */
+  struct BlowOutProbe
+  {
+    bool      leaks        = false;
+    double    contact_area = 0.;
+    GridPoint constriction; // the narrowest point of the channel, if it leaks
+  };
+
+  /**
+   * Raise the inlet pressure until the seal leaks, then bisect to the relative width
+   * @p tolerance. @p probe gets inlet pressures above that of the outlet; @p first is
+   * where to begin, for example the load. Collective if the probe is. Throws
+   * ComputationError if a pressure of a thousand times the first is held.
+   */
+  BlowOut find_blow_out(const std::function<BlowOutProbe(double)> &probe,
+                        double                                     first,
+                        double                                     tolerance);
+} // namespace strait
+
+#endif

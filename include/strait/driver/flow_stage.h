@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_driver_flow_stage_h
+#define strait_driver_flow_stage_h
+
+#include <strait/base/log.h>
+#include <strait/base/scene.h>
+#include <strait/base/timers.h>
+#include <strait/driver/step.h>
+#include <strait/interface/gap_field.h>
+
+#include <memory>
+
+namespace strait
+{
+  /** From a gap to what the fluid does in it: percolation, paths, mesh, flow. */
+  class FlowStage
+  {
+  public:
+    /** @p scene, @p log and @p timers must outlive this object. */
+    FlowStage(const Scene &scene, const SlabLayoutPtr &layout, Log &log, Timers &timers);
+
+    /** All about one gap, the bracket of the leak rate included. Collective. */
+    StepFlow solve(const SlabField &gap, double slip_length);
+
+    /**
+     * Bring @p flow, which may be new, up to date with a gap that differs a little
+     * from its own: verdict, pressure, and the upper bound of the leak rate, on the
+     * mesh that it has. Where the channel has opened or moved away from that mesh there
+     * is a new one, as solve() would begin with. Collective.
+     */
+    void follow(StepFlow &flow, const SlabField &gap, double slip_length);
+
+    /**
+     * Complete what follow() left out, the bracket of the leak rate, on the same mesh
+     * or finer ones. Returns whether the mesh was refined. Collective.
+     */
+    bool certify(StepFlow &flow, const SlabField &gap, double slip_length);
+
+    const FluidParameters &
+    fluid() const
+    {
+      return parameters;
+    }
+
+    /** For flows that are solved from now on [pressure]. */
+    void set_inlet_pressure(double pressure);
+
+    /** Whether reservoirs differ in pressure. */
+    bool
+    has_drive() const
+    {
+      return parameters.inlet_pressure != parameters.outlet_pressure;
+    }
+
+    /** The gap that the fluid sees, g − 2|d0|. */
+    static SlabField seen_gap(const SlabField &gap, double slip_length);
+
+    /** Bytes of the bridge on this rank. */
+    std::size_t
+    memory_consumption() const
+    {
+      return gap_field.memory_consumption();
+    }
+
+  private:
+    /** Sets the verdict; the gap of the channel alone. */
+    SlabField find_channel(StepFlow &flow, const SlabField &seen) const;
+
+    void update_bridge(const SlabField &open, const FlowPath &path, bool with_bounds);
+    void find_paths(StepFlow &flow, const SlabField &open);
+    void make_mesh(StepFlow &flow);
+    void bracket(StepFlow &flow, const SlabField &seen);
+
+    const Scene    &scene;
+    FluidParameters parameters;
+    Log            &log;
+    Timers         &timers;
+    GapField        gap_field;
+    GridPoint       meshed_bottleneck; // that the last mesh was made for
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_reference_pressed_wall_h
+#define strait_reference_pressed_wall_h
+
+namespace strait
+{
+  /** Clausen's function Cl₂(θ) = Σ_{k>=1} sin(kθ)/k², to rounding. */
+  double clausen(double theta);
+
+  /**
+   * A gap without contact through which a fluid flows along x, periodic with the box,
+   * from the pressure p_in at x = 0 to 0 at x = Lx: to first order in p_in it falls
+   * linearly, and with the mean gap g0 held the wall opens by
+   *   g − g0 = p_in Lx/(π² E*) · Cl₂(2πx/Lx).
+   */
+  struct PressedWall
+  {
+    double inlet_pressure;
+    double contact_modulus;
+    double length;
+    double mean_gap;
+
+    /** p_in Lx/(π² E* g0), the small parameter. */
+    double parameter() const;
+
+    double gap_change(double x) const;
+
+    /**
+     * The leak rate over that of the undeformed gap, 1/⟨(g/g0)⁻³⟩, to second order:
+     * 1 − 6 ε² ⟨Cl₂²⟩ with ⟨Cl₂²⟩ = π⁴/180.
+     */
+    double leak_rate_ratio() const;
+  };
+} // namespace strait
+
+#endif

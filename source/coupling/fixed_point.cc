@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/coupling/fixed_point.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <utility>
+
+namespace strait
+{
+  FixedPoint::FixedPoint(Product product_, const int history_, const double relaxation)
+    : product(std::move(product_))
+    , history(history_)
+    , share(relaxation)
+  {
+  }
+
+  void
+  FixedPoint::advance(double *x, const double *image, const std::size_t n)
+  {
+    std::vector<float> residual(n);
+    for (std::size_t i = 0; i < n; ++i)
+      residual[i] = static_cast<float>(image[i] - x[i]);
+
+    if (history > 0 && last_residual.size() == n && !last_x.empty())
+      {
+        if (differences.size() == static_cast<std::size_t>(history))
+          differences.erase(differences.begin());
+        Difference newest;
+        newest.x.resize(n);
+        newest.residual.resize(n);
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            newest.x[i]        = static_cast<float>(x[i] - last_x[i]);
+            newest.residual[i] = residual[i] - last_residual[i];
+          }
+        differences.push_back(std::move(newest));
+      }
+    if (history > 0)
+      last_x.assign(x, x + n);
+
+    const std::vector<double> weights = best_weights(residual);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        double from = x[i], change = image[i] - x[i];
+        for (std::size_t k = 0; k < differences.size(); ++k)
+          {
+            from -= weights[k] * differences[k].x[i];
+            change -= weights[k] * differences[k].residual[i];
+          }
+        x[i] = from + share * change;
+      }
+    last_residual = std::move(residual);
+  }
+
+  std::vector<double>
+  FixedPoint::best_weights(const std::vector<float> &residual) const
+  {
+    // Rounds that say almost the same as others must not fight each other.
+    constexpr double       dependent = 1e-8;
+    const std::size_t      m         = differences.size();
+    dealii::Vector<double> b(m), weights(m);
+    if (m > 0)
+      {
+        dealii::LAPACKFullMatrix<double> A(m, m);
+        for (std::size_t i = 0; i < m; ++i)
+          {
+            for (std::size_t j = 0; j <= i; ++j)
+              A(i, j) = A(j, i) =
+                product(differences[i].residual, differences[j].residual);
+            b(i) = product(differences[i].residual, residual);
+          }
+        A.compute_inverse_svd(dependent);
+        A.vmult(weights, b);
+      }
+    return {weights.begin(), weights.end()};
+  }
+
+  void
+  FixedPoint::restart()
+  {
+    differences.clear();
+    last_residual.clear();
+    last_x.clear();
+  }
+
+  void
+  FixedPoint::relax(const double new_relaxation)
+  {
+    share = new_relaxation;
+  }
+
+  std::size_t
+  FixedPoint::memory_consumption() const
+  {
+    std::size_t n =
+      last_residual.capacity() * sizeof(float) + last_x.capacity() * sizeof(double);
+    for (const Difference &d : differences)
+      n += (d.x.capacity() + d.residual.capacity()) * sizeof(float);
+    return n;
+  }
+} // namespace strait

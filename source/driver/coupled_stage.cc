@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/driver/coupled_stage.h>
+#include <strait/flow/pressure_on_grid.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace strait
+{
+  CoupledStage::CoupledStage(const Scene   &scene_,
+                             ContactSolver &contact_,
+                             FlowStage     &flow_,
+                             Log           &log_)
+    : scene(scene_)
+    , contact(contact_)
+    , flow(flow_)
+    , log(log_)
+    , feedback(scene.fluid.feedback, contact.layout())
+    , continuation(contact.layout(), scene.fluid.direction)
+  {
+  }
+
+  void
+  CoupledStage::solve(Step &step, const double target)
+  {
+    // The bracket may ask for a finer mesh, whose pressure then differs a little.
+    constexpr int max_meshes = 3;
+    step.feedback.reset();
+    step.contact_seconds = 0;
+    for (int mesh = 0; mesh < max_meshes; ++mesh)
+      {
+        settle(step, target, false);
+        if (step.feedback->lifted_off ||
+            !flow.certify(*step.flow, step.gap, step.slip_length))
+          break;
+      }
+    if (step.feedback->undecided)
+      step.flow->result.lower = 0; // it is closed at times
+  }
+
+  void
+  CoupledStage::settle(Step &step, const double target, const bool verdict_only)
+  {
+    if (!step.feedback)
+      step.feedback.emplace();
+    try
+      {
+        const FeedbackResult result = feedback.solve(
+          [&](const SlabField &assumed) {
+            return round(step, target, assumed, verdict_only);
+          },
+          largest_pressure(),
+          verdict_only);
+        step.feedback->converged  = result.converged;
+        step.feedback->undecided  = result.undecided;
+        step.feedback->fluid_load = mean(feedback.pressure());
+        step.contact->iterations  = step.feedback->contact_iterations;
+        step.contact->fft_pairs   = step.feedback->fft_pairs;
+      }
+    catch (const LiftedOff &)
+      {
+        lift_off(step, target);
+      }
+  }
+
+  double
+  CoupledStage::largest_pressure() const
+  {
+    const double largest = std::max(std::abs(flow.fluid().inlet_pressure),
+                                    std::abs(flow.fluid().outlet_pressure));
+    return largest > 0 ? largest : 1.;
+  }
+
+  FeedbackRound
+  CoupledStage::round(Step            &step,
+                      const double     target,
+                      const SlabField &assumed,
+                      const bool       verdict_only)
+  {
+    if (scene.contact.control == ContactControl::load && mean(assumed) >= target)
+      throw LiftedOff();
+    const auto start = Timers::Clock::now();
+    contact.set_fluid_pressure(assumed);
+    step.contact  = contact.solve(target);
+    step.gap      = step.contact->gap;
+    step.mean_gap = step.contact->mean_gap;
+    step.contact_seconds +=
+      std::chrono::duration<double>(Timers::Clock::now() - start).count();
+    ++step.feedback->iterations;
+    step.feedback->contact_iterations += step.contact->iterations;
+    step.feedback->fft_pairs += step.contact->fft_pairs;
+
+    // A mesh that gives a bracket seldom needs to be refined when all is settled.
+    if (!step.flow && !verdict_only)
+      step.flow = flow.solve(step.gap, step.slip_length);
+    else
+      {
+        if (!step.flow)
+          step.flow.emplace();
+        flow.follow(*step.flow, step.gap, step.slip_length);
+      }
+
+    FeedbackRound result;
+    result.percolates     = step.flow->clusters.percolates;
+    result.leak_rate      = step.flow->result.upper;
+    result.fluid_pressure = pressure_in(step, assumed);
+    log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",
+                        mean(result.fluid_pressure),
+                        result.leak_rate));
+    return result;
+  }
+
+  SlabField
+  CoupledStage::pressure_in(const Step &step, SlabField start)
+  {
+    const double            inlet   = flow.fluid().inlet_pressure;
+    const double            drop    = inlet - flow.fluid().outlet_pressure;
+    const SlabLayoutPtr    &layout  = start.layout_pointer();
+    const GridDeposit::Sums channel = step.flow->solver
+                                        ? pressure_on_grid(*step.flow->solver, layout)
+                                        : GridDeposit::Sums();
+    for (std::size_t k = 0; k < start.size(); ++k)
+      switch (step.flow->clusters.states[k])
+        {
+          case NodeState::percolating:
+            // On the seam the channel may reach one side only; see extend().
+            start[k] = channel.area.empty() || channel.area[k] == 0
+                         ? inlet
+                         : inlet - drop * (1. - channel.integral[k] / channel.area[k]);
+            break;
+          case NodeState::inlet_side:
+            start[k] = inlet;
+            break;
+          case NodeState::outlet_side:
+            start[k] = flow.fluid().outlet_pressure;
+            break;
+          case NodeState::pocket:
+            start[k] = scene.fluid.feedback.pool_pressure;
+            break;
+          case NodeState::closed:
+            if (!has_continued)
+              start[k] = .5 * (inlet + flow.fluid().outlet_pressure);
+            break;
+        }
+    has_continued = true;
+    continuation.extend(start,
+                        FlowStage::seen_gap(step.gap, step.slip_length),
+                        inlet,
+                        flow.fluid().outlet_pressure);
+    return start;
+  }
+
+  void
+  CoupledStage::lift_off(Step &step, const double target) const
+  {
+    constexpr double     infinite = std::numeric_limits<double>::infinity();
+    const SlabLayoutPtr &layout   = contact.layout();
+    step.contact.emplace();
+    step.contact->pressure         = SlabField(layout);
+    step.contact->nominal_pressure = target;
+    step.contact->converged        = true;
+    step.contact->mean_gap = step.mean_gap = infinite;
+    step.contact->gap = step.gap = SlabField(layout, infinite);
+    step.flow.emplace();
+    step.flow->clusters.percolates = true;
+    step.flow->clusters.states.assign(step.gap.size(), NodeState::percolating);
+    step.flow->result.leak_rate = step.flow->result.upper = infinite;
+    step.feedback->lifted_off                             = true;
+    step.feedback->fluid_load                             = target;
+    log.warn(
+      format("the fluid alone carries a load of %.6g: the walls part and nothing "
+             "limits the leak",
+             target));
+  }
+} // namespace strait

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/driver/flow_stage.h>
+#include <strait/driver/step_report.h>
+#include <strait/percolation/percolating_gap.h>
+
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    // The lower bound divides by the conductivity, which is therefore taken to be no
+    // smaller than this share of the narrowest point's, in contact as well: that lets
+    // the bound leak a little, by about this share times width over length.
+    constexpr double       floor_share    = 1e-8;
+    constexpr unsigned int n_paths_wanted = 3;
+
+    // A mesh that is fine around a throat serves until the narrowest point is elsewhere
+    // and this many times narrower.
+    constexpr double outdone = 2.;
+
+    /** Collective. */
+    double
+    value_at(const SlabField &field, const GridPoint &point)
+    {
+      const SlabLayout &layout = field.layout();
+      const int         row    = point.iy % field.grid().ny - layout.first_row();
+      const bool        is_own = row >= 0 && row < layout.n_rows();
+      return sum(layout.communicator(),
+                 is_own ? field(point.ix % field.grid().nx, row) : 0.);
+    }
+  } // namespace
+
+  FlowStage::FlowStage(const Scene         &scene_,
+                       const SlabLayoutPtr &layout,
+                       Log                 &log_,
+                       Timers              &timers_)
+    : scene(scene_)
+    , parameters(scene_.fluid)
+    , log(log_)
+    , timers(timers_)
+    , gap_field(layout, scene_.fluid)
+  {
+  }
+
+  StepFlow
+  FlowStage::solve(const SlabField &gap, const double slip_length)
+  {
+    StepFlow        flow;
+    const SlabField seen = seen_gap(gap, slip_length);
+    const SlabField open = find_channel(flow, seen);
+    if (!open.empty())
+      {
+        find_paths(flow, open);
+        update_bridge(open, flow.paths.front(), true);
+        make_mesh(flow);
+        bracket(flow, seen);
+      }
+    return flow;
+  }
+
+  void
+  FlowStage::follow(StepFlow &flow, const SlabField &gap, const double slip_length)
+  {
+    const SlabField seen = seen_gap(gap, slip_length);
+    const SlabField open = find_channel(flow, seen);
+    if (open.empty())
+      {
+        flow.paths.clear();
+        flow.constrictions.reset();
+        flow.result = FlowResult();
+        flow.solver.reset();
+        return;
+      }
+    std::vector<FlowPath> paths   = find_flow_paths(open, parameters.direction, 1);
+    const bool            on_mesh = flow.solver && value_at(open, meshed_bottleneck) <
+                                          outdone * paths.front().bottleneck_gap;
+    if (on_mesh)
+      flow.paths = std::move(paths);
+    else
+      find_paths(flow, open);
+    update_bridge(open, flow.paths.front(), false);
+    if (!on_mesh)
+      make_mesh(flow);
+    const auto scope  = timers.scope("mesh and solver");
+    flow.result.upper = flow.solver->solve_pressure();
+  }
+
+  bool
+  FlowStage::certify(StepFlow &flow, const SlabField &gap, const double slip_length)
+  {
+    if (!flow.solver)
+      return false;
+    const SlabField seen = seen_gap(gap, slip_length);
+    const SlabField open = find_channel(flow, seen);
+    update_bridge(open, flow.paths.front(), true);
+    bracket(flow, seen);
+    return flow.result.refinements > 0;
+  }
+
+  SlabField
+  FlowStage::find_channel(StepFlow &flow, const SlabField &seen) const
+  {
+    flow.clusters = find_clusters(seen, parameters.direction);
+    if (!flow.clusters.percolates || !has_drive())
+      return {};
+    return percolating_gap(seen, flow.clusters, parameters.direction);
+  }
+
+  void
+  FlowStage::find_paths(StepFlow &flow, const SlabField &open)
+  {
+    const auto scope  = timers.scope("paths");
+    flow.paths        = find_flow_paths(open, parameters.direction, n_paths_wanted);
+    meshed_bottleneck = flow.paths.front().bottleneck;
+  }
+
+  void
+  FlowStage::make_mesh(StepFlow &flow)
+  {
+    const auto scope = timers.scope("mesh and solver");
+    flow.solver.reset();
+    flow.solver = std::make_unique<ReynoldsSolver>(parameters, gap_field, flow.paths);
+  }
+
+  void
+  FlowStage::update_bridge(const SlabField &open,
+                           const FlowPath  &path,
+                           const bool       with_bounds)
+  {
+    const auto scope = timers.scope("bridge");
+    gap_field.update(open,
+                     with_bounds
+                       ? floor_share * gap_field.conductivity_of(path.bottleneck_gap)
+                       : 0.);
+  }
+
+  void
+  FlowStage::bracket(StepFlow &flow, const SlabField &seen)
+  {
+    const auto scope = timers.scope("mesh and solver");
+    flow.result =
+      flow.solver->run([this](const FlowResult &now) { report_flow(now, log); });
+    if (scene.programme.find_threshold)
+      flow.constrictions = report_constrictions(seen, flow.paths.front(), *flow.solver);
+  }
+
+  void
+  FlowStage::set_inlet_pressure(const double pressure)
+  {
+    parameters.inlet_pressure = pressure;
+  }
+
+  SlabField
+  FlowStage::seen_gap(const SlabField &gap, const double slip_length)
+  {
+    SlabField seen = gap;
+    for (double &value : seen)
+      value += 2. * slip_length;
+    return seen;
+  }
+} // namespace strait

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The fluid presses the walls apart: closed forms, and the saddle whose throat lies in
+// the middle of the box.
+#include <strait/base/scene.h>
+#include <strait/reference/pressed_wall.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "driver_fixture.h"
+
+namespace strait
+{
+  namespace
+  {
+    Scene
+    coupled_saddle(const int n)
+    {
+      Scene scene                    = saddle_scene(n);
+      scene.surface.kind             = SurfaceKind::expression;
+      scene.surface.expression       = "2 - cos(2*pi*x) + cos(2*pi*y)";
+      scene.fluid.target_accuracy    = .02;
+      scene.fluid.feedback.enabled   = true;
+      scene.fluid.inlet_pressure     = .15;
+      scene.programme.find_threshold = true;
+      scene.programme.pressures      = {};
+      return scene;
+    }
+
+    Scene
+    with_equal_reservoirs(Scene scene, const double pressure)
+    {
+      scene.fluid.inlet_pressure         = pressure;
+      scene.fluid.outlet_pressure        = pressure;
+      scene.fluid.feedback.pool_pressure = pressure;
+      return scene;
+    }
+
+    Step
+    last_step(const Scene &scene)
+    {
+      Log        log(MPI_COMM_WORLD, true);
+      Timers     timers;
+      const auto layout = make_layout(grid_of(scene), MPI_COMM_WORLD);
+      LoadSweep  loads(scene,
+                      make_surface(scene.surface, MPI_COMM_WORLD)->heights(layout),
+                      log,
+                      timers);
+      Step       last;
+      EXPECT_TRUE(loads.run([&last](const Step &step) {
+        last.contact      = step.contact;
+        last.gap          = step.gap;
+        last.feedback     = step.feedback;
+        last.flow         = StepFlow();
+        last.flow->result = step.flow->result;
+      }));
+      return last;
+    }
+
+    TEST(Coupled, EqualReservoirsOnlyCarryLoadParallel)
+    {
+      constexpr double pressure    = .3;
+      Scene            wet         = with_equal_reservoirs(coupled_saddle(128), pressure);
+      wet.programme.find_threshold = false;
+      wet.programme.pressures      = {1.};
+      Scene dry                    = wet;
+      dry.fluid.feedback.enabled   = false;
+      dry.fluid.outlet_pressure    = 0;
+      dry.programme.pressures      = {1. - pressure};
+      const Step pressed           = last_step(wet);
+      const Step alone             = last_step(dry);
+      double     largest           = 0;
+      for (std::size_t k = 0; k < alone.gap.size(); ++k)
+        largest = std::max(largest, std::abs(pressed.gap[k] - alone.gap[k]));
+      EXPECT_LT(largest, 1e-7); // heights up to 4; the solver's tolerance is 1e-8
+      EXPECT_NEAR(pressed.feedback->fluid_load, pressure, 1e-12);
+      EXPECT_LE(pressed.feedback->iterations, 2);
+      EXPECT_EQ(pressed.flow->result.leak_rate, 0);
+    }
+
+    TEST(Coupled, EqualReservoirsShiftTheThreshold)
+    {
+      Scene scene                         = coupled_saddle(128);
+      scene.programme.threshold_tolerance = 1e-6;
+      scene.fluid.feedback.enabled        = false;
+      const double dry             = run_sweep(scene).thresholds[0].critical_load();
+      scene.fluid.feedback.enabled = true;
+      const double wet =
+        run_sweep(with_equal_reservoirs(scene, .3)).thresholds[0].critical_load();
+      EXPECT_NEAR(wet, dry + .3, 1e-5);
+    }
+
+    /** A flat wall that is held at a mean gap of 1. */
+    Scene
+    open_channel(const int n, const double parameter)
+    {
+      Scene scene                    = saddle_scene(n);
+      scene.surface.kind             = SurfaceKind::flat;
+      scene.contact.control          = ContactControl::mean_gap;
+      scene.programme.pressures      = {1.};
+      scene.fluid.feedback.enabled   = true;
+      scene.fluid.feedback.tolerance = 1e-7;
+      scene.fluid.inlet_pressure     = parameter * pi * pi;
+      scene.fluid.target_accuracy    = 1e-5;
+      return scene;
+    }
+
+    TEST(Coupled, OpenChannelBulgesAsClausensFunction)
+    {
+      std::vector<double> errors;
+      for (const int n : {32, 64, 128})
+        {
+          const Scene       scene = open_channel(n, 1e-5);
+          const Step        step  = last_step(scene);
+          const PressedWall exact{scene.fluid.inlet_pressure, 1., 1., 1.};
+          double            largest = 0;
+          // At the reservoirs, where the pressure jumps, a grid is of first order.
+          for (int ix = n / 16; ix <= n - n / 16; ++ix)
+            {
+              const double x = static_cast<double>(ix) / n;
+              largest =
+                std::max(largest, std::abs(step.gap(ix, 0) - 1. - exact.gap_change(x)));
+            }
+          errors.push_back(largest / exact.gap_change(1. / 6));
+        }
+      EXPECT_LT(errors[2], 1e-3);
+      EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2., .2);
+      EXPECT_NEAR(std::log2(errors[1] / errors[2]), 2., .2);
+    }
+
+    TEST(Coupled, LeakRateOfTheOpenChannelToSecondOrder)
+    {
+      // The next order is the third: halving the parameter halves the error.
+      std::vector<double> errors;
+      for (const double parameter : {.1, .05})
+        {
+          Scene scene                    = open_channel(128, parameter);
+          scene.fluid.target_accuracy    = 1e-4;
+          scene.fluid.feedback.tolerance = 1e-6;
+          const Step        step         = last_step(scene);
+          const PressedWall exact{scene.fluid.inlet_pressure, 1., 1., 1.};
+          const double      ratio = step.flow->result.leak_rate / exact.inlet_pressure;
+          errors.push_back((1. - ratio) / (1. - exact.leak_rate_ratio()) - 1.);
+        }
+      EXPECT_LT(std::abs(errors[1]), .03);
+      EXPECT_LT(std::abs(errors[1]), .7 * std::abs(errors[0]));
+    }
+
+    TEST(Coupled, BlowsOutWhereThatPressureMakesTheLoadCritical)
+    {
+      // The larger of two views of one curve: L_c(p_in) = L at p_in = the blow-out.
+      Scene scene                         = coupled_saddle(64);
+      scene.programme.threshold_tolerance = 1e-3;
+      scene.programme.find_threshold      = false;
+      scene.programme.find_blow_out       = true;
+      scene.programme.pressures           = {1.5};
+      Log           log(MPI_COMM_WORLD, true);
+      Timers        timers;
+      const auto    layout = make_layout(grid_of(scene), MPI_COMM_WORLD);
+      LoadSweep     loads(scene,
+                      make_surface(scene.surface, MPI_COMM_WORLD)->heights(layout),
+                      log,
+                      timers);
+      const BlowOut found = loads.find_blow_outs().front();
+      EXPECT_LE(found.upper - found.lower, 1e-3 * found.upper);
+      EXPECT_NEAR(found.constriction.ix / 64., .5, 2. / 64);
+
+      scene.programme.find_threshold = true;
+      scene.programme.path           = LoadPath::unloading;
+      scene.fluid.inlet_pressure     = found.upper;
+      EXPECT_NEAR(run_sweep(scene).thresholds[0].critical_load(), 1.5, .003);
+    }
+
+    TEST(Coupled, LiftsOffUnderMoreFluidThanLoad)
+    {
+      Scene scene                    = with_equal_reservoirs(coupled_saddle(64), .3);
+      scene.programme.find_threshold = false;
+      scene.programme.pressures      = {.25};
+      Log       log(MPI_COMM_WORLD, true);
+      Timers    timers;
+      LoadSweep loads(scene,
+                      make_surface(scene.surface, MPI_COMM_WORLD)
+                        ->heights(make_layout(grid_of(scene), MPI_COMM_WORLD)),
+                      log,
+                      timers);
+      EXPECT_FALSE(loads.run([](const Step &step) {
+        EXPECT_EQ(step.status(), "lifted-off");
+        EXPECT_TRUE(step.flow->clusters.percolates);
+        EXPECT_TRUE(std::isinf(step.flow->result.leak_rate));
+      }));
+    }
+
+    TEST(Coupled, SaddleSealsAtALargerLoad)
+    {
+      // Independent values, of a grid of the same fineness: 1.057 and 0.010, 1.2 and
+      // 0.04.
+      Scene scene                   = coupled_saddle(128);
+      scene.programme.reduced_loads = {.3, .01};
+      struct Expected
+      {
+        double inlet_pressure, ratio, shift, tolerance;
+      };
+      for (const Expected &expected :
+           {Expected{.1519, 1.057, .010, .01}, Expected{.512, 1.21, .04, .02}})
+        {
+          scene.fluid.inlet_pressure = expected.inlet_pressure;
+          std::vector<int> rounds;
+          Log              log(MPI_COMM_WORLD, true);
+          Timers           timers;
+          const auto       layout = make_layout(grid_of(scene), MPI_COMM_WORLD);
+          LoadSweep        loads(scene,
+                          make_surface(scene.surface, MPI_COMM_WORLD)->heights(layout),
+                          log,
+                          timers);
+          const Threshold  threshold = loads.find_thresholds().front();
+          EXPECT_NEAR(threshold.critical_load() / 1.436526,
+                      expected.ratio,
+                      expected.tolerance);
+          EXPECT_NEAR(threshold.last_constriction.ix / 128. - .5,
+                      expected.shift,
+                      1. / 128);
+          EXPECT_TRUE(loads.run([&rounds](const Step &step) {
+            rounds.push_back(step.feedback->iterations);
+          }));
+          EXPECT_LE(rounds[0], 8);
+          // The stronger pressure takes more.
+          EXPECT_LE(rounds[1], expected.inlet_pressure < .2 ? 15 : 50);
+        }
+    }
+  } // namespace
+} // namespace strait
