@@ -33,6 +33,8 @@ namespace strait
   {
     if (scene.fluid.enabled)
       gap_field = std::make_unique<GapField>(heights.layout_pointer(), scene.fluid);
+    if (scene.theory.enabled)
+      theory = std::make_unique<TheoryPrediction>(scene, &heights);
     if (!scene.contact.enabled)
       {
         given_gap = std::move(heights);
@@ -156,6 +158,7 @@ namespace strait
           press(step, stops[k].target);
         leak(step);
         compare_with_threshold(step);
+        compare_with_theory(step);
         converged = converged && step.converged();
         report_step(step, static_cast<int>(stops.size()), timers.total(), log);
         consume(step);
@@ -256,6 +259,18 @@ namespace strait
                  points_needed,
                  points_needed / points));
       }
+  }
+
+  void
+  LoadSweep::compare_with_theory(Step &step)
+  {
+    if (!theory)
+      return;
+    const auto scope = timers.scope("theory");
+    step.theory      = theory->predict(step.contact ? step.contact->nominal_pressure : 0.,
+                                  step.slip_length,
+                                  &step.gap,
+                                  threshold_of(step.slip_length));
   }
 
   SlabField

@@ -5,6 +5,7 @@
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/simulation.h>
+#include <strait/driver/theory_run.h>
 #include <strait/interface/moment_set.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/resolution.h>
@@ -100,6 +101,11 @@ namespace strait
   RunSummary
   simulate(const Scene &scene, Log &log)
   {
+    if (is_theory_only(scene))
+      {
+        run_theory(scene, log);
+        return {};
+      }
     Timers timers;
     load_wisdom(MPI_COMM_WORLD);
     SlabField heights = [&]() {
@@ -136,6 +142,11 @@ namespace strait
   void
   describe(const Scene &scene, Log &log)
   {
+    if (is_theory_only(scene))
+      {
+        describe_theory(scene, log);
+        return;
+      }
     // Contact fields; two moment pyramids, the gap and the path search.
     constexpr double bytes_contact = 57.;
     const double     bytes_flow =

@@ -59,4 +59,28 @@ namespace strait
     result.edges = std::move(edges);
     return result;
   }
+
+  GapDistribution
+  merge_bins(const GapDistribution &fine, const std::size_t n)
+  {
+    GapDistribution result;
+    result.contact_area   = fine.contact_area;
+    result.edges          = {fine.edges.front()};
+    const std::size_t end = fine.shares.size();
+    for (std::size_t first = 0, last = 1; first < end; first = last, last += n)
+      {
+        last         = std::min(last, end);
+        double share = 0, sum = 0;
+        for (std::size_t k = first; k < last; ++k)
+          {
+            share += fine.shares[k];
+            sum += fine.shares[k] * fine.gaps[k];
+          }
+        result.edges.push_back(fine.edges[last]);
+        result.shares.push_back(share);
+        result.gaps.push_back(share > 0 ? sum / share
+                                        : .5 * (fine.edges[first] + fine.edges[last]));
+      }
+    return result;
+  }
 } // namespace strait

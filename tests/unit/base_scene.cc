@@ -248,8 +248,7 @@ TEST(Scene, EffectsThatAreNotThereAreUnknown)
 {
   for (const char *name : {"Contact/Adhesion/Enabled=true",
                            "Fluid/Wall feedback/Enabled=true",
-                           "Fluid/Mesh=a.msh",
-                           "Theory/Enabled=true"})
+                           "Fluid/Mesh=a.msh"})
     expect_in("unknown", error_of("", {name}));
 }
 

@@ -7,6 +7,7 @@
 #include <strait/base/timers.h>
 #include <strait/contact/contact_solver.h>
 #include <strait/driver/step.h>
+#include <strait/driver/theory_prediction.h>
 #include <strait/driver/threshold_search.h>
 #include <strait/interface/gap_field.h>
 
@@ -63,17 +64,19 @@ namespace strait
     void              press(Step &step, double target);
     void              leak(Step &step);
     void              compare_with_threshold(Step &step) const;
+    void              compare_with_theory(Step &step);
     SlabField         gap_seen_by_fluid(const Step &step) const;
     const Threshold  *threshold_of(double slip_length) const;
 
-    const Scene                   &scene;
-    Log                           &log;
-    Timers                        &timers;
-    double                         first_guess; // of the critical load
-    SlabField                      given_gap;   // if there is no contact to solve
-    std::unique_ptr<ContactSolver> contact;
-    std::unique_ptr<GapField>      gap_field;
-    std::vector<Threshold>         thresholds;
+    const Scene                      &scene;
+    Log                              &log;
+    Timers                           &timers;
+    double                            first_guess; // of the critical load
+    SlabField                         given_gap;   // if there is no contact to solve
+    std::unique_ptr<ContactSolver>    contact;
+    std::unique_ptr<GapField>         gap_field;
+    std::unique_ptr<TheoryPrediction> theory;
+    std::vector<Threshold>            thresholds;
   };
 } // namespace strait
 

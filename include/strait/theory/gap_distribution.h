@@ -37,6 +37,10 @@ namespace strait
 
   /** The same over given @p edges; gaps beyond the last count in the last bin. */
   GapDistribution gap_histogram(const SlabField &gap, std::vector<double> edges);
+
+  /** The same in bins of @p n each, but for the first, which reaches from zero, and
+   *  maybe the last. */
+  GapDistribution merge_bins(const GapDistribution &fine, std::size_t n);
 } // namespace strait
 
 #endif
