@@ -13,7 +13,7 @@ namespace strait
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
     // Simulated gaps near a contact line fall on any scale down to none.
-    constexpr int n_decades = 10, bins_per_decade = 100, merged_bins = 10;
+    constexpr int n_decades = 10, bins_per_decade = 100, bins_shown = 10;
 
     double
     conductance_of_box(const Scene &scene)
@@ -63,9 +63,10 @@ namespace strait
     GapDistribution fine, half;
     if (gap != nullptr)
       {
-        fine                  = gap_histogram(*gap, n_decades, bins_per_decade);
-        half                  = merge_bins(fine, 2);
-        result.simulated_gaps = merge_bins(fine, merged_bins);
+        const double closed = -2 * slip_length;
+        fine                = gap_histogram(*gap, n_decades, bins_per_decade, closed);
+        half                = gap_histogram(*gap, n_decades, bins_per_decade / 2, closed);
+        result.simulated_gaps = gap_histogram(*gap, n_decades, bins_shown);
       }
     result.pressure = pressure;
     const Leak best = evaluate(persson, pressure, slip_length, &fine, threshold, &result);
@@ -98,9 +99,11 @@ namespace strait
         const PerssonState state = with.solve(pressure);
         leak.mean_gap            = state.mean_gap;
         area                     = state.contact_area;
-        gaps                     = with.distribution(state);
+        gaps                     = with.distribution(state, -2 * slip_length);
         if (details != nullptr)
-          details->persson_gaps = merge_bins(gaps, merged_bins);
+          details->persson_gaps =
+            merge_bins(slip_length == 0. ? gaps : with.distribution(state),
+                       bins_per_decade / bins_shown);
       }
     if (details != nullptr)
       details->contact_area = area;
@@ -129,7 +132,8 @@ namespace strait
             if (slip_length == 0.)
               return dimension_parameter(with.contact_area(critical));
             return dimension_parameter(
-              blocked_area(with.distribution(with.solve(critical)), slip_length));
+              blocked_area(with.distribution(with.solve(critical), -2 * slip_length),
+                           slip_length));
           }
         default:
           return 2.;

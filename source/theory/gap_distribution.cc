@@ -9,24 +9,33 @@
 namespace strait
 {
   std::vector<double>
-  gap_bins(const double smallest, const double largest, const int per_decade)
+  gap_bins(const double smallest,
+           const double largest,
+           const int    per_decade,
+           const double closed)
   {
     const auto n =
       static_cast<int>(std::ceil(per_decade * std::log10(largest / smallest) - 1e-9));
     std::vector<double> edges = {0.};
+    if (closed > 0)
+      edges.push_back(closed);
     for (int k = 0; k <= n; ++k)
-      edges.push_back(smallest * std::pow(10., static_cast<double>(k) / per_decade));
+      edges.push_back(closed +
+                      smallest * std::pow(10., static_cast<double>(k) / per_decade));
     return edges;
   }
 
   GapDistribution
-  gap_histogram(const SlabField &gap, const int n_decades, const int per_decade)
+  gap_histogram(const SlabField &gap,
+                const int        n_decades,
+                const int        per_decade,
+                const double     closed)
   {
     double largest = max_value(gap);
     if (!(largest > 0))
       largest = 1.; // all closed: the bins stay empty
     return gap_histogram(
-      gap, gap_bins(largest * std::pow(10., -n_decades), largest, per_decade));
+      gap, gap_bins(largest * std::pow(10., -n_decades), largest, per_decade, closed));
   }
 
   GapDistribution

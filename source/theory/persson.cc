@@ -153,7 +153,7 @@ namespace strait
   }
 
   GapDistribution
-  PerssonTheory::distribution(const PerssonState &state) const
+  PerssonTheory::distribution(const PerssonState &state, const double closed) const
   {
     // Where 1e-6 of the shortest waves' height is a gap, the fluid does not notice.
     const double    shortest = std::sqrt(waves.height_square_above(
@@ -162,7 +162,8 @@ namespace strait
     result.contact_area = state.contact_area;
     result.edges        = gap_bins(1e-6 * shortest,
                             1e3 * std::sqrt(waves.height_square()),
-                            resolution.per_decade);
+                            resolution.per_decade,
+                            closed);
     const std::size_t n = result.edges.size() - 1;
     result.shares.assign(n, 0.);
     for (const GapLayer &layer : state.layers)
@@ -180,7 +181,8 @@ namespace strait
       }
     result.gaps.push_back(.5 * result.edges[1]);
     for (std::size_t k = 1; k < n; ++k)
-      result.gaps.push_back(std::sqrt(result.edges[k] * result.edges[k + 1]));
+      result.gaps.push_back(closed + std::sqrt(std::max(result.edges[k] - closed, 0.) *
+                                               (result.edges[k + 1] - closed)));
     return result;
   }
 

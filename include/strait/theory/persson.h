@@ -80,9 +80,10 @@ namespace strait
     /** All there is to know at the nominal @p pressure > 0. */
     PerssonState solve(double pressure) const;
 
-    /** P(u) in bins that reach from nearly nothing to a thousand times the rms height.
-     *  The sum over the bins is 1 − A/A0 by construction. */
-    GapDistribution distribution(const PerssonState &state) const;
+    /** P(u) in bins that reach from nearly nothing to a thousand times the rms height,
+     *  beyond @p closed if gaps up to that conduct nothing. The sum over the bins is
+     *  1 − A/A0 by construction. */
+    GapDistribution distribution(const PerssonState &state, double closed = 0.) const;
 
   private:
     /** ū where the waves up to mean square slope @p seen carry the pressure
