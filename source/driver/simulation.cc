@@ -114,9 +114,9 @@ namespace strait
     }();
     const auto n_points = static_cast<double>(heights.grid().n_points());
 
+    LoadSweep sweep(scene, std::move(heights), log, timers);
     // The first thing that is written, after the last check of the input.
     OutputDirectory output(scene, MPI_COMM_WORLD, log);
-    LoadSweep       sweep(scene, std::move(heights), log, timers);
     RunSummary      summary;
     if (scene.programme.find_threshold)
       {

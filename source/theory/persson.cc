@@ -92,20 +92,18 @@ namespace strait
     for (int k = 0; k < n && first < last; ++k)
       slopes.push_back(first * std::pow(last / first, static_cast<double>(k) / n));
 
-    // Where the remaining roughness vanishes, and on both sides of corners: dense in q.
-    std::vector<double> stops = {waves.smallest_wave_number()};
-    stops.insert(stops.end(), waves.corners().begin(), waves.corners().end());
-    stops.push_back(waves.largest_wave_number());
-    const auto n_parts = static_cast<int>(stops.size()) - 1;
-    for (int part = 0; part < n_parts; ++part)
-      for (int k = 0; k < n / n_parts; ++k)
-        {
-          const double x     = .5 * (1 - std::cos(pi * k * n_parts / n));
-          const double slope = waves.slope_square_below(
-            stops[part] * std::pow(stops[part + 1] / stops[part], x));
-          if (slope > first)
-            slopes.push_back(slope);
-        }
+    // Dense in q where the remaining roughness vanishes; and at the corners, up to which
+    // all is smooth.
+    const double lowest = waves.smallest_wave_number();
+    const double band   = waves.largest_wave_number() / lowest;
+    const auto   add    = [&](const double q) {
+      if (const double slope = waves.slope_square_below(q); slope > first)
+        slopes.push_back(slope);
+    };
+    for (int k = 0; k < n; ++k)
+      add(lowest * std::pow(band, .5 * (1 - std::cos(pi * k / n))));
+    for (const double q : waves.corners())
+      add(q);
     std::sort(slopes.begin(), slopes.end());
     // Neighbours closer than this are one magnification.
     constexpr double resolved = 1e-13;

@@ -52,9 +52,19 @@ namespace strait
       slope_below[k + 1] = slope_below[k] + sections[k].slope_square;
     for (std::size_t k = sections.size(); k-- > 0;)
       height_above[k] = height_above[k + 1] + sections[k].height_square;
+    // C at q of a section, but for a factor.
+    const auto level = [](const Section &s, const double q) {
+      return s.slope_square / growth(4 - s.decay, std::log(s.to / s.from)) *
+             std::pow(q / s.from, -s.decay) * std::pow(s.from, -4);
+    };
+    constexpr double jump = .1;
     for (std::size_t k = 1; k < sections.size(); ++k)
-      if (sections[k].decay != sections[k - 1].decay)
-        changes.push_back(sections[k].from);
+      {
+        const Section &left = sections[k - 1], &right = sections[k];
+        const double   below = level(left, right.from), above = level(right, right.from);
+        if (left.decay != right.decay || std::abs(above - below) > jump * below)
+          changes.push_back(right.from);
+      }
     if (!(height_above.front() > 0))
       throw InputError(
         "Theory/Enabled: the surface is flat, and the theory of rough "
