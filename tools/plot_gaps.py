@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from plot_common import COLOURS, RED, scientific, with_unit
 
-MOST_STEPS = 6
+MOST_STEPS = 4
 
 
 def fields_with_gaps(folder):
@@ -47,7 +47,7 @@ def draw_step(axes, path, colour, labels):
 
 
 def draw_gaps(folder, units):
-    """gaps.png of up to six steps of the run in @p folder; None where no file has any."""
+    """gaps.png of up to MOST_STEPS steps of the run in @p folder; None where no file has any."""
     files = fields_with_gaps(folder)
     if not files:
         return None

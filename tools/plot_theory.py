@@ -19,10 +19,13 @@ from plot_common import COLOURS, RED, read_table, scientific, use_style
 
 
 def draw_theory(axes, table, x, name="theory_leak_rate", label="theory"):
-    """A red line of the column @p name against the column @p x, one for each slip length."""
+    """A red line of the column @p name against the column @p x; of the leak rate one for each
+    slip length, on which contact area and mean gap do not depend."""
     if name not in table:
         return
-    slips = table.get("slip_length", np.zeros(len(table[name])))
+    slips = np.zeros(len(table[name]))
+    if name == "theory_leak_rate":
+        slips = table.get("slip_length", slips)
     for i, slip in enumerate(dict.fromkeys(slips)):
         rows = np.flatnonzero((slips == slip) & np.isfinite(table[x]) & (table[name] > 0))
         rows = rows[np.argsort(table[x][rows], kind="stable")]

@@ -42,6 +42,7 @@ namespace strait
 
   TheoryPrediction::TheoryPrediction(const Scene &scene, const SlabField *heights)
     : parameters(scene.theory)
+    , keeps_gaps(scene.output.fields != FieldOutput::none)
     , conductance(conductance_of_box(scene))
     , persson(spectrum_of(scene, heights),
               scene.contact.effective_modulus,
@@ -61,12 +62,11 @@ namespace strait
   {
     TheoryResult    result;
     GapDistribution fine, half;
-    if (gap != nullptr)
+    if (gap != nullptr && parameters.gaps == TheoryGaps::simulated)
       {
         const double closed = -2 * slip_length;
         fine                = gap_histogram(*gap, n_decades, bins_per_decade, closed);
         half                = gap_histogram(*gap, n_decades, bins_per_decade / 2, closed);
-        result.simulated_gaps = gap_histogram(*gap, n_decades, bins_shown);
       }
     result.pressure = pressure;
     const Leak best = evaluate(persson, pressure, slip_length, &fine, threshold, &result);
@@ -77,9 +77,10 @@ namespace strait
     if (pressure > 0)
       result.error =
         std::max(result.error, relative_difference(best.mean_gap, other.mean_gap));
-    // Both over the same bins, as far as the simulation has any.
-    if (result.persson_gaps && gap != nullptr)
-      result.simulated_gaps = gap_histogram(*gap, result.persson_gaps->edges);
+    if (gap != nullptr && keeps_gaps) // over the same bins where there are some
+      result.simulated_gaps = result.persson_gaps
+                                ? gap_histogram(*gap, result.persson_gaps->edges)
+                                : gap_histogram(*gap, n_decades, bins_shown);
     return result;
   }
 
@@ -100,7 +101,7 @@ namespace strait
         leak.mean_gap            = state.mean_gap;
         area                     = state.contact_area;
         gaps                     = with.distribution(state, -2 * slip_length);
-        if (details != nullptr)
+        if (details != nullptr && keeps_gaps)
           details->persson_gaps =
             merge_bins(slip_length == 0. ? gaps : with.distribution(state),
                        bins_per_decade / bins_shown);

@@ -40,6 +40,7 @@ namespace
     scene.fluid.viscosity      = .5;
     scene.fluid.inlet_pressure = 4.;
     scene.theory.gaps          = TheoryGaps::simulated;
+    scene.output.fields        = FieldOutput::all;
     const SlabField gap(make_layout({8, 12, 2., 3.}, MPI_COMM_WORLD), .1);
     for (const double slip_length : {0., -.01})
       for (const auto direction : {FlowDirection::x, FlowDirection::y})

@@ -19,7 +19,8 @@ namespace strait
     double leak_rate    = 0.; // of the effective medium in the scene's box
     double error        = 0.; // of mean gap and leak rate by quadrature, relative
 
-    /** P(u) in broad bins by Persson's theory, and as simulated. */
+    /** P(u) in broad bins by Persson's theory, and as simulated, if fields are written.
+     */
     std::optional<GapDistribution> persson_gaps;
     std::optional<GapDistribution> simulated_gaps;
   };
@@ -73,6 +74,7 @@ namespace strait
                      const Threshold     *threshold) const;
 
     TheoryParameters parameters;
+    bool             keeps_gaps;  // for the output of fields
     double           conductance; // leak rate of a cubed gap of one
     PerssonTheory    persson;
     PerssonTheory    coarse; // the difference to it estimates the error
