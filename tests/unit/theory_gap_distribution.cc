@@ -68,4 +68,18 @@ namespace
     EXPECT_LT(edges[edges.size() - 2], .25);
     EXPECT_NEAR(edges[9] / edges[2], 10., 1e-12);
   }
+
+  TEST(GapHistogram, MergedBinsKeepSharesAndMean)
+  {
+    const SlabField       gap    = ramp(400, 3);
+    const GapDistribution fine   = gap_histogram(gap, {0., .5, 1., 1.2, 2., 2.5, 3.});
+    const GapDistribution merged = merge_bins(fine, 2);
+    EXPECT_EQ(merged.edges, (std::vector<double>{0., .5, 1.2, 2.5, 3.}));
+    EXPECT_EQ(merged.contact_area, fine.contact_area);
+    EXPECT_NEAR(merged.shares[1], fine.shares[1] + fine.shares[2], 1e-15);
+    double sum = 0;
+    for (std::size_t k = 0; k < merged.gaps.size(); ++k)
+      sum += merged.shares[k] * merged.gaps[k];
+    EXPECT_NEAR(sum, mean(gap), 1e-13);
+  }
 } // namespace
