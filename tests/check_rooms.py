@@ -14,7 +14,8 @@ import sys
 
 ROOMS = ["base", "reference", "spectral", "surface", "contact", "percolation",
          "interface", "flow", "theory", "coupling", "driver"]
-WITHOUT_DEAL_II = ["base", "reference", "spectral", "surface", "contact", "percolation"]
+WITHOUT_DEAL_II = ["base", "reference", "spectral", "surface", "contact", "percolation",
+                   "theory"]
 # The parameter structs know deal.II's ParameterHandler; only their sources may.
 MAY_PARSE = re.compile(r"source/base/(\w+_parameters|scene|parameter_table)\.cc$")
 LICENCE = "// SPDX-License-Identifier: GPL-2.0-or-later"

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw the results of a run: leakage.png, one picture-STEP.png a load step, or ensemble.png.
+"""Draw the results of a run: leakage.png, gaps.png, a picture-STEP.png a step, or ensemble.png.
 
-Reads leakage.csv, fit.csv, picture-STEP.h5 or, of several realisations, ensemble.csv and the
+Reads leakage.csv, fit.csv, fields-STEP.h5, picture-STEP.h5 or, of several realisations, ensemble.csv and the
 folders beside it; for the units on the axes, run.json: its entry "units" may name those of length,
 pressure, leak_rate and current; without it they are the scene's.
 Exit status 1 where the folder holds no results or a file could not be read or written; whatever
@@ -16,6 +16,7 @@ import sys
 try:
     from plot_common import read_units, use_style
     from plot_ensemble import draw_ensemble
+    from plot_gaps import draw_gaps
     from plot_leakage import draw_leakage
     from plot_pictures import draw_picture
 except ImportError as missing:
@@ -33,7 +34,7 @@ def find_results(folder, only, steps):
                  "picture-STEP.h5).")
     wanted = [(draw_ensemble, ensemble)] if only != "pictures" and ensemble.exists() else []
     if only != "pictures" and not wanted:
-        wanted.append((draw_leakage, table))
+        wanted += [(draw_leakage, table), (draw_gaps, folder)]
     if only != "leakage":
         wanted += [(draw_picture, pictures.get(step, folder / f"picture-{step}.h5"))
                    for step in steps or sorted(pictures)]

@@ -10,6 +10,7 @@ STYLE = {"font.size": 10, "xtick.labelsize": 9, "ytick.labelsize": 9, "legend.fo
          "legend.frameon": False, "lines.linewidth": 1.4, "lines.markersize": 5, "savefig.dpi": 150,
          "axes.formatter.use_mathtext": True, "axes.formatter.limits": (-3, 4)}
 BLUE, VERMILLION, GREEN = "#0072b2", "#d55e00", "#009e73"  # Okabe and Ito
+RED = "#cc0000"  # theory, as in the paper
 COLOURS = (BLUE, GREEN, "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 TEXT_COLUMNS = ("branch", "status", "quantity", "kind", "orientation")
 UNCERTAIN = ("unresolved-throat", "uncertain-threshold")  # converged, but not the last word

@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 
 from plot_common import (COLOURS, GREEN, VERMILLION, is_trusted, is_uncertain, read_table,
                          scientific, with_unit)
+from plot_theory import draw_theory
 
 
 def column(table, name, default):
@@ -86,6 +87,7 @@ def draw_leak_rate(axes, table, units, _):
     sealed = np.where(np.isfinite(percolates), percolates == 0, leak == 0)
     if (leak > 0).any():
         draw_steps(axes, table, "pressure")
+        draw_theory(axes, table, "pressure")
     else:
         axes.set_yticks([])
     if sealed.any():
@@ -109,9 +111,17 @@ def draw_contact(axes, table, units, _):
             rows = branches == branch
             draw_line(scale, table["pressure"][rows], table[name][rows],
                       np.zeros(rows.sum(), bool), marker=marker, color=colour)
+        draw_theory(scale, table, "pressure", f"theory_{name}", None if i else "theory")
         scale.set_ylabel(label, color=colour)
         scale.tick_params(axis="y", colors=colour)
         scale.set_ylim(bottom=0)
+
+
+def draw_theory_alone(axes, table, units, _):
+    """What the effective medium leaks, where nothing was simulated."""
+    draw_theory(axes, table, "pressure")
+    axes.set(yscale="log", xlabel=with_unit("Nominal pressure", "pressure", units),
+             ylabel=with_unit("Leak rate", "leak_rate", units))
 
 
 def draw_guides(axes, table):
@@ -145,6 +155,7 @@ def draw_threshold(axes, table, units, fits):
     near = {name: values[column(table, "reduced_load", np.nan) > 0]
             for name, values in table.items()}
     draw_steps(axes, near, "reduced_load")
+    draw_theory(axes, near, "reduced_load")
     draw_guides(axes, near)
     axes.set(xscale="log", yscale="log", xlabel=r"Distance from threshold, $1 - L/L_c$",
              ylabel=with_unit("Leak rate", "leak_rate", units))
@@ -165,7 +176,8 @@ def draw_leakage(path, units):
     if table and "pressure" not in table:
         return None  # a given gap: one row, nothing to draw it against
     reduced = table.get("reduced_load", np.zeros(1))
-    panels = [draw_leak_rate] if "leak_rate" in table else []
+    panels = [draw_leak_rate] if "leak_rate" in table else \
+        [draw_theory_alone] if "theory_leak_rate" in table else []
     panels += [draw_contact] if "contact_area" in table or "mean_gap" in table else []
     panels += [draw_threshold] if panels[:1] == [draw_leak_rate] and (reduced > 0).sum() > 1 else []
     if not panels or not np.isfinite(table.get("pressure", np.nan)).any():

@@ -54,6 +54,7 @@ namespace strait
     FluidParameters::declare(prm);
     ProgrammeParameters::declare(prm);
     RealisationParameters::declare(prm);
+    TheoryParameters::declare(prm);
     OutputParameters::declare(prm);
   }
 
@@ -65,6 +66,7 @@ namespace strait
     fluid.parse(prm);
     programme.parse(prm);
     realisations.parse(prm);
+    theory.parse(prm);
     output.parse(prm);
     std::ostringstream text;
     prm.print_parameters(text, in_order);
@@ -79,6 +81,7 @@ namespace strait
     fluid.check();
     programme.check();
     realisations.check();
+    theory.check(*this);
     output.check();
 
     if (contact.enabled)
@@ -105,7 +108,7 @@ namespace strait
         "Load programme/Find blow-out raises the inlet pressure until the "
         "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
         "Contact/Control = load.");
-    if (!contact.enabled && !fluid.enabled)
+    if (!contact.enabled && !fluid.enabled && !theory.enabled)
       throw InputError(
         "Contact/Enabled and Fluid/Enabled are both false, so there is "
         "nothing to compute.");

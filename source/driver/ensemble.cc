@@ -90,6 +90,7 @@ namespace strait
       std::map<std::string, std::vector<double>> values;
     };
 
+    /** The columns of ensemble.csv; that of the theory stands before the last. */
     const std::vector<std::string> ensemble_columns = {"realisation",
                                                        "seed",
                                                        "orientation",
@@ -100,11 +101,13 @@ namespace strait
                                                        "exponent",
                                                        "exponent_error",
                                                        "status"};
+    const std::string              theory_column    = "theory_crossover_load";
 
     /** The row of one realisation; its numbers are added to @p scatter. */
     std::vector<std::string>
     ensemble_row(const int          number,
                  const Realisation &realisation,
+                 const bool         with_theory,
                  const RunSummary  &run,
                  const std::string &status,
                  Scatter           &scatter)
@@ -121,16 +124,23 @@ namespace strait
       scatter.add("crossover_load", crossover);
       scatter.add("crossover_reduced_load", run.crossover);
       scatter.add("exponent", exponent);
-      return {std::to_string(number),
-              std::to_string(realisation.seed),
-              name_of(realisation.orientation),
-              full_precision(threshold.lower),
-              full_precision(threshold.upper),
-              full_precision(threshold.contact_area),
-              full_precision(crossover),
-              full_precision(exponent),
-              full_precision(run.exponent.error),
-              status};
+      std::vector<std::string> row = {std::to_string(number),
+                                      std::to_string(realisation.seed),
+                                      name_of(realisation.orientation),
+                                      full_precision(threshold.lower),
+                                      full_precision(threshold.upper),
+                                      full_precision(threshold.contact_area),
+                                      full_precision(crossover),
+                                      full_precision(exponent),
+                                      full_precision(run.exponent.error),
+                                      status};
+      if (with_theory)
+        {
+          const double load = (1 - run.theory_crossover) * threshold.critical_load();
+          scatter.add(theory_column, load);
+          row.insert(row.end() - 1, full_precision(load));
+        }
+      return row;
     }
   } // namespace
 
@@ -147,9 +157,12 @@ namespace strait
     const std::string              folder       = scene.output.directory;
     prepare_directory(folder, MPI_COMM_WORLD);
     log.attach_file(folder + "/log.txt");
+    std::vector<std::string> columns = ensemble_columns;
+    if (scene.theory.enabled)
+      columns.insert(columns.end() - 1, theory_column);
     CsvFile table;
     run_on_root(MPI_COMM_WORLD, [&]() {
-      table.open(folder + "/ensemble.csv", ensemble_columns);
+      table.open(folder + "/ensemble.csv", columns);
       write_text(folder + "/parameters.prm", scene.resolved);
     });
 
@@ -184,7 +197,8 @@ namespace strait
             status = "failed";
           }
         all_converged  = all_converged && status == "ok";
-        const auto row = ensemble_row(number, realisations[k], run, status, scatter);
+        const auto row = ensemble_row(
+          number, realisations[k], scene.theory.enabled, run, status, scatter);
         run_on_root(MPI_COMM_WORLD, [&]() {
           table.append(row);
           scatter.write(folder + "/ensemble_summary.csv");

@@ -26,6 +26,8 @@ namespace strait
   {
     if (scene.fluid.enabled)
       flow = std::make_unique<FlowStage>(scene, heights.layout_pointer(), log, timers);
+    if (scene.theory.enabled)
+      theory = std::make_unique<TheoryPrediction>(scene, &heights);
     if (!scene.contact.enabled)
       {
         given_gap = std::move(heights);
@@ -228,6 +230,7 @@ namespace strait
             leak(step);
           }
         compare_with_threshold(step);
+        compare_with_theory(step);
         converged = converged && step.converged();
         report_step(step, static_cast<int>(stops.size()), timers.total(), log);
         consume(step);
@@ -312,6 +315,18 @@ namespace strait
                  points_needed,
                  points_needed / points));
       }
+  }
+
+  void
+  LoadSweep::compare_with_theory(Step &step)
+  {
+    if (!theory)
+      return;
+    const auto scope = timers.scope("theory");
+    step.theory      = theory->predict(step.contact ? step.contact->nominal_pressure : 0.,
+                                  step.slip_length,
+                                  &step.gap,
+                                  threshold_of(step.slip_length));
   }
 
   std::size_t

@@ -4,6 +4,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/json.h>
 #include <strait/driver/field_output.h>
+#include <strait/driver/gap_output.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/picture_data.h>
 #include <strait/driver/simulation.h>
@@ -26,6 +27,7 @@ namespace strait
     {
       for (const char *exact : {"leakage.csv",
                                 "leakage.png",
+                                "gaps.png",
                                 "ensemble.csv",
                                 "ensemble_summary.csv",
                                 "ensemble.png",
@@ -150,10 +152,12 @@ namespace strait
                         (scene.output.fields == FieldOutput::last && is_last);
     if (wanted)
       {
-        write_grid_fields(path, step);
+        if (!step.gap.empty())
+          write_grid_fields(path, step);
         write_flow_fields(path, step, scene.fluid);
+        write_gap_distributions(path, step, comm);
       }
-    if (scene.output.pictures)
+    if (scene.output.pictures && !step.gap.empty())
       write_picture_data(path, step, scene.fluid);
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/driver/result_table.h>
+#include <strait/driver/theory_run.h>
 
 #include <cmath>
 #include <limits>
@@ -38,6 +39,12 @@ namespace strait
         add("contact_area_corrected",
             [](const Step &step) { return step.contact->contact_area_corrected; });
       }
+    else if (is_theory_only(scene))
+      {
+        add("pressure", [](const Step &step) { return step.theory->pressure; });
+        if (scene.fluid.has_slip())
+          add("slip_length", [](const Step &step) { return step.slip_length; });
+      }
     else
       add("mean_gap", [](const Step &step) { return step.mean_gap; });
     if (scene.fluid.enabled)
@@ -63,6 +70,8 @@ namespace strait
         add("feedback_iterations",
             [](const Step &step) { return step.feedback->iterations; });
       }
+    if (scene.theory.enabled)
+      add_theory_columns(scene);
     columns.push_back({"status", [](const Step &step) { return step.status(); }});
   }
 
@@ -101,6 +110,19 @@ namespace strait
                      [](const FlowPath &path, const PeriodicGrid &) {
                        return path.bottleneck_gap;
                      });
+  }
+
+  void
+  ResultTable::add_theory_columns(const Scene &scene)
+  {
+    if (scene.contact.enabled || is_theory_only(scene))
+      {
+        add("theory_contact_area",
+            [](const Step &step) { return step.theory->contact_area; });
+        add("theory_mean_gap", [](const Step &step) { return step.theory->mean_gap; });
+      }
+    add("theory_leak_rate", [](const Step &step) { return step.theory->leak_rate; });
+    add("theory_error", [](const Step &step) { return step.theory->error; });
   }
 
   void

@@ -5,6 +5,7 @@
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/simulation.h>
+#include <strait/driver/theory_run.h>
 #include <strait/interface/moment_set.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/resolution.h>
@@ -100,6 +101,11 @@ namespace strait
   RunSummary
   simulate(const Scene &scene, Log &log)
   {
+    if (is_theory_only(scene))
+      {
+        run_theory(scene, log);
+        return {};
+      }
     Timers timers;
     load_wisdom(MPI_COMM_WORLD);
     SlabField heights = [&]() {
@@ -108,9 +114,9 @@ namespace strait
     }();
     const auto n_points = static_cast<double>(heights.grid().n_points());
 
+    LoadSweep sweep(scene, std::move(heights), log, timers);
     // The first thing that is written, after the last check of the input.
     OutputDirectory output(scene, MPI_COMM_WORLD, log);
-    LoadSweep       sweep(scene, std::move(heights), log, timers);
     RunSummary      summary;
     if (scene.programme.find_threshold)
       {
@@ -130,14 +136,20 @@ namespace strait
     log.line(timers.summary());
     output.finish(timers, bytes / n_points);
     log.line("results are in " + scene.output.directory);
-    summary.exponent  = output.exponents().leak_rate_fit();
-    summary.crossover = output.exponents().crossover();
+    summary.exponent         = output.exponents().leak_rate_fit();
+    summary.crossover        = output.exponents().crossover();
+    summary.theory_crossover = output.exponents().theory_crossover();
     return summary;
   }
 
   void
   describe(const Scene &scene, Log &log)
   {
+    if (is_theory_only(scene))
+      {
+        describe_theory(scene, log);
+        return;
+      }
     // Contact fields; two moment pyramids, the gap and the path search.
     constexpr double bytes_contact = 57.;
     const double     bytes_flow =

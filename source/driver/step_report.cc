@@ -36,6 +36,13 @@ namespace strait
       text += "; sealed";
     if (step.reduced_load)
       text += format("; 1 - L/L_c = %.3g", *step.reduced_load);
+    if (step.theory)
+      text += format("%stheory: contact %.3f %%, leak rate %.4g",
+                     step.contact || step.flow
+                       ? "; "
+                       : format(": pressure %.5g, ", step.theory->pressure).c_str(),
+                     100. * step.theory->contact_area,
+                     step.theory->leak_rate);
     if (step.status() != "ok")
       text += "; " + step.status();
     log.line(text);

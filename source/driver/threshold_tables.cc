@@ -102,6 +102,10 @@ namespace strait
   void
   ScalingTable::collect(const Step &step)
   {
+    if (step.theory && step.reduced_load && *step.reduced_load > 0 &&
+        step.theory->leak_rate != 0)
+      theory[step.slip_length].push_back(
+        {*step.reduced_load, std::abs(step.theory->leak_rate)});
     if (!step.flow || !step.flow->constrictions || !step.reduced_load ||
         !(*step.reduced_load > 0) || !step.converged())
       return;
@@ -142,6 +146,13 @@ namespace strait
   {
     const Series *all = leak_rates(&Quantities::all);
     return all == nullptr ? std::nan("") : crossover_reduced_load(*all);
+  }
+
+  double
+  ScalingTable::theory_crossover() const
+  {
+    return theory.empty() ? std::nan("")
+                          : crossover_reduced_load(theory.rbegin()->second);
   }
 
   void

@@ -246,9 +246,37 @@ TEST(Scene, UnknownNamesSuggestTheNearest)
 
 TEST(Scene, EffectsThatAreNotThereAreUnknown)
 {
-  for (const char *name :
-       {"Contact/Adhesion/Enabled=true", "Fluid/Mesh=a.msh", "Theory/Enabled=true"})
+  for (const char *name : {"Contact/Adhesion/Enabled=true", "Fluid/Mesh=a.msh"})
     expect_in("unknown", error_of("", {name}));
+}
+
+TEST(Scene, Theory)
+{
+  const Overrides on    = {"Theory/Enabled=true"};
+  const auto error_with = [&](const std::string &first, const std::string &second = "") {
+    Overrides all = on;
+    all.push_back(first);
+    if (!second.empty())
+      all.push_back(second);
+    return error_of("", all);
+  };
+  EXPECT_TRUE(scene_of("", on).theory.enabled);
+  const char *alone =
+    "subsection Contact\n set Enabled = false\nend\n"
+    "subsection Fluid\n set Enabled = false\nend\n";
+  EXPECT_TRUE(scene_of(alone, on).theory.enabled);
+  expect_in("nothing to compute", error_of(alone));
+  expect_in("at which the theory has no contact",
+            error_of(alone, {"Theory/Enabled=true", "Load programme/Pressures=0"}));
+  expect_in("needs a simulation",
+            error_of(alone,
+                     {"Theory/Enabled=true", "Theory/Gap distribution=simulated"}));
+  expect_in("needs Surface/Kind = self-affine", error_with("Surface/Kind=square saddle"));
+  expect_in("Find threshold = true",
+            error_with("Theory/Dimension parameter=from threshold"));
+  expect_in("there is none; take simulated", error_with("Contact/Enabled=false"));
+  expect_in("must lie between 0 and 1", error_with("Theory/Critical contact fraction=1"));
+  expect_in("at most 1", error_with("Theory/Gamma=0"));
 }
 
 TEST(Scene, ThresholdAndReducedLoads)

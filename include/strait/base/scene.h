@@ -8,6 +8,7 @@
 #include <strait/base/programme_parameters.h>
 #include <strait/base/realisation_parameters.h>
 #include <strait/base/surface_parameters.h>
+#include <strait/base/theory_parameters.h>
 
 #include <iosfwd>
 #include <string>
@@ -23,6 +24,7 @@ namespace strait
     FluidParameters       fluid;
     ProgrammeParameters   programme;
     RealisationParameters realisations;
+    TheoryParameters      theory;
     OutputParameters      output;
 
     /** The scene file, with every default filled in (ParameterHandler text). */

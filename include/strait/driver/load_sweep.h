@@ -10,6 +10,7 @@
 #include <strait/driver/coupled_stage.h>
 #include <strait/driver/flow_stage.h>
 #include <strait/driver/step.h>
+#include <strait/driver/theory_prediction.h>
 #include <strait/driver/threshold_search.h>
 
 #include <functional>
@@ -70,18 +71,20 @@ namespace strait
     void              leak(Step &step);
     void              press_with_fluid(Step &step, double target);
     void              compare_with_threshold(Step &step) const;
+    void              compare_with_theory(Step &step);
     const Threshold  *threshold_of(double slip_length) const;
 
-    const Scene                   &scene;
-    Log                           &log;
-    Timers                        &timers;
-    double                         first_guess; // of the critical load
-    SlabField                      given_gap;   // if there is no contact to solve
-    std::unique_ptr<ContactSolver> contact;
-    std::unique_ptr<FlowStage>     flow;        // unless the fluid is off
-    std::unique_ptr<CoupledStage>  coupling;    // if the fluid presses on the wall
-    SlabField                      probe_start; // fluid pressure, with coupling
-    std::vector<Threshold>         thresholds;
+    const Scene                      &scene;
+    Log                              &log;
+    Timers                           &timers;
+    double                            first_guess; // of the critical load
+    SlabField                         given_gap;   // if there is no contact to solve
+    std::unique_ptr<ContactSolver>    contact;
+    std::unique_ptr<FlowStage>        flow;     // unless the fluid is off
+    std::unique_ptr<CoupledStage>     coupling; // if the fluid presses on the wall
+    std::unique_ptr<TheoryPrediction> theory;
+    SlabField                         probe_start; // fluid pressure, with coupling
+    std::vector<Threshold>            thresholds;
   };
 } // namespace strait
 

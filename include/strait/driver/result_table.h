@@ -40,6 +40,7 @@ namespace strait
     void add(const std::string &name, std::function<double(const Step &)> value);
     void add_contact_columns();
     void add_flow_columns(const Scene &scene);
+    void add_theory_columns(const Scene &scene);
 
     std::vector<Column> columns;
     CsvFile             file;

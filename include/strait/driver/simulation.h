@@ -22,6 +22,7 @@ namespace strait
     std::vector<Threshold> thresholds;       // if the scene looks for them
     ExponentFit            exponent;         // of the leak rate at the smallest slip
     double                 crossover = 0.;   // reduced load, see crossover_reduced_load()
+    double theory_crossover          = 0.; // that of the theory, if the scene asks for it
   };
 
   /**

@@ -5,6 +5,7 @@
 #include <strait/base/text.h>
 #include <strait/contact/contact_state.h>
 #include <strait/driver/constriction_report.h>
+#include <strait/driver/theory_prediction.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/clusters.h>
 #include <strait/percolation/flow_path.h>
@@ -52,6 +53,7 @@ namespace strait
     std::optional<ContactState> contact;       // unless the gap was given
     std::optional<StepFlow>     flow;          // unless the fluid is off
     std::optional<StepFeedback> feedback;      // if the fluid presses on the wall
+    std::optional<TheoryResult> theory;        // if the scene asks for it
     double                      slip_length = 0.;
     std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
     std::vector<std::string>    doubts;       // about a result that may have converged

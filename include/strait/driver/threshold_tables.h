@@ -60,6 +60,9 @@ namespace strait
     ExponentFit leak_rate_fit() const;
     double      crossover() const;
 
+    /** The crossover of what the theory says at the same steps; not a number without. */
+    double theory_crossover() const;
+
     /** Write the table to @p path (on rank 0) and the fits to @p log. Collective. */
     void write(const std::string &path, Log &log, MPI_Comm comm) const;
 
@@ -77,6 +80,7 @@ namespace strait
 
     double                       largest;
     std::map<double, Quantities> by_slip_length;
+    std::map<double, Series>     theory; // leak rate by slip length
   };
 } // namespace strait
 

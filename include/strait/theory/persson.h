@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_theory_persson_h
+#define strait_theory_persson_h
+
+#include <strait/theory/compression_integral.h>
+#include <strait/theory/gap_distribution.h>
+#include <strait/theory/radial_spectrum.h>
+
+#include <vector>
+
+namespace strait
+{
+  /**
+   * The part of the area that comes out of contact when waves between two magnifications
+   * are switched on. Its gaps are distributed as |separation + roughness z|, z normal.
+   */
+  struct GapLayer
+  {
+    double share;      // of the nominal area
+    double separation; // u1: mean distance of the walls, smoothed at that magnification
+    double roughness;  // rms height of the shorter waves
+  };
+
+  /** What Persson's theory says about one load. */
+  struct PerssonState
+  {
+    double                pressure     = 0.; // nominal
+    double                contact_area = 0.; // share of the nominal area
+    double                mean_gap     = 0.; // ū
+    std::vector<GapLayer> layers;            // from long waves to short ones
+  };
+
+  /**
+   * Persson's theory of rough contact, with the gaps of Almqvist, Campañá, Prodanov and
+   * Persson, J. Mech. Phys. Solids 59 (2011) 2355.
+   *
+   * At the magnification ζ, where waves up to ζ q0 are seen and ḡ²(ζ) is their mean
+   * square slope, the contact area is A(ζ) = erf(√2 p0/(E* ḡ(ζ))) and the mean gap in it
+   * ū(ζ) = √(2/π) ∫ dv W(√2 p(ζ)/(E* v))/q, v² = ḡ²(q) − ḡ²(ζ), p = p0/A, which is the
+   * usual integral over q with v in place of q and W the CompressionIntegral.
+   */
+  class PerssonTheory
+  {
+  public:
+    /** How finely the integrals are computed. */
+    struct Resolution
+    {
+      int    layers      = 1024;
+      double panel_width = .5;  // of ln v, with eight Gauss points
+      int    per_decade  = 100; // bins of the gap
+
+      /** Half as fine: the difference to it is an estimate of the error. */
+      Resolution
+      coarser() const
+      {
+        return {layers / 2, 2 * panel_width, per_decade / 2};
+      }
+    };
+
+    /** @p gamma: share of the elastic energy at low loads, about 0.45. */
+    PerssonTheory(RadialSpectrum    spectrum,
+                  double            effective_modulus,
+                  double            gamma,
+                  const Resolution &resolution);
+
+    PerssonTheory(RadialSpectrum spectrum, double effective_modulus, double gamma = .45)
+      : PerssonTheory(std::move(spectrum), effective_modulus, gamma, Resolution())
+    {
+    }
+
+    const RadialSpectrum &
+    spectrum() const
+    {
+      return waves;
+    }
+
+    /** Share of the nominal area in contact at the nominal @p pressure > 0. */
+    double contact_area(double pressure) const;
+
+    /** All there is to know at the nominal @p pressure > 0. */
+    PerssonState solve(double pressure) const;
+
+    /** P(u) in bins that reach from nearly nothing to a thousand times the rms height,
+     *  beyond @p closed if gaps up to that conduct nothing. The sum over the bins is
+     *  1 − A/A0 by construction. */
+    GapDistribution distribution(const PerssonState &state, double closed = 0.) const;
+
+  private:
+    /** ū where the waves up to mean square slope @p seen carry the pressure
+     *  @p smoothed, √2 p/E*. */
+    double mean_gap(double seen, double smoothed) const;
+
+    /** ḡ² of the magnifications between the layers at a load of √2 p0/E*. */
+    std::vector<double> magnifications(double smoothed) const;
+
+    RadialSpectrum      waves;
+    double              modulus;
+    CompressionIntegral compression;
+    Resolution          resolution;
+  };
+
+  /** P(u) of @p state at the gap @p u > 0 [1/length]. */
+  double gap_density(const PerssonState &state, double u);
+} // namespace strait
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/theory/gap_distribution.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace strait
+{
+  std::vector<double>
+  gap_bins(const double smallest,
+           const double largest,
+           const int    per_decade,
+           const double closed)
+  {
+    const auto n =
+      static_cast<int>(std::ceil(per_decade * std::log10(largest / smallest) - 1e-9));
+    std::vector<double> edges = {0.};
+    if (closed > 0)
+      edges.push_back(closed);
+    for (int k = 0; k <= n; ++k)
+      edges.push_back(closed +
+                      smallest * std::pow(10., static_cast<double>(k) / per_decade));
+    return edges;
+  }
+
+  GapDistribution
+  gap_histogram(const SlabField &gap,
+                const int        n_decades,
+                const int        per_decade,
+                const double     closed)
+  {
+    double largest = max_value(gap);
+    if (!(largest > 0))
+      largest = 1.; // all closed: the bins stay empty
+    return gap_histogram(
+      gap, gap_bins(largest * std::pow(10., -n_decades), largest, per_decade, closed));
+  }
+
+  GapDistribution
+  gap_histogram(const SlabField &gap, std::vector<double> edges)
+  {
+    const std::size_t n = edges.size() - 1;
+    // Of each bin the number of points and the sum of their gaps; at last the contact.
+    std::vector<double> sums(2 * n + 1, 0.);
+    for (const double u : gap)
+      if (u > 0)
+        {
+          const auto        next = std::upper_bound(edges.begin(), edges.end(), u);
+          const std::size_t bin  = std::min<std::size_t>(next - edges.begin() - 1, n - 1);
+          sums[2 * bin] += 1;
+          sums[2 * bin + 1] += u;
+        }
+      else
+        sums[2 * n] += 1;
+    sum_in_place(gap.layout().communicator(), sums.data(), static_cast<int>(sums.size()));
+
+    GapDistribution result;
+    const auto      n_points = static_cast<double>(gap.grid().n_points());
+    result.contact_area      = sums[2 * n] / n_points;
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        result.shares.push_back(sums[2 * k] / n_points);
+        result.gaps.push_back(sums[2 * k] > 0 ? sums[2 * k + 1] / sums[2 * k]
+                                              : .5 * (edges[k] + edges[k + 1]));
+      }
+    result.edges = std::move(edges);
+    return result;
+  }
+
+  GapDistribution
+  merge_bins(const GapDistribution &fine, const std::size_t n)
+  {
+    GapDistribution result;
+    result.contact_area   = fine.contact_area;
+    result.edges          = {fine.edges.front()};
+    const std::size_t end = fine.shares.size();
+    for (std::size_t first = 0, last = 1; first < end; first = last, last += n)
+      {
+        last         = std::min(last, end);
+        double share = 0, sum = 0;
+        for (std::size_t k = first; k < last; ++k)
+          {
+            share += fine.shares[k];
+            sum += fine.shares[k] * fine.gaps[k];
+          }
+        result.edges.push_back(fine.edges[last]);
+        result.shares.push_back(share);
+        result.gaps.push_back(share > 0 ? sum / share
+                                        : .5 * (fine.edges[first] + fine.edges[last]));
+      }
+    return result;
+  }
+} // namespace strait

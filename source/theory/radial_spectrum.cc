@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/spectral/fourier_transform.h>
+#include <strait/theory/radial_spectrum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    const double two_pi = 2 * std::acos(-1.);
+
+    /** ∫ from 1 to e^x of t^(power − 1) dt. */
+    double
+    growth(const double power, const double x)
+    {
+      return std::abs(power * x) < 1e-14 ? x : std::expm1(power * x) / power;
+    }
+
+    /** The x at which growth() reaches @p share of its value at @p end. */
+    double
+    inverse_growth(const double power, const double share, const double end)
+    {
+      return std::abs(power * end) < 1e-14
+               ? share * end
+               : std::log1p(share * std::expm1(power * end)) / power;
+    }
+
+    /** C = (q/from)^(−decay), not yet scaled. */
+    RadialSpectrum::Section
+    power_law(const double from, const double to, const double decay, const double scale)
+    {
+      const double x = std::log(to / from);
+      return {from,
+              to,
+              decay,
+              scale * two_pi * from * from * growth(2 - decay, x),
+              scale * two_pi * std::pow(from, 4) * growth(4 - decay, x)};
+    }
+  } // namespace
+
+  RadialSpectrum::RadialSpectrum(std::vector<Section> sections_)
+    : sections(std::move(sections_))
+    , slope_below(sections.size() + 1, 0.)
+    , height_above(sections.size() + 1, 0.)
+  {
+    for (std::size_t k = 0; k < sections.size(); ++k)
+      slope_below[k + 1] = slope_below[k] + sections[k].slope_square;
+    for (std::size_t k = sections.size(); k-- > 0;)
+      height_above[k] = height_above[k + 1] + sections[k].height_square;
+    // C at q of a section, but for a factor.
+    const auto level = [](const Section &s, const double q) {
+      return s.slope_square / growth(4 - s.decay, std::log(s.to / s.from)) *
+             std::pow(q / s.from, -s.decay) * std::pow(s.from, -4);
+    };
+    constexpr double jump = .1;
+    for (std::size_t k = 1; k < sections.size(); ++k)
+      {
+        const Section &left = sections[k - 1], &right = sections[k];
+        const double   below = level(left, right.from), above = level(right, right.from);
+        if (left.decay != right.decay || std::abs(above - below) > jump * below)
+          changes.push_back(right.from);
+      }
+    if (!(height_above.front() > 0))
+      throw InputError(
+        "Theory/Enabled: the surface is flat, and the theory of rough "
+        "contact has nothing to say about it; switch it off.");
+  }
+
+  double
+  RadialSpectrum::slope_square_below(const double q) const
+  {
+    if (!(q > smallest_wave_number()))
+      return 0.;
+    if (q >= largest_wave_number())
+      return slope_below.back();
+    const auto next =
+      std::upper_bound(sections.begin(),
+                       sections.end(),
+                       q,
+                       [](const double value, const Section &s) { return value < s.to; });
+    const double power = 4 - next->decay;
+    return slope_below[next - sections.begin()] +
+           next->slope_square * growth(power, std::log(q / next->from)) /
+             growth(power, std::log(next->to / next->from));
+  }
+
+  double
+  RadialSpectrum::height_square_above(const double q) const
+  {
+    if (!(q > smallest_wave_number()))
+      return height_above.front();
+    if (q >= largest_wave_number())
+      return 0.;
+    const auto here =
+      std::upper_bound(sections.begin(),
+                       sections.end(),
+                       q,
+                       [](const double value, const Section &s) { return value < s.to; });
+    const double power = 2 - here->decay;
+    return height_above[here - sections.begin() + 1] +
+           here->height_square * std::pow(q / here->from, power) *
+             growth(power, std::log(here->to / q)) /
+             growth(power, std::log(here->to / here->from));
+  }
+
+  double
+  RadialSpectrum::wave_number_at(const double slope_square) const
+  {
+    if (!(slope_square > 0))
+      return smallest_wave_number();
+    if (slope_square >= slope_below.back())
+      return largest_wave_number();
+    const auto next =
+      std::upper_bound(slope_below.begin(), slope_below.end(), slope_square);
+    const std::size_t k = next - slope_below.begin() - 1;
+    const Section    &s = sections[k];
+    return s.from *
+           std::exp(inverse_growth(4 - s.decay,
+                                   (slope_square - slope_below[k]) / s.slope_square,
+                                   std::log(s.to / s.from)));
+  }
+
+  RadialSpectrum
+  model_spectrum(const SurfaceParameters &parameters)
+  {
+    if (parameters.kind != SurfaceKind::self_affine)
+      throw InputError(
+        "Theory/Spectrum = model needs Surface/Kind = self-affine; take "
+        "Theory/Spectrum = surface for other kinds.");
+    const double box      = std::sqrt(parameters.size[0] * parameters.size[1]);
+    const double lowest   = two_pi / box;
+    const double roll_off = two_pi / parameters.roll_off_wavelength;
+    const double cut_off  = two_pi / parameters.short_cut_off_wavelength;
+    const double decay    = 2 * (1 + parameters.hurst_exponent);
+    if (!(cut_off > lowest))
+      throw InputError(
+        "Surface/Short cut-off wavelength leaves no wave in the box: make "
+        "it shorter than the side of Surface/Size.");
+    std::vector<RadialSpectrum::Section> sections;
+    if (roll_off > lowest)
+      sections.push_back(power_law(lowest, std::min(roll_off, cut_off), 0., 1.));
+    if (cut_off > roll_off)
+      sections.push_back(power_law(std::max(lowest, roll_off), cut_off, decay, 1.));
+    double sum = 0;
+    for (const auto &section : sections)
+      sum += parameters.normalisation == Normalisation::rms_slope ? section.slope_square
+                                                                  : section.height_square;
+    const double scale = parameters.rms_value * parameters.rms_value / sum;
+    for (auto &section : sections)
+      {
+        section.height_square *= scale;
+        section.slope_square *= scale;
+      }
+    return RadialSpectrum(std::move(sections));
+  }
+
+  RadialSpectrum
+  measured_spectrum(const SlabField &heights)
+  {
+    // Rings of the width of one wave, later of a fiftieth of their radius.
+    constexpr double    widest = 1.02, negligible = 1e-20;
+    const PeriodicGrid &grid = heights.grid();
+    const double        step = two_pi / std::max(grid.lx, grid.ly);
+    const double        last = two_pi * std::hypot(.5 / grid.dx(), .5 / grid.dy());
+    std::vector<double> edges(1, .5 * step);
+    while (edges.back() <= last)
+      edges.push_back(std::max(edges.back() + step, widest * edges.back()));
+
+    const std::size_t   n_rings = edges.size() - 1;
+    std::vector<double> sums(2 * n_rings, 0.);
+    FourierTransform    transform(heights.layout_pointer());
+    transform.analyze(heights.data(),
+                      [&](const int                   kx,
+                          const int                   ky,
+                          const std::complex<double> &mode,
+                          const double                weight) {
+                        const double q = two_pi * std::hypot(kx / grid.lx, ky / grid.ly);
+                        if (q < edges.front())
+                          return;
+                        const std::size_t ring =
+                          std::upper_bound(edges.begin(), edges.end(), q) -
+                          edges.begin() - 1;
+                        sums[2 * ring] += weight * std::norm(mode);
+                        sums[2 * ring + 1] += weight * std::norm(mode) * q * q;
+                      });
+    sum_in_place(heights.layout().communicator(),
+                 sums.data(),
+                 static_cast<int>(sums.size()));
+
+    // What rounding leaves beyond the shortest wave is no roughness.
+    double total = 0;
+    for (std::size_t k = 0; k < n_rings; ++k)
+      total += sums[2 * k + 1];
+    std::vector<RadialSpectrum::Section> sections;
+    std::size_t                          n_used = n_rings;
+    while (n_used > 0 && !(sums[2 * n_used - 1] > negligible * total))
+      --n_used;
+    double from = edges.front();
+    for (std::size_t k = 0; k < n_used; ++k)
+      if (sums[2 * k] > 0) // an empty ring belongs to the next
+        {
+          sections.push_back({from, edges[k + 1], 0., sums[2 * k], sums[2 * k + 1]});
+          from = edges[k + 1];
+        }
+    if (sections.empty())
+      sections.push_back({edges[0], edges[1], 0., 0., 0.});
+    return RadialSpectrum(std::move(sections));
+  }
+} // namespace strait

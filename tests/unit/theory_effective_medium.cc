@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/surface/sample.h>
+#include <strait/theory/effective_medium.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+  using namespace strait;
+
+  const double pi = std::acos(-1.);
+
+  constexpr double rounding = 1e-13;
+
+  TEST(EffectiveMedium, TwoPhasesInEqualShares)
+  {
+    for (const double contrast : {2., 1e3, 1e9, 1e15})
+      EXPECT_NEAR(effective_conductivity({{.5, 1.}, {.5, contrast}}, 2.) /
+                    std::sqrt(contrast),
+                  1.,
+                  rounding);
+  }
+
+  TEST(EffectiveMedium, ImpermeableShare)
+  {
+    for (const double n : {2., 3., 1 / .58})
+      for (const double share : {0., .1, .99 * (1 - 1 / n)})
+        {
+          const double expected = 1 - share * n / (n - 1);
+          // One conductivity, and the same as two parts, which must not matter.
+          EXPECT_NEAR(effective_conductivity({{share, 0.}, {1 - share, 5.}}, n) / 5,
+                      expected,
+                      rounding);
+          EXPECT_NEAR(effective_conductivity({{share, 0.},
+                                              {.5 * (1 - share), 5.},
+                                              {.5 * (1 - share), 5. + 1e-12}},
+                                             n) /
+                        5,
+                      expected,
+                      1e-11);
+        }
+  }
+
+  TEST(EffectiveMedium, VanishesAtTheThreshold)
+  {
+    for (const double critical : {.3, .42, .5})
+      {
+        const double n = dimension_parameter(critical);
+        EXPECT_EQ(effective_conductivity({{critical + 1e-12, 0.}, {1 - critical, 1.}}, n),
+                  0.);
+        EXPECT_NEAR(
+          effective_conductivity({{critical - 1e-6, 0.}, {1 - critical + 1e-6, 1.}}, n),
+          1e-6 / critical,
+          1e-10);
+      }
+    EXPECT_EQ(effective_conductivity({{1., 0.}}, 2.), 0.);
+  }
+
+  TEST(EffectiveMedium, GeneralDimensionSolvesItsQuadratic)
+  {
+    // (n−1) Ke² + Ke [(1 − n f) K1 + (1 − n (1−f)) K2] − K1 K2 = 0.
+    const double n = 2.7, f = .3, one = 1., two = 40.;
+    const double b = (1 - n * f) * one + (1 - n * (1 - f)) * two;
+    const double expected =
+      (-b + std::sqrt(b * b + 4 * (n - 1) * one * two)) / (2 * (n - 1));
+    EXPECT_NEAR(effective_conductivity({{f, one}, {1 - f, two}}, n) / expected,
+                1.,
+                rounding);
+  }
+
+  TEST(EffectiveMedium, ChannelInSeriesAndInParallel)
+  {
+    // n → 1 and n → ∞ are resistors in series and in parallel: the closed forms of
+    // flow along and across a wavy gap.
+    const double    ratio = .4;
+    const SlabField gap =
+      sample(make_layout({4096, 3, 1., 1.}, MPI_COMM_WORLD),
+             [&](const double x, double) { return 1 + ratio * std::cos(2 * pi * x); });
+    GapDistribution gaps = gap_histogram(gap, 1, 5000);
+    EXPECT_EQ(gaps.contact_area, 0.);
+    EXPECT_NEAR(effective_cubed_gap(gaps, 1 + 1e-9),
+                std::pow(1 - ratio * ratio, 2.5) / (1 + .5 * ratio * ratio),
+                1e-6);
+    EXPECT_NEAR(effective_cubed_gap(gaps, 1e9), 1 + 1.5 * ratio * ratio, 2e-6);
+  }
+
+  TEST(EffectiveMedium, SlipClosesNarrowGaps)
+  {
+    GapDistribution gaps;
+    gaps.contact_area = .1;
+    gaps.edges        = {0., .15, .4, 1.};
+    gaps.shares       = {.2, .3, .4};
+    gaps.gaps         = {.1, .3, .7};
+    EXPECT_NEAR(blocked_area(gaps), .1, rounding);
+    EXPECT_NEAR(blocked_area(gaps, -.05), .3, rounding);
+    EXPECT_NEAR(effective_cubed_gap(gaps, 2., -.15), 0., 0.); // .6 is blocked
+    EXPECT_NEAR(effective_cubed_gap(gaps, 4., -.15),
+                std::pow(.4, 3) * (1 - .6 * 4 / 3),
+                rounding);
+  }
+} // namespace

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""gaps.png: distributions of the simulated gaps beside those of Persson's theory."""
+import re
+
+import h5py
+import numpy as np
+from matplotlib.figure import Figure
+
+from plot_common import COLOURS, RED, scientific, with_unit
+
+MOST_STEPS = 4
+
+
+def fields_with_gaps(folder):
+    """The files fields-STEP.h5 that hold distributions, in the order of the steps."""
+    files = []
+    for path in folder.glob("fields-*.h5"):
+        name = re.fullmatch(r"fields-(\d+)\.h5", path.name)
+        try:
+            with h5py.File(path) as file:
+                if name and "gap_distribution" in file:
+                    files.append((int(name[1]), path))
+        except OSError:
+            continue
+    return [path for _, path in sorted(files)]
+
+
+def draw_step(axes, path, colour, labels):
+    """P(u) of one step: simulated as a line in its colour, the theory thin and red."""
+    with h5py.File(path) as file:
+        group = file["gap_distribution"]
+        edges = group["edges"][:]
+        middle = np.sqrt(edges[1:-1] * edges[2:])
+        for name, style in (("simulated", {"color": colour}),
+                            ("persson", {"color": RED, "linewidth": 0.9, "linestyle": "--"})):
+            if name not in group:
+                continue
+            density = (group[name][:] / np.diff(edges))[1:]
+            seen = density > 0
+            label = labels.pop(name, None)
+            if name == "simulated":
+                load = file.attrs.get("nominal_pressure")
+                label = None if load is None else f"load {scientific(float(load))}"
+            axes.plot(middle[seen], density[seen], label=label, **style)
+        return middle[group["simulated"][1:] > 0] if "simulated" in group \
+            else middle[group["persson"][1:] > 1e-6]
+
+
+def draw_gaps(folder, units):
+    """gaps.png of up to MOST_STEPS steps of the run in @p folder; None where no file has any."""
+    files = fields_with_gaps(folder)
+    if not files:
+        return None
+    chosen = [files[k] for k in
+              np.unique(np.linspace(0, len(files) - 1, min(MOST_STEPS, len(files))).astype(int))]
+    figure = Figure(figsize=(6.4, 4.6), layout="constrained")
+    axes, labels, seen = figure.subplots(), {"persson": "Persson's theory"}, []
+    for i, path in enumerate(chosen):
+        seen.append(draw_step(axes, path, COLOURS[i % len(COLOURS)], labels))
+    seen = np.concatenate(seen)
+    axes.set(xscale="log", yscale="log", xlabel=with_unit("Gap", "length", units),
+             ylabel="Share of the area per gap")
+    if seen.size:
+        largest = 1.5 * seen.max()
+        axes.set_xlim(max(seen.min(), 1e-5 * largest), largest)
+        low, high = axes.get_ylim()
+        axes.set_ylim(max(low, 1e-7 * high), high)
+    axes.grid(color="0.9", linewidth=0.6)
+    axes.legend()
+    return figure.savefig(folder / "gaps.png")
