@@ -39,7 +39,8 @@ namespace strait
     anchor_path(SceneEntry &entry)
     {
       const bool is_path = entry.section == std::vector<std::string>{"Surface"} &&
-                           entry.name == "File" && !entry.value.empty();
+                           (entry.name == "File" || entry.name == "Second file") &&
+                           !entry.value.empty();
       if (is_path)
         entry.value =
           (std::filesystem::path(entry.folder) / entry.value).lexically_normal().string();
@@ -49,6 +50,7 @@ namespace strait
   void
   Scene::declare(dealii::ParameterHandler &prm)
   {
+    UnitParameters::declare(prm);
     SurfaceParameters::declare(prm);
     ContactParameters::declare(prm);
     FluidParameters::declare(prm);
@@ -60,7 +62,9 @@ namespace strait
   void
   Scene::parse(dealii::ParameterHandler &prm)
   {
+    units.parse(prm);
     surface.parse(prm);
+    surface.map.length_in_metres = units.length_in_metres();
     contact.parse(prm);
     fluid.parse(prm);
     programme.parse(prm);
@@ -74,6 +78,7 @@ namespace strait
   void
   Scene::check() const
   {
+    units.check();
     surface.check();
     contact.check();
     fluid.check();

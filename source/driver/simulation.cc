@@ -83,6 +83,10 @@ namespace strait
       report_sizes(scene, log);
       const auto surface = make_surface(scene.surface, MPI_COMM_WORLD);
       SlabField  heights = surface->heights(make_layout(grid, MPI_COMM_WORLD));
+      for (const std::string &note : surface->remarks().notes)
+        log.line(note);
+      for (const std::string &warning : surface->remarks().warnings)
+        log.warn(warning);
       report_surface(scene, heights, log);
       return heights;
     }

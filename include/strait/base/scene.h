@@ -8,6 +8,7 @@
 #include <strait/base/programme_parameters.h>
 #include <strait/base/realisation_parameters.h>
 #include <strait/base/surface_parameters.h>
+#include <strait/base/unit_parameters.h>
 
 #include <iosfwd>
 #include <string>
@@ -18,6 +19,7 @@ namespace strait
   /** All that a scene file says, parsed and checked; constant from then on. */
   struct Scene
   {
+    UnitParameters        units;
     SurfaceParameters     surface;
     ContactParameters     contact;
     FluidParameters       fluid;
