@@ -5,6 +5,7 @@
 #include <strait/base/scene.h>
 #include <strait/base/scene_text.h>
 #include <strait/base/text.h>
+#include <strait/base/units.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -100,6 +101,17 @@ namespace strait
       throw InputError(
         "Load programme/Find threshold looks for a critical load; it needs "
         "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
+    for (const std::string &name : output.leak_rate_units)
+      {
+        if (!units.are_complete())
+          throw InputError("Output/Leak rate units = " + name +
+                           " needs to know the scene's units; set Units/Length, Pressure "
+                           "and Time.");
+        if (find_leak_rate_unit(name)->is_throughput && !fluid.is_gas)
+          throw InputError("Output/Leak rate units = " + name +
+                           " is a throughput of gas; set Fluid/State = gas, or choose a "
+                           "volume per time.");
+      }
     if (!contact.enabled && !fluid.enabled)
       throw InputError(
         "Contact/Enabled and Fluid/Enabled are both false, so there is "

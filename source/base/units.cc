@@ -101,10 +101,10 @@ namespace strait
   }
 
   const LeakRateUnit *
-  find_leak_rate_unit(const std::string &name)
+  find_leak_rate_unit(const std::string &name_or_column)
   {
     for (const LeakRateUnit &unit : leak_rate_units)
-      if (unit.name == name)
+      if (unit.name == name_or_column || unit.column == name_or_column)
         return &unit;
     return nullptr;
   }

@@ -5,10 +5,10 @@
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/simulation.h>
+#include <strait/driver/surface_output.h>
 #include <strait/interface/moment_set.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/resolution.h>
-#include <strait/surface/statistics.h>
 #include <strait/surface/surface.h>
 
 #include <algorithm>
@@ -31,29 +31,6 @@ namespace strait
                       grid.ly,
                       n_ranks,
                       n_ranks == 1 ? "rank" : "ranks"));
-    }
-
-    void
-    report_surface(const Scene &scene, const SlabField &heights, Log &log)
-    {
-      const SurfaceStatistics surface = statistics(heights);
-      log.line(
-        format("surface: rms height %.5g, rms slope %.5g, rms curvature %.5g, "
-               "heights from %.5g to %.5g",
-               surface.rms_height,
-               surface.rms_slope,
-               surface.rms_curvature,
-               surface.lowest,
-               surface.highest));
-      if (scene.surface.kind == SurfaceKind::self_affine)
-        {
-          const PeriodicGrid &grid = heights.grid();
-          log.line(format(
-            "resolution: λs/a = %.4g, λr/λs = %.4g, L/λr = %.4g",
-            scene.surface.short_cut_off_wavelength / std::max(grid.dx(), grid.dy()),
-            scene.surface.roll_off_wavelength / scene.surface.short_cut_off_wavelength,
-            std::min(grid.lx, grid.ly) / scene.surface.roll_off_wavelength));
-        }
     }
 
     /** A mesh can only be as coarse as the grid can be halved. */
@@ -114,8 +91,9 @@ namespace strait
 
     // The first thing that is written, after the last check of the input.
     OutputDirectory output(scene, MPI_COMM_WORLD, log);
-    LoadSweep       sweep(scene, std::move(heights), log, timers);
-    RunSummary      summary;
+    write_surface(scene, heights);
+    LoadSweep  sweep(scene, std::move(heights), log, timers);
+    RunSummary summary;
     if (scene.programme.find_threshold)
       {
         summary.thresholds = sweep.find_thresholds();

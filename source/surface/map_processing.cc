@@ -212,7 +212,7 @@ namespace strait
     if (map.size)
       text += format(", rms slope %.4g instead of %.4g", after.slope, before.slope);
     if (is_window)
-      text += "; its edges are smoother than its middle";
+      text += "; its edges are a flat rim, which may seal where the surface would leak";
     else
       text += "; only a quarter of it is independent";
     remarks.warnings.push_back(text);

@@ -45,8 +45,8 @@ namespace strait
     double      in_si;
   };
 
-  /** Nothing if there is no such unit. */
-  const LeakRateUnit *find_leak_rate_unit(const std::string &name);
+  /** The unit of this name, or of this column; nothing if there is none. */
+  const LeakRateUnit *find_leak_rate_unit(const std::string &name_or_column);
 
   /** The names of all of them, for messages and documentation. */
   std::string leak_rate_unit_names();

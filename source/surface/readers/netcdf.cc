@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/surface/readers/netcdf.h>
+#include <strait/surface/readers/netcdf_header.h>
 
 #include <netcdf.h>
 
@@ -238,15 +239,18 @@ namespace strait
       return result;
     }
 
+    /** Bytes that a variable can have at most, for what the file holds of it. */
     std::uint64_t
-    largest_content(const int file, const std::string &name)
+    largest_content(const int file, const int variable, const std::string &name)
     {
       int format = 0;
       nc_inq_format(file, &format);
       const std::uint64_t bytes = std::filesystem::file_size(name);
-      const bool          is_classic =
-        format != NC_FORMAT_NETCDF4 && format != NC_FORMAT_NETCDF4_CLASSIC;
-      return is_classic ? bytes : largest_compression * bytes;
+      if (format == NC_FORMAT_NETCDF4 || format == NC_FORMAT_NETCDF4_CLASSIC)
+        return largest_compression * bytes;
+      const std::uint64_t begin =
+        begin_of_classic_variable(name, variable).value_or(bytes);
+      return begin < bytes ? bytes - begin : 0;
     }
   } // namespace
 
@@ -282,8 +286,11 @@ namespace strait
     std::size_t item_size = 8;
     nc_inq_vartype(file.id, variable, &type);
     nc_inq_type(file.id, type, nullptr, &item_size);
-    check_claim(
-      source.file, inner.n, outer.n, item_size, largest_content(file.id, source.file));
+    check_claim(source.file,
+                inner.n,
+                outer.n,
+                item_size,
+                largest_content(file.id, variable, source.file));
     std::vector<double> values(inner.n * outer.n);
     if (nc_get_var_double(file.id, variable, values.data()) != NC_NOERR)
       reject_height_map(source.file,

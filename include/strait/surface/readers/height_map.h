@@ -36,8 +36,8 @@ namespace strait
   struct MapSource
   {
     std::string file;
-    MapFormat   format = MapFormat::by_content;
-    std::string dataset; // HDF5 and NetCDF; empty: the only one that fits
+    MapFormat   format  = MapFormat::by_content;
+    std::string dataset = {}; // HDF5 and NetCDF; empty: the only one that fits
   };
 
   /**
