@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/surface/readers/netcdf.h>
+#include <strait/surface/readers/netcdf_file.h>
 #include <strait/surface/readers/netcdf_header.h>
 
 #include <netcdf.h>
@@ -15,28 +16,6 @@ namespace strait
 {
   namespace
   {
-    /** An open NetCDF file, closed when it goes out of scope. */
-    class File
-    {
-    public:
-      explicit File(const std::string &name)
-        : is_open(nc_open(name.c_str(), NC_NOWRITE, &id) == NC_NOERR)
-      {
-      }
-
-      ~File()
-      {
-        if (is_open)
-          nc_close(id);
-      }
-
-      File(const File &)            = delete;
-      File &operator=(const File &) = delete;
-
-      int  id = -1;
-      bool is_open;
-    };
-
     std::string
     variable_name(const int file, const int variable)
     {
@@ -54,51 +33,6 @@ namespace strait
       nc_inq_vartype(file, variable, &type);
       return n_dimensions == 2 && type != NC_CHAR && type <= NC_UINT64 &&
              type != NC_STRING;
-    }
-
-    std::optional<double>
-    number_attribute(const int file, const int variable, const char *name)
-    {
-      nc_type     type   = NC_NAT;
-      std::size_t length = 0;
-      double      value  = 0.;
-      if (nc_inq_att(file, variable, name, &type, &length) != NC_NOERR ||
-          type == NC_CHAR || length != 1 ||
-          nc_get_att_double(file, variable, name, &value) != NC_NOERR)
-        return {};
-      return value;
-    }
-
-    std::string
-    text_attribute(const int file, const int variable, const char *name)
-    {
-      nc_type     type   = NC_NAT;
-      std::size_t length = 0;
-      if (nc_inq_att(file, variable, name, &type, &length) != NC_NOERR)
-        return {};
-      if (type == NC_STRING && length == 1)
-        {
-          char *text = nullptr;
-          if (nc_get_att_string(file, variable, name, &text) != NC_NOERR ||
-              text == nullptr)
-            return {};
-          const std::string result = text;
-          nc_free_string(1, &text);
-          return result;
-        }
-      std::string text(length, '\0');
-      if (type != NC_CHAR ||
-          nc_get_att_text(file, variable, name, text.data()) != NC_NOERR)
-        return {};
-      return text.substr(0, text.find('\0'));
-    }
-
-    LengthUnit
-    unit_of(const int file, const int variable)
-    {
-      const std::string unit = text_attribute(file, variable, "unit");
-      return parse_length_unit(unit.empty() ? text_attribute(file, variable, "units")
-                                            : unit);
     }
 
     int
@@ -169,7 +103,7 @@ namespace strait
       if (nc_inq_varid(file, along.name.c_str(), &variable) != NC_NOERR)
         return {};
       Side side;
-      side.unit        = unit_of(file, variable);
+      side.unit        = unit_attribute(file, variable);
       side.length      = number_attribute(file, variable, "length");
       side.is_periodic = number_attribute(file, variable, "periodic").value_or(0.) != 0.;
       if (!side.length && along.n > 1)
@@ -258,8 +192,8 @@ namespace strait
   is_netcdf4(const std::string &name)
   {
     // Any HDF5 file can be opened; only those of the library carry its name.
-    const File file(name);
-    int        length = 0;
+    const NetcdfFile file(name);
+    int              length = 0;
     if (!file.is_open)
       return false;
     std::size_t size = 0;
@@ -272,7 +206,7 @@ namespace strait
   HeightMap
   read_netcdf(const MapSource &source)
   {
-    const File file(source.file);
+    const NetcdfFile file(source.file);
     if (!file.is_open)
       reject_height_map(source.file,
                         "is damaged or no NetCDF file: copy or export it again.");
@@ -302,7 +236,7 @@ namespace strait
     map.ny                = static_cast<int>(x_is_outer ? inner.n : outer.n);
     map.values            = x_is_outer ? transposed(values, outer.n) : std::move(values);
     interpret(map.values, file.id, variable);
-    map.height_unit = unit_of(file.id, variable);
+    map.height_unit = unit_attribute(file.id, variable);
     read_sides(
       map, file.id, x_is_outer ? outer : inner, x_is_outer ? inner : outer, source.file);
     return map;
