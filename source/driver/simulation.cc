@@ -59,7 +59,7 @@ namespace strait
       warn_of_odd_grid(scene, log);
       report_sizes(scene, log);
       if (!scene.contact.young_moduli.empty())
-        log.line("contact modulus E* = " + to_text(scene.contact.effective_modulus) +
+        log.line(format("contact modulus E* = %.6g", scene.contact.effective_modulus) +
                  (scene.units.pressure.empty() ? "" : " " + scene.units.pressure));
       const auto surface = make_surface(scene.surface, MPI_COMM_WORLD);
       SlabField  heights = surface->heights(make_layout(grid, MPI_COMM_WORLD));
