@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw the results of a run: leakage.png, gaps.png, a picture-STEP.png a step, or ensemble.png.
+"""Draw the results of a run: leakage.png, one picture-STEP.png a load step, gaps.png,
+spectrum.png, or ensemble.png.
 
-Reads leakage.csv, fit.csv, fields-STEP.h5, picture-STEP.h5 or, of several realisations, ensemble.csv and the
+Reads leakage.csv, fit.csv, spectrum.csv, fields-STEP.h5, picture-STEP.h5 or, of several realisations, ensemble.csv and the
 folders beside it; for the units on the axes, run.json: its entry "units" may name those of length,
 pressure, leak_rate and current; without it they are the scene's.
 Exit status 1 where the folder holds no results or a file could not be read or written; whatever
@@ -19,6 +20,7 @@ try:
     from plot_gaps import draw_gaps
     from plot_leakage import draw_leakage
     from plot_pictures import draw_picture
+    from plot_spectrum import draw_spectrum
 except ImportError as missing:
     sys.exit(f"plot.py: the Python module {missing.name} is missing; "
              "install python3-numpy, python3-matplotlib and python3-h5py.")
@@ -35,6 +37,9 @@ def find_results(folder, only, steps):
     wanted = [(draw_ensemble, ensemble)] if only != "pictures" and ensemble.exists() else []
     if only != "pictures" and not wanted:
         wanted += [(draw_leakage, table), (draw_gaps, folder)]
+    spectrum = folder / "spectrum.csv"
+    if not only and spectrum.exists():
+        wanted.append((draw_spectrum, spectrum))
     if only != "leakage":
         wanted += [(draw_picture, pictures.get(step, folder / f"picture-{step}.h5"))
                    for step in steps or sorted(pictures)]

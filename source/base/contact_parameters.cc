@@ -17,6 +17,51 @@ namespace strait
     const Choices<ContactMethod> methods = {{ContactMethod::dual_cg, "dual CG"},
                                             {ContactMethod::polonsky_keer,
                                              "polonsky-keer"}};
+
+    std::vector<double>
+    parse_list(const std::string &text)
+    {
+      std::vector<double> values;
+      if (!trim(text).empty())
+        for (const std::string &value : split(text, ','))
+          values.push_back(std::stod(value));
+      return values;
+    }
+
+    /** 1/E* = Σ (1 − ν²)/E. */
+    double
+    contact_modulus(const std::vector<double> &young, const std::vector<double> &poisson)
+    {
+      double compliance = 0;
+      for (std::size_t i = 0; i < young.size(); ++i)
+        compliance += (1 - poisson[i] * poisson[i]) / young[i];
+      return 1 / compliance;
+    }
+
+    /** Before the modulus that follows from them is known: Effective modulus is as set.
+     */
+    void
+    check_elastic_constants(const ContactParameters &contact)
+    {
+      const auto &young   = contact.young_moduli;
+      const auto &poisson = contact.poisson_ratios;
+      if (young.empty() && poisson.empty())
+        return;
+      if (young.size() != poisson.size() || young.size() > 2)
+        throw InputError("Contact/Young's moduli and Poisson ratios have " +
+                         std::to_string(young.size()) + " and " +
+                         std::to_string(poisson.size()) +
+                         " entries; give one of each for each elastic body, one or two.");
+      if (contact.effective_modulus != ContactParameters().effective_modulus)
+        throw InputError(
+          "Contact/Effective modulus and Young's moduli are both given; remove one.");
+      for (std::size_t i = 0; i < young.size(); ++i)
+        if (!(young[i] > 0.) || !(poisson[i] > -1. && poisson[i] <= 0.5))
+          throw InputError("Contact/Young's moduli and Poisson ratios contain " +
+                           to_text(young[i]) + " with " + to_text(poisson[i]) +
+                           "; a modulus must be positive, a ratio above -1 and at most "
+                           "0.5.");
+    }
   } // namespace
 
   void
@@ -43,6 +88,15 @@ namespace strait
       to_text(standard.effective_modulus),
       Double(),
       "E*: contact modulus, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [pressure].");
+    prm.declare_entry("Young's moduli",
+                      "",
+                      List(Double(), 0),
+                      "E1, E2 of the two bodies, or E1 if the other one is rigid, in "
+                      "place of Effective modulus [pressure].");
+    prm.declare_entry("Poisson ratios",
+                      "",
+                      List(Double(), 0),
+                      "nu1, nu2 of the same bodies [1].");
     prm.declare_entry(
       "Control",
       controls.name(standard.control),
@@ -73,8 +127,13 @@ namespace strait
     prm.enter_subsection("Contact");
     enabled                          = prm.get_bool("Enabled");
     const std::array<double, 2> grid = parse_pair(prm.get("Grid points"));
-    grid_points        = {{static_cast<int>(grid[0]), static_cast<int>(grid[1])}};
-    effective_modulus  = prm.get_double("Effective modulus");
+    grid_points       = {{static_cast<int>(grid[0]), static_cast<int>(grid[1])}};
+    effective_modulus = prm.get_double("Effective modulus");
+    young_moduli      = parse_list(prm.get("Young's moduli"));
+    poisson_ratios    = parse_list(prm.get("Poisson ratios"));
+    check_elastic_constants(*this);
+    if (!young_moduli.empty())
+      effective_modulus = contact_modulus(young_moduli, poisson_ratios);
     control            = controls.value(prm.get("Control"));
     method             = methods.value(prm.get("Solver"));
     tolerance          = prm.get_double("Tolerance");

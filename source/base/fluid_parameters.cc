@@ -35,6 +35,13 @@ namespace strait
                       "true",
                       Bool(),
                       "Let a fluid leak through the gap. false: contact only.");
+    prm.declare_entry(
+      "State",
+      "liquid",
+      Selection("liquid|gas"),
+      "gas: pressures are absolute, leak_rate is the volume flow at their "
+      "mean, and throughputs may be asked for with Output/Leak rate "
+      "units. The flow is viscous in either case.");
     prm.declare_entry("Viscosity",
                       to_text(standard.viscosity),
                       Double(),
@@ -100,6 +107,7 @@ namespace strait
   {
     prm.enter_subsection("Fluid");
     enabled         = prm.get_bool("Enabled");
+    is_gas          = prm.get("State") == "gas";
     viscosity       = prm.get_double("Viscosity");
     inlet_pressure  = prm.get_double("Inlet pressure");
     outlet_pressure = prm.get_double("Outlet pressure");
@@ -128,6 +136,10 @@ namespace strait
                        to_text(inlet_pressure) +
                        ", so nothing drives a flow; change one or set Fluid/Enabled = "
                        "false.");
+    if (is_gas && (inlet_pressure < 0. || outlet_pressure < 0.))
+      throw InputError(
+        "Fluid/State = gas needs absolute pressures, but Inlet or Outlet pressure is "
+        "negative.");
     for (const double slip_length : slip_lengths)
       if (!(slip_length <= 0.))
         throw InputError("Fluid/Slip length is " + to_text(slip_length) +

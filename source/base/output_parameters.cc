@@ -2,6 +2,8 @@
 #include <strait/base/choices.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/output_parameters.h>
+#include <strait/base/text.h>
+#include <strait/base/units.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -35,6 +37,22 @@ namespace strait
       "true",
       Bool(),
       "Draw a picture of each step and of the leak rate against the load.");
+    prm.declare_entry(
+      "Surface map",
+      "false",
+      Bool(),
+      "Write the surface on the grid, processed, as NetCDF (surface.nc).");
+    prm.declare_entry("Surface spectrum",
+                      "false",
+                      Bool(),
+                      "Write and draw the spectrum of the surface (spectrum.csv).");
+    prm.declare_entry("Leak rate units",
+                      "",
+                      Anything(),
+                      "Columns with the leak rate in units of the trade, a list of " +
+                        leak_rate_unit_names() +
+                        "; needs the section Units. The last three are throughputs of a "
+                        "gas, for Fluid/State = gas.");
     prm.leave_subsection();
   }
 
@@ -42,9 +60,14 @@ namespace strait
   OutputParameters::parse(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Output");
-    directory = prm.get("Directory");
-    fields    = field_outputs.value(prm.get("Fields"));
-    pictures  = prm.get_bool("Pictures");
+    directory        = prm.get("Directory");
+    fields           = field_outputs.value(prm.get("Fields"));
+    pictures         = prm.get_bool("Pictures");
+    surface_map      = prm.get_bool("Surface map");
+    surface_spectrum = prm.get_bool("Surface spectrum");
+    leak_rate_units.clear();
+    if (!prm.get("Leak rate units").empty())
+      leak_rate_units = split(prm.get("Leak rate units"), ',');
     prm.leave_subsection();
   }
 
@@ -53,5 +76,10 @@ namespace strait
   {
     if (directory.empty())
       throw InputError("Output/Directory is empty; name a folder for the results.");
+    for (const std::string &unit : leak_rate_units)
+      if (find_leak_rate_unit(unit) == nullptr)
+        throw InputError("Output/Leak rate units contains '" + unit +
+                         "', which is not known; choose from " + leak_rate_unit_names() +
+                         ".");
   }
 } // namespace strait

@@ -5,6 +5,7 @@
 #include <strait/base/scene.h>
 #include <strait/base/scene_text.h>
 #include <strait/base/text.h>
+#include <strait/base/units.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -39,7 +40,8 @@ namespace strait
     anchor_path(SceneEntry &entry)
     {
       const bool is_path = entry.section == std::vector<std::string>{"Surface"} &&
-                           entry.name == "File" && !entry.value.empty();
+                           (entry.name == "File" || entry.name == "Second file") &&
+                           !entry.value.empty();
       if (is_path)
         entry.value =
           (std::filesystem::path(entry.folder) / entry.value).lexically_normal().string();
@@ -49,6 +51,7 @@ namespace strait
   void
   Scene::declare(dealii::ParameterHandler &prm)
   {
+    UnitParameters::declare(prm);
     SurfaceParameters::declare(prm);
     ContactParameters::declare(prm);
     FluidParameters::declare(prm);
@@ -61,7 +64,9 @@ namespace strait
   void
   Scene::parse(dealii::ParameterHandler &prm)
   {
+    units.parse(prm);
     surface.parse(prm);
+    surface.map.length_in_metres = units.length_in_metres();
     contact.parse(prm);
     fluid.parse(prm);
     programme.parse(prm);
@@ -76,6 +81,7 @@ namespace strait
   void
   Scene::check() const
   {
+    units.check();
     surface.check();
     contact.check();
     fluid.check();
@@ -108,6 +114,17 @@ namespace strait
         "Load programme/Find blow-out raises the inlet pressure until the "
         "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
         "Contact/Control = load.");
+    for (const std::string &name : output.leak_rate_units)
+      {
+        if (!units.are_complete())
+          throw InputError("Output/Leak rate units = " + name +
+                           " needs to know the scene's units; set Units/Length, Pressure "
+                           "and Time.");
+        if (find_leak_rate_unit(name)->is_throughput && !fluid.is_gas)
+          throw InputError("Output/Leak rate units = " + name +
+                           " is a throughput of gas; set Fluid/State = gas, or choose a "
+                           "volume per time.");
+      }
     if (!contact.enabled && !fluid.enabled && !theory.enabled)
       throw InputError(
         "Contact/Enabled and Fluid/Enabled are both false, so there is "

@@ -122,13 +122,7 @@ namespace strait
       Anything(),
       "Kind = expression: h [length] as a formula of x and y [length], in "
       "muParser's syntax; pi is known.");
-    prm.declare_entry(
-      "File",
-      "",
-      Anything(),
-      "Kind = file: a measured map, .npy or matrix text with a header of units, "
-      "one value a grid point; a relative path starts at the folder of the "
-      "scene file (with --set: at the current folder).");
+    MapParameters::declare(prm);
     prm.declare_entry("Invert", "false", Bool(), "Use -h instead of h.");
     prm.declare_entry("Rotate", "false", Bool(), "Rotate the surface by 90 degrees.");
     prm.leave_subsection();
@@ -149,9 +143,9 @@ namespace strait
     rms_value                = prm.get_double("RMS value");
     amplitude                = prm.get_double("Amplitude");
     expression               = prm.get("Expression");
-    file                     = prm.get("File");
-    invert                   = prm.get_bool("Invert");
-    rotate                   = prm.get_bool("Rotate");
+    map.parse(prm);
+    invert = prm.get_bool("Invert");
+    rotate = prm.get_bool("Rotate");
     prm.leave_subsection();
   }
 
@@ -183,8 +177,7 @@ namespace strait
               "Surface/Expression.");
           break;
         case SurfaceKind::file:
-          if (file.empty())
-            throw InputError("Surface/Kind = file needs a height map; set Surface/File.");
+          map.check();
           break;
         case SurfaceKind::flat:
           break;

@@ -7,6 +7,7 @@
 #include <strait/driver/gap_output.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/picture_data.h>
+#include <strait/driver/result_units.h>
 #include <strait/driver/simulation.h>
 
 #include <cstdlib>
@@ -35,6 +36,9 @@ namespace strait
                                 "blow_out.csv",
                                 "constrictions.csv",
                                 "fit.csv",
+                                "surface.nc",
+                                "spectrum.csv",
+                                "spectrum.png",
                                 "run.json",
                                 "log.txt",
                                 "parameters.prm"})
@@ -43,6 +47,28 @@ namespace strait
       static const std::regex numbered_file(
         "(fields|flow|picture)-[0-9]+\\.(h5|vtu|pvtu|png)");
       return std::regex_match(name, numbered_file);
+    }
+
+    /** The quantities whose unit the plotting scripts ask for. */
+    Json
+    units_of_plots(const UnitParameters &units)
+    {
+      Json result = Json::object();
+      result.set("length", units.length)
+        .set("pressure", units.pressure)
+        .set("time", units.time)
+        .set("leak_rate", unit_of_column("leak_rate", units))
+        .set("current", units.length + "²/" + units.time);
+      return result;
+    }
+
+    Json
+    units_of_columns(const std::vector<std::string> &names, const UnitParameters &units)
+    {
+      Json result = Json::object();
+      for (const std::string &name : names)
+        result.set(name, unit_of_column(name, units));
+      return result;
     }
 
     /** @p text in single quotes for the shell. */
@@ -193,6 +219,9 @@ namespace strait
       .set("seconds", seconds)
       .set("warnings", Json(log.warnings()))
       .set("parameters", scene.resolved);
+    if (scene.units.are_complete())
+      record.set("units", units_of_plots(scene.units))
+        .set("column_units", units_of_columns(table.column_names(), scene.units));
     write_text(path + "/run.json", record.text());
   }
 } // namespace strait

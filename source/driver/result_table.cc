@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/driver/result_table.h>
+#include <strait/driver/result_units.h>
 #include <strait/driver/theory_run.h>
 
 #include <cmath>
@@ -88,6 +89,14 @@ namespace strait
     add("leak_rate", [](const Step &step) { return step.flow->result.leak_rate; });
     add("leak_rate_lower", [](const Step &step) { return step.flow->result.lower; });
     add("leak_rate_upper", [](const Step &step) { return step.flow->result.upper; });
+    for (const std::string &name : scene.output.leak_rate_units)
+      {
+        const LeakRateUnit  *unit  = find_leak_rate_unit(name);
+        const UnitParameters units = scene.units;
+        add(unit->column, [=](const Step &step) {
+          return in_trade_unit(step.flow->result.leak_rate, *unit, units, fluid);
+        });
+      }
     add("effective_gap", [fluid](const Step &step) {
       return effective_gap(fluid, step.gap.grid(), step.flow->result.leak_rate);
     });

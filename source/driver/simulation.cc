@@ -5,11 +5,11 @@
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/simulation.h>
+#include <strait/driver/surface_output.h>
 #include <strait/driver/theory_run.h>
 #include <strait/interface/moment_set.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/resolution.h>
-#include <strait/surface/statistics.h>
 #include <strait/surface/surface.h>
 
 #include <algorithm>
@@ -32,29 +32,6 @@ namespace strait
                       grid.ly,
                       n_ranks,
                       n_ranks == 1 ? "rank" : "ranks"));
-    }
-
-    void
-    report_surface(const Scene &scene, const SlabField &heights, Log &log)
-    {
-      const SurfaceStatistics surface = statistics(heights);
-      log.line(
-        format("surface: rms height %.5g, rms slope %.5g, rms curvature %.5g, "
-               "heights from %.5g to %.5g",
-               surface.rms_height,
-               surface.rms_slope,
-               surface.rms_curvature,
-               surface.lowest,
-               surface.highest));
-      if (scene.surface.kind == SurfaceKind::self_affine)
-        {
-          const PeriodicGrid &grid = heights.grid();
-          log.line(format(
-            "resolution: λs/a = %.4g, λr/λs = %.4g, L/λr = %.4g",
-            scene.surface.short_cut_off_wavelength / std::max(grid.dx(), grid.dy()),
-            scene.surface.roll_off_wavelength / scene.surface.short_cut_off_wavelength,
-            std::min(grid.lx, grid.ly) / scene.surface.roll_off_wavelength));
-        }
     }
 
     /** A mesh can only be as coarse as the grid can be halved. */
@@ -82,8 +59,15 @@ namespace strait
         log.warn(warning);
       warn_of_odd_grid(scene, log);
       report_sizes(scene, log);
+      if (!scene.contact.young_moduli.empty())
+        log.line(format("contact modulus E* = %.6g", scene.contact.effective_modulus) +
+                 (scene.units.pressure.empty() ? "" : " " + scene.units.pressure));
       const auto surface = make_surface(scene.surface, MPI_COMM_WORLD);
       SlabField  heights = surface->heights(make_layout(grid, MPI_COMM_WORLD));
+      for (const std::string &note : surface->remarks().notes)
+        log.line(note);
+      for (const std::string &warning : surface->remarks().warnings)
+        log.warn(warning);
       report_surface(scene, heights, log);
       return heights;
     }
@@ -114,10 +98,14 @@ namespace strait
     }();
     const auto n_points = static_cast<double>(heights.grid().n_points());
 
-    LoadSweep sweep(scene, std::move(heights), log, timers);
+    // The sweep takes the heights.
+    const bool      is_shown = scene.output.surface_map || scene.output.surface_spectrum;
+    const SlabField shown    = is_shown ? heights : SlabField();
+    LoadSweep       sweep(scene, std::move(heights), log, timers);
     // The first thing that is written, after the last check of the input.
     OutputDirectory output(scene, MPI_COMM_WORLD, log);
-    RunSummary      summary;
+    write_surface(scene, shown);
+    RunSummary summary;
     if (scene.programme.find_threshold)
       {
         summary.thresholds = sweep.find_thresholds();

@@ -13,6 +13,19 @@ namespace strait
 {
   namespace
   {
+    /** One map, or the two of two rough bodies. */
+    std::unique_ptr<const Surface>
+    make_measured(const SurfaceParameters &parameters, MPI_Comm communicator)
+    {
+      const auto read = [&](const std::string &file) {
+        return std::make_unique<FileSurface>(parameters, file, communicator);
+      };
+      if (parameters.map.second_file.empty())
+        return read(parameters.map.file);
+      return std::make_unique<CombinedSurface>(read(parameters.map.file),
+                                               read(parameters.map.second_file));
+    }
+
     std::unique_ptr<const Surface>
     make_original(const SurfaceParameters &parameters, MPI_Comm communicator)
     {
@@ -34,7 +47,7 @@ namespace strait
           case SurfaceKind::expression:
             return std::make_unique<ExpressionSurface>(parameters);
           case SurfaceKind::file:
-            return std::make_unique<FileSurface>(parameters, communicator);
+            return make_measured(parameters, communicator);
         }
       throw std::logic_error("make_surface() does not know this kind of surface.");
     }

@@ -85,4 +85,33 @@ namespace strait
         }
     return after;
   }
+
+  CombinedSurface::CombinedSurface(std::unique_ptr<const Surface> first_,
+                                   std::unique_ptr<const Surface> second_)
+    : first(std::move(first_))
+    , second(std::move(second_))
+  {
+  }
+
+  SlabField
+  CombinedSurface::heights(const SlabLayoutPtr &layout) const
+  {
+    SlabField       sum   = first->heights(layout);
+    const SlabField other = second->heights(layout);
+    const int       nx    = layout->grid().nx;
+    for (int row = 0; row < layout->n_rows(); ++row)
+      for (int ix = 0; ix < nx; ++ix)
+        sum(ix, row) += other((nx - ix) % nx, row); // −x in the periodic box
+    return sum;
+  }
+
+  Remarks
+  CombinedSurface::remarks() const
+  {
+    Remarks       all  = first->remarks();
+    const Remarks more = second->remarks();
+    all.notes.insert(all.notes.end(), more.notes.begin(), more.notes.end());
+    all.warnings.insert(all.warnings.end(), more.warnings.begin(), more.warnings.end());
+    return all;
+  }
 } // namespace strait

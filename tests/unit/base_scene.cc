@@ -217,10 +217,10 @@ TEST(Scene, PathOfAMapCountsFromTheSceneOrTheCurrentFolder)
 {
   const SceneFile file(
     "subsection Surface\n set Kind = file\n set File = d/m.txt\nend\n");
-  EXPECT_EQ(read_scene(file.path).surface.file, file.folder + "/d/m.txt");
+  EXPECT_EQ(read_scene(file.path).surface.map.file, file.folder + "/d/m.txt");
   const Scene scene = read_scene(file.path, {"Surface/File=m.npy"});
-  EXPECT_EQ(scene.surface.file, (std::filesystem::current_path() / "m.npy").string());
-  EXPECT_EQ(read_scene(file.path, {"Surface/File=/m.npy"}).surface.file, "/m.npy");
+  EXPECT_EQ(scene.surface.map.file, (std::filesystem::current_path() / "m.npy").string());
+  EXPECT_EQ(read_scene(file.path, {"Surface/File=/m.npy"}).surface.map.file, "/m.npy");
 }
 
 TEST(Scene, UnknownNamesSuggestTheNearest)

@@ -15,9 +15,9 @@ namespace
   surface_from(const TemporaryFile &file, const double lx = 1., const double ly = 1.)
   {
     SurfaceParameters parameters;
-    parameters.kind = SurfaceKind::file;
-    parameters.file = file.path;
-    parameters.size = {{lx, ly}};
+    parameters.kind     = SurfaceKind::file;
+    parameters.map.file = file.path;
+    parameters.size     = {{lx, ly}};
     return parameters;
   }
 
@@ -75,10 +75,39 @@ namespace
   TEST(FileSurface, BadFilesAreBadOnEveryRank)
   {
     SurfaceParameters missing;
-    missing.kind = SurfaceKind::file;
-    missing.file = "/no/such/file.npy";
+    missing.kind     = SurfaceKind::file;
+    missing.map.file = "/no/such/file.npy";
     EXPECT_TRUE(mentions(complaint(missing, 2, 2), "does not exist"));
     const TemporaryFile ragged("1 2 3\n4 5\n");
     EXPECT_TRUE(mentions(complaint(surface_from(ragged), 3, 2), "in line 2"));
+  }
+
+  TEST(FileSurface, ResampledToTheGridOfTheScene)
+  {
+    const TemporaryFile file("1 3 1 3\n1 3 1 3\n");
+    auto                parameters = surface_from(file);
+    EXPECT_TRUE(mentions(complaint(parameters, 8, 4), "Surface/Resample = true"));
+    parameters.map.resample = true;
+    const auto heights      = whole_surface(parameters, 8, 4);
+    for (int iy = 0; iy < 4; ++iy)
+      for (int ix = 0; ix < 8; ++ix)
+        EXPECT_NEAR(heights[iy * 8 + ix],
+                    ix % 2 == 1   ? 2.
+                    : ix % 4 == 0 ? 1.
+                                  : 3.,
+                    1e-12);
+  }
+
+  TEST(FileSurface, TwoRoughBodies)
+  {
+    const TemporaryFile first("1 2 3\n4 5 6\n"), second("10 20 30\n40 50 60\n");
+    auto                parameters = surface_from(first);
+    parameters.map.second_file     = second.path;
+    // The second one is turned over: x becomes −x.
+    EXPECT_EQ(whole_surface(parameters, 3, 2),
+              (std::vector<double>{11, 32, 23, 44, 65, 56}));
+    const TemporaryFile other("1 2\n3 4\n");
+    parameters.map.second_file = other.path;
+    EXPECT_TRUE(mentions(complaint(parameters, 3, 2), other.path));
   }
 } // namespace

@@ -19,14 +19,14 @@ namespace
   HeightMap
   read(const std::string &content)
   {
-    return read_height_map(TemporaryFile(content).path);
+    return read_height_map({TemporaryFile(content).path});
   }
 
   std::string
   complaint(const std::string &content)
   {
     const TemporaryFile file(content);
-    return input_error([&]() { read_height_map(file.path); });
+    return input_error([&]() { read_height_map({file.path}); });
   }
 
   void
@@ -130,12 +130,17 @@ namespace
       mentions(complaint(npy(dictionary("<f8", "(2, 3)"), data, 7)), "version"));
   }
 
-  TEST(NpyReader, NamesThePlaceOfWhatIsNotFinite)
+  TEST(NpyReader, NaNIsMissingAndInfinityIsBad)
   {
     auto values = six;
     values[4]   = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(read(npy(dictionary("<f8", "(2, 3)"), bytes(values))).n_missing(), 1U);
+    values[4] = std::numeric_limits<double>::infinity();
     EXPECT_TRUE(mentions(complaint(npy(dictionary("<f8", "(2, 3)"), bytes(values))),
                          "row 1, column 1"));
+    values.assign(6, std::numeric_limits<double>::quiet_NaN());
+    EXPECT_TRUE(mentions(complaint(npy(dictionary("<f8", "(2, 3)"), bytes(values))),
+                         "no valid point"));
   }
 
   TEST(MatrixTextReader, Separators)
@@ -155,23 +160,64 @@ namespace
     const auto map = read(
       "h=2 w=3\npixel size=5e-007 m\ndata unit=rad\n"
       "height conversion factor (-> m)=2e-008\n1 2 3\n4 5 6 \n");
-    expect_map(map, 3, 2, {2e-8, 4e-8, 6e-8, 8e-8, 1e-7, 1.2e-7});
+    expect_map(map, 3, 2, {1, 2, 3, 4, 5, 6});
+    EXPECT_DOUBLE_EQ(map.height_unit.metres.value(), 2e-8);
+    EXPECT_DOUBLE_EQ(map.lateral_unit.metres.value(), 1.);
     ASSERT_TRUE(map.size);
     EXPECT_DOUBLE_EQ((*map.size)[0], 1.5e-6);
     EXPECT_DOUBLE_EQ((*map.size)[1], 1e-6);
+    EXPECT_FALSE(read("data unit=rad\n1 2\n3 4\n").height_unit.metres);
+    EXPECT_EQ(read("data unit=rad\n1 2\n3 4\n").height_unit.name, "rad");
   }
 
   TEST(MatrixTextReader, GwyddionHeader)
   {
     for (const std::string micro : {"\xc2\xb5", "\xb5", "\xce\xbc", "u"})
       {
-        const auto map = read("# Channel: Topography\n# Width: 12.34 " + micro +
-                              "m\n# Height: 5678.9 nm\n# Value units: nm\n1 1.5\n-2 0\n");
-        expect_map(map, 2, 2, {1e-9, 1.5e-9, -2e-9, 0});
+        const auto map =
+          read("# Channel: Topography\n# Width: 12,34 " + micro +
+               "m\n# Height: 5678.9 nm\n# Value units: " + micro + "m\n1 1.5\n-2 0\n");
+        expect_map(map, 2, 2, {1, 1.5, -2, 0});
+        EXPECT_DOUBLE_EQ(map.height_unit.metres.value(), 1e-6);
         ASSERT_TRUE(map.size);
         EXPECT_DOUBLE_EQ((*map.size)[0], 12.34e-6);
         EXPECT_DOUBLE_EQ((*map.size)[1], 5678.9e-9);
       }
+  }
+
+  TEST(MatrixTextReader, OtherInstruments)
+  {
+    const auto cells = read(
+      "\"Date\",\"today\"\n\"XY calibration\",\"276.5\",\"nm\"\n"
+      "\"Unit\",\"\xb5m\"\n\n1,2\n3,4\n");
+    expect_map(cells, 2, 2, {1, 2, 3, 4});
+    EXPECT_DOUBLE_EQ((*cells.size)[0], 553e-9);
+    EXPECT_DOUBLE_EQ(cells.height_unit.metres.value(), 1e-6);
+
+    const auto pixels = read(
+      "# x-pixels = 2\n# y-pixels = 1\n# x-length = 500\n"
+      "# y-length = 250\n# Bit2nm = 0.5\n# Start of Data:\n1 2\n");
+    EXPECT_DOUBLE_EQ((*pixels.size)[0], 500.);
+    EXPECT_FALSE(pixels.lateral_unit.is_stated());
+    EXPECT_DOUBLE_EQ(pixels.height_unit.metres.value(), 5e-10);
+  }
+
+  TEST(MatrixTextReader, DecimalCommas)
+  {
+    const std::vector<double> expected = {1, -2.5, 3e-7, 4, 5, 6.25};
+    for (const std::string text : {"1;-2,5;3e-7\n4;5;6,25\n",
+                                   "1 -2,5 3e-7\n4 5 6,25\n",
+                                   "1\t-2,5\t3e-7\r\n4\t5\t6,25\r\n"})
+      expect_map(read(text), 3, 2, expected);
+    EXPECT_TRUE(mentions(complaint("1.5 2\n3,5 4\n"), "mixes decimal points and commas"));
+    EXPECT_TRUE(mentions(complaint("1.5;1,234.5\n"), "not a number in line 1, column 1"));
+  }
+
+  TEST(MatrixTextReader, MissingPoints)
+  {
+    for (const std::string text : {"1 nan\nBAD 4\n", "1,***\n--,4\n", "1;NaN\nn/a;4\n"})
+      EXPECT_EQ(read(text).n_missing(), 2U) << text;
+    EXPECT_EQ(read("bad 2\n3 4\n").n_missing(), 1U);
   }
 
   TEST(MatrixTextReader, BadFiles)
@@ -181,18 +227,16 @@ namespace
     EXPECT_TRUE(mentions(complaint("1 2\n4 x\n"), "not a number in line 2, column 1"));
     EXPECT_TRUE(mentions(complaint("1 2\n4 5.5.5\n"), "not a number in line 2"));
     EXPECT_TRUE(mentions(complaint("1,,2\n"), "not a number in line 1, column 1"));
-    EXPECT_TRUE(mentions(complaint("1,5;2,5\n"), "mixes separators in line 1"));
-    EXPECT_TRUE(mentions(complaint("1 2\n3,4\n"), "mixes separators in line 2"));
+    EXPECT_TRUE(mentions(complaint("1 2\n3,4\n"), "1 values in line 2 and 2"));
     EXPECT_TRUE(mentions(complaint("h=3 w=2\n1 2\n3 4\n"), "promises 3 rows of 2"));
     EXPECT_TRUE(
       mentions(complaint("h=999999999 w=999999999\n1 2\n"), "holds 1 rows of 2"));
-    EXPECT_TRUE(mentions(complaint("1 2\n3 nan\n"), "row 1, column 1"));
     EXPECT_TRUE(mentions(complaint("1 2\n-inf 4\n"), "row 1, column 0"));
     EXPECT_TRUE(mentions(complaint("# Width: 3 furlong\n1 2\n"), "'furlong'"));
     EXPECT_TRUE(mentions(complaint("# Width: -3 m\n1 2\n"), "positive"));
     EXPECT_TRUE(mentions(complaint("# Width: wide\n1 2\n"), "'wide'"));
     EXPECT_TRUE(mentions(complaint("no number at all\n"), "holds no numbers"));
-    EXPECT_TRUE(mentions(complaint(""), "holds no numbers"));
+    EXPECT_TRUE(mentions(complaint(""), "is empty"));
     EXPECT_TRUE(mentions(complaint(std::string(100000, 'x')), "holds no numbers"));
   }
 
@@ -200,11 +244,12 @@ namespace
   {
     EXPECT_TRUE(mentions(complaint("\x89HDF\r\n\x1a\n"), "HDF5"));
     EXPECT_TRUE(mentions(complaint("CDF\x02"), "NetCDF"));
-    EXPECT_TRUE(mentions(complaint(std::string("MZ\0\1", 4)), "neither"));
+    EXPECT_TRUE(mentions(complaint("PK\x03\x04"), "zip"));
+    EXPECT_TRUE(mentions(complaint(std::string("MZ\0\1", 4)), "not known"));
     EXPECT_TRUE(
-      mentions(input_error([]() { read_height_map(""); }), "Surface/File is empty"));
-    EXPECT_TRUE(mentions(input_error([]() { read_height_map("/no/such.npy"); }),
+      mentions(input_error([]() { read_height_map({""}); }), "Surface/File is empty"));
+    EXPECT_TRUE(mentions(input_error([]() { read_height_map({"/no/such.npy"}); }),
                          "'/no/such.npy' does not exist"));
-    EXPECT_TRUE(mentions(input_error([]() { read_height_map("/"); }), "is not a file"));
+    EXPECT_TRUE(mentions(input_error([]() { read_height_map({"/"}); }), "is not a file"));
   }
 } // namespace

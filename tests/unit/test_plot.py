@@ -97,6 +97,33 @@ class PlotTest(unittest.TestCase):
         return sorted(path.name for path in self.folder.glob("*.png"))
 
 
+class Spectrum(PlotTest):
+    """spectrum.png."""
+
+    def write_spectrum(self, fits):
+        (self.folder / "spectrum.csv").write_text(
+            "wave_number,wavelength,density,modes,fit\n" +
+            "".join(f"{q},{6.28 / q},{q**-3.6},{8 * q},{fit}\n"
+                    for q, fit in zip((1., 2., 4., 8.), fits)))
+
+    def test_with_and_without_a_fit(self):
+        self.write_table(HEADER, *ROWS)
+        for fits in ((1, 0.08, 0.0068, "nan"), ("nan",) * 4):
+            self.write_spectrum(fits)
+            self.assertEqual(self.draw(), (0, ""))
+            self.assertIn("spectrum.png", self.drawn())
+            pixels = imread(self.folder / "spectrum.png")[..., :3]
+            line = share(pixels, (213, 94, 0))  # vermillion
+            self.assertEqual(line > 0.0005, fits[0] == 1)
+
+    def test_a_bad_table_is_reported(self):
+        self.write_table(HEADER, *ROWS)
+        (self.folder / "spectrum.csv").write_text("density\n1\n")
+        status, message = self.draw()
+        self.assertEqual(status, 1)
+        self.assertIn("spectrum.csv", message)
+
+
 class Leakage(PlotTest):
     """leakage.png."""
 

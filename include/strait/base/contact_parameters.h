@@ -3,6 +3,7 @@
 #define strait_base_contact_parameters_h
 
 #include <array>
+#include <vector>
 
 namespace dealii
 {
@@ -26,13 +27,15 @@ namespace strait
   /** The section Contact of a scene: elastic half-space against the substrate. */
   struct ContactParameters
   {
-    bool               enabled            = true;
-    std::array<int, 2> grid_points        = {{512, 512}}; // nx, ny
-    double             effective_modulus  = 1.;
-    ContactControl     control            = ContactControl::load;
-    ContactMethod      method             = ContactMethod::dual_cg;
-    double             tolerance          = 1e-8; // residual in units of h_rms
-    int                maximum_iterations = 1000;
+    bool                enabled           = true;
+    std::array<int, 2>  grid_points       = {{512, 512}}; // nx, ny
+    double              effective_modulus = 1.; // follows from the next two, if given
+    std::vector<double> young_moduli;           // of one or two bodies
+    std::vector<double> poisson_ratios;
+    ContactControl      control            = ContactControl::load;
+    ContactMethod       method             = ContactMethod::dual_cg;
+    double              tolerance          = 1e-8; // residual in units of h_rms
+    int                 maximum_iterations = 1000;
 
     static void declare(dealii::ParameterHandler &prm);
     void        parse(dealii::ParameterHandler &prm);

@@ -41,6 +41,7 @@ namespace strait
   struct FluidParameters
   {
     bool                enabled          = true;
+    bool                is_gas           = false;
     double              viscosity        = 1.;
     double              inlet_pressure   = 1.;
     double              outlet_pressure  = 0.;

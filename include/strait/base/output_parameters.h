@@ -3,6 +3,7 @@
 #define strait_base_output_parameters_h
 
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -21,9 +22,12 @@ namespace strait
   /** The section Output. */
   struct OutputParameters
   {
-    std::string directory = "output";
-    FieldOutput fields    = FieldOutput::none;
-    bool        pictures  = true;
+    std::string              directory        = "output";
+    FieldOutput              fields           = FieldOutput::none;
+    bool                     pictures         = true;
+    bool                     surface_map      = false; // surface.nc
+    bool                     surface_spectrum = false; // spectrum.csv
+    std::vector<std::string> leak_rate_units;
 
     static void declare(dealii::ParameterHandler &prm);
     void        parse(dealii::ParameterHandler &prm);

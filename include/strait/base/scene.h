@@ -9,6 +9,7 @@
 #include <strait/base/realisation_parameters.h>
 #include <strait/base/surface_parameters.h>
 #include <strait/base/theory_parameters.h>
+#include <strait/base/unit_parameters.h>
 
 #include <iosfwd>
 #include <string>
@@ -19,6 +20,7 @@ namespace strait
   /** All that a scene file says, parsed and checked; constant from then on. */
   struct Scene
   {
+    UnitParameters        units;
     SurfaceParameters     surface;
     ContactParameters     contact;
     FluidParameters       fluid;

@@ -2,6 +2,8 @@
 #ifndef strait_base_surface_parameters_h
 #define strait_base_surface_parameters_h
 
+#include <strait/base/map_parameters.h>
+
 #include <array>
 #include <string>
 
@@ -51,7 +53,7 @@ namespace strait
     double                rms_value                = 1.;
     double                amplitude                = 1.; // sphere: its radius
     std::string           expression;
-    std::string           file;
+    MapParameters         map;
     bool                  invert = false;
     bool                  rotate = false;
 

@@ -8,9 +8,9 @@
 namespace strait
 {
   /**
-   * A height map from a file, point by point: row 0 of the file is y = 0, and
-   * the grid must have as many points as the file. Rank 0 reads and keeps the
-   * map.
+   * A measured map from a file, processed as the scene says: row 0 of the file is
+   * y = 0. Unless the scene resamples it, the grid must have as many points as the
+   * map. Rank 0 reads, processes and keeps it.
    */
   class FileSurface : public Surface
   {
@@ -19,14 +19,26 @@ namespace strait
      * Collective. Throws InputError for a bad file, and where the file states a
      * size that differs from the scene's by more than a thousandth.
      */
-    FileSurface(const SurfaceParameters &parameters, MPI_Comm communicator);
+    FileSurface(const SurfaceParameters &parameters,
+                const std::string       &file,
+                MPI_Comm                 communicator);
 
-    /** Throws InputError if the grid of @p layout is not that of the file. */
+    /**
+     * Throws InputError if the grid of @p layout is not that of the map and the scene
+     * does not resample.
+     */
     SlabField heights(const SlabLayoutPtr &layout) const override;
 
+    Remarks remarks() const override;
+
   private:
-    SurfaceParameters scene;
-    HeightMap         map; // without values except on rank 0
+    std::vector<double> values_on(const PeriodicGrid &grid) const;
+
+    SurfaceParameters   scene;
+    std::string         file;
+    HeightMap           map; // without values except on rank 0
+    Remarks             of_map;
+    mutable std::string of_grid; // what became of it on the last grid
   };
 } // namespace strait
 

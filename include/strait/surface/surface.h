@@ -6,9 +6,18 @@
 #include <strait/spectral/slab_field.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace strait
 {
+  /** What is to be said of a surface: one sentence each. */
+  struct Remarks
+  {
+    std::vector<std::string> notes;
+    std::vector<std::string> warnings;
+  };
+
   /** A rough, rigid, periodic substrate that can be sampled on any grid. */
   class Surface
   {
@@ -22,11 +31,18 @@ namespace strait
      * grid: a height map of another size, an expression that is not finite.
      */
     virtual SlabField heights(const SlabLayoutPtr &layout) const = 0;
+
+    /** What was done to make the last heights(), for the user; on rank 0. */
+    virtual Remarks
+    remarks() const
+    {
+      return {};
+    }
   };
 
   /**
    * The surface that the section Surface of a scene describes, inverted and
-   * rotated if it says so. A file is read here, on rank 0. Collective.
+   * rotated if it says so. Files are read here, on rank 0. Collective.
    * Throws InputError (on all ranks) for a bad file or expression, a box that
    * does not fit the kind, or a spectrum without a single wave.
    */

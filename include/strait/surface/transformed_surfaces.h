@@ -14,6 +14,12 @@ namespace strait
 
     SlabField heights(const SlabLayoutPtr &layout) const override;
 
+    Remarks
+    remarks() const override
+    {
+      return original->remarks();
+    }
+
   private:
     std::unique_ptr<const Surface> original;
   };
@@ -29,8 +35,32 @@ namespace strait
 
     SlabField heights(const SlabLayoutPtr &layout) const override;
 
+    Remarks
+    remarks() const override
+    {
+      return original->remarks();
+    }
+
   private:
     std::unique_ptr<const Surface> original;
+  };
+
+  /**
+   * Two rough bodies face to face: the second one, seen from its own side, is
+   * turned over, so that h(x, y) = h_first(x, y) + h_second(−x, y).
+   */
+  class CombinedSurface : public Surface
+  {
+  public:
+    CombinedSurface(std::unique_ptr<const Surface> first,
+                    std::unique_ptr<const Surface> second);
+
+    SlabField heights(const SlabLayoutPtr &layout) const override;
+    Remarks   remarks() const override;
+
+  private:
+    std::unique_ptr<const Surface> first;
+    std::unique_ptr<const Surface> second;
   };
 } // namespace strait
 

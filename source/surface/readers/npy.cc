@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/surface/readers/binary.h>
 #include <strait/surface/readers/npy.h>
 
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <regex>
-#include <type_traits>
 
 namespace strait
 {
@@ -33,36 +32,15 @@ namespace strait
       return value;
     }
 
-    template <class Number>
-    double
-    decode_as(const std::uint64_t bits)
+    /** The type of the numbers behind "<f8" and its like. */
+    NumberType
+    number_type(const NpyHeader &header)
     {
-      // The lowest bytes of the word, whatever the byte order of this machine.
-      using Word = std::conditional_t<
-        sizeof(Number) == 2,
-        std::uint16_t,
-        std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>;
-      const Word word = static_cast<Word>(bits);
-      Number     value;
-      std::memcpy(&value, &word, sizeof(value));
-      return static_cast<double>(value);
-    }
-
-    double
-    decode(const NpyHeader &header, const char *bytes)
-    {
-      const std::uint64_t bits = little_endian(bytes, header.item_size);
       if (header.type == 'f')
-        return header.item_size == 4 ? decode_as<float>(bits) : decode_as<double>(bits);
-      switch (header.item_size)
-        {
-          case 2:
-            return decode_as<std::int16_t>(bits);
-          case 4:
-            return decode_as<std::int32_t>(bits);
-          default:
-            return decode_as<std::int64_t>(bits);
-        }
+        return header.item_size == 4 ? NumberType::float32 : NumberType::float64;
+      return header.item_size == 2   ? NumberType::int16
+             : header.item_size == 4 ? NumberType::int32
+                                     : NumberType::int64;
     }
 
     /** The text of the dictionary; sets header.data_begin. */
@@ -163,6 +141,7 @@ namespace strait
     const std::size_t line_stride = header.fortran_order ? 1 : header.n_columns;
     const std::size_t item_stride = header.fortran_order ? header.n_columns : 1;
 
+    const NumberType  type = number_type(header);
     std::vector<char> bytes(n_items * header.item_size);
     for (std::size_t line = 0; line < n_lines; ++line)
       {
@@ -171,7 +150,7 @@ namespace strait
           reject_height_map(file, "cannot be read to its end: copy or save it again.");
         for (std::size_t item = 0; item < n_items; ++item)
           map.values[line * line_stride + item * item_stride] =
-            decode(header, bytes.data() + item * header.item_size);
+            decode(type, bytes.data() + item * header.item_size);
       }
     return map;
   }

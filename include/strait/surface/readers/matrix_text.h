@@ -7,10 +7,10 @@
 namespace strait
 {
   /**
-   * Read a matrix of numbers, one row of the grid a line, separated by white
-   * space, commas or semicolons (one of them throughout the file), below any
-   * number of header lines. Blank lines and lines that start with # are
-   * skipped. These header lines have a meaning, in capitals or not:
+   * Read a matrix of numbers, one row of the grid a line, separated as TextRow
+   * says, below any number of header lines. Blank lines and lines that start
+   * with # are skipped. Header lines such as these have a meaning, in capitals
+   * or not, with "quotes", # or % around them:
    *
    *     h=650 w=650                            rows and columns
    *     pixel size=3.7e-7 m                    grid spacing
@@ -18,10 +18,12 @@ namespace strait
    *     # Width: 12.34 µm                      lx    (Gwyddion)
    *     # Height: 5678.9 nm                    ly    (Gwyddion)
    *     # Value units: m                       what a value of 1 means
+   *     "XY calibration","276.9","nm"          grid spacing
+   *     # x-pixels = 512, # x-length = 1000    columns, lx    (SPIP)
+   *     # Bit2nm = 0.0105                      nanometres of a value of 1
    *
-   * Stated lengths and heights become metres; µ may be UTF-8 or Latin-1.
    * Throws InputError for rows of unequal length, a matrix other than the
-   * header promises, a word that is not a number, or an unknown unit.
+   * header promises, a word that is not a number, or an unknown unit of length.
    */
   HeightMap read_matrix_text(const std::string &file);
 } // namespace strait

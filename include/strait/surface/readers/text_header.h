@@ -2,30 +2,58 @@
 #ifndef strait_surface_readers_text_header_h
 #define strait_surface_readers_text_header_h
 
+#include <strait/surface/readers/height_map.h>
+
 #include <array>
 #include <optional>
 #include <string>
 
 namespace strait
 {
-  /** What the header lines of a matrix text say; lengths in metres. */
-  struct TextHeader
+  /** What the header lines of a text file say. */
+  class TextHeader
   {
-    std::optional<int>    n_rows;
-    std::optional<int>    n_columns;
-    std::optional<double> pixel_size;
-    std::optional<double> width;           // lx
-    std::optional<double> height;          // ly
-    double                value_unit = 1.; // what a value of 1 in the matrix means
+  public:
+    explicit TextHeader(std::string file_name);
 
     /**
      * Take over what @p line states; a line without meaning is passed over.
-     * Throws InputError, which names @p file, for a length that is not one.
+     * Throws InputError for a length that is not one.
      */
-    void parse_line(const std::string &line, const std::string &file);
+    void parse_line(const std::string &line);
 
-    /** The box of a matrix of nx × ny values, if the header states it. */
-    std::optional<std::array<double, 2>> size(int nx, int ny) const;
+    /** Give @p map, whose nx and ny are set, size and units as far as stated. */
+    void complete(HeightMap &map) const;
+
+    /** The unit of coordinates, "xy unit: um", if it is stated. */
+    const LengthUnit &
+    lateral_unit() const
+    {
+      return coordinate_unit;
+    }
+
+    std::optional<int> n_rows;
+    std::optional<int> n_columns;
+
+  private:
+    /** A length in metres, or without a unit. */
+    struct Length
+    {
+      double value    = 0.;
+      bool   has_unit = false;
+    };
+
+    Length parse_length(const std::string &number, const std::string &unit) const;
+    bool   parse_lateral(const std::string &key,
+                         const std::string &number,
+                         const std::string &unit);
+
+    std::string                          file;
+    std::array<std::optional<Length>, 2> sides;
+    std::array<std::optional<Length>, 2> spacings;
+    LengthUnit                           value_unit;
+    LengthUnit                           coordinate_unit;
+    bool                                 has_factor = false;
   };
 
   /**

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/base/units.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace strait
+{
+  namespace
+  {
+    using Table = std::map<std::string, double>;
+
+    std::optional<double>
+    look_up(const Table &table, const std::string &unit)
+    {
+      const auto found = table.find(unit);
+      if (found == table.end())
+        return {};
+      return found->second;
+    }
+
+    /** @p text with any of the micro signs replaced by u. */
+    std::string
+    with_plain_micro(std::string text)
+    {
+      for (const char *micro : {"\xc2\xb5", "\xce\xbc", "\xb5"})
+        if (text.compare(0, std::string(micro).size(), micro) == 0)
+          return "u" + text.substr(std::string(micro).size());
+      return text;
+    }
+
+    constexpr double standard_atmosphere = 101325.; // Pa
+
+    constexpr std::array<LeakRateUnit, 8> leak_rate_units = {
+      {{"ml/h", "leak_rate_ml_per_h", false, 1e-6 / 3600},
+       {"ml/min", "leak_rate_ml_per_min", false, 1e-6 / 60},
+       {"ul/min", "leak_rate_ul_per_min", false, 1e-9 / 60},
+       {"l/h", "leak_rate_l_per_h", false, 1e-3 / 3600},
+       {"l/min", "leak_rate_l_per_min", false, 1e-3 / 60},
+       {"Pa m3/s", "leak_rate_Pa_m3_per_s", true, 1.},
+       {"mbar l/s", "leak_rate_mbar_l_per_s", true, 0.1},
+       {"atm cm3/s", "leak_rate_atm_cm3_per_s", true, 1e-6 * standard_atmosphere}}};
+  } // namespace
+
+  std::optional<double>
+  metres_in(const std::string &unit)
+  {
+    static const Table table = {{"m", 1.},
+                                {"cm", 1e-2},
+                                {"mm", 1e-3},
+                                {"um", 1e-6},
+                                {"micron", 1e-6},
+                                {"microns", 1e-6},
+                                {"nm", 1e-9},
+                                {"pm", 1e-12},
+                                {"angstrom", 1e-10},
+                                {"\xc3\x85", 1e-10},     // A with ring, UTF-8
+                                {"\xe2\x84\xab", 1e-10}, // angstrom sign, UTF-8
+                                {"\xc5", 1e-10},         // A with ring, Latin-1
+                                {"in", 2.54e-2},
+                                {"inch", 2.54e-2}};
+    return look_up(table, with_plain_micro(unit));
+  }
+
+  std::optional<double>
+  pascals_in(const std::string &unit)
+  {
+    static const Table table = {{"Pa", 1.},
+                                {"kPa", 1e3},
+                                {"MPa", 1e6},
+                                {"GPa", 1e9},
+                                {"mbar", 1e2},
+                                {"bar", 1e5},
+                                {"N/mm2", 1e6}};
+    return look_up(table, unit);
+  }
+
+  std::optional<double>
+  seconds_in(const std::string &unit)
+  {
+    static const Table table = {{"s", 1.}, {"ms", 1e-3}, {"min", 60.}, {"h", 3600.}};
+    return look_up(table, unit);
+  }
+
+  LengthUnit
+  parse_length_unit(const std::string &text)
+  {
+    const std::string name   = trim(text);
+    double            factor = 1.;
+    const char *const end    = name.data() + name.size();
+    const auto        number = std::from_chars(name.data(), end, factor);
+    if (number.ec != std::errc())
+      return {name, metres_in(name)};
+    const auto unit = metres_in(trim(std::string(number.ptr, end)));
+    if (!unit || !(factor > 0.) || !std::isfinite(factor))
+      return {name, {}};
+    return {name, factor * *unit};
+  }
+
+  const LeakRateUnit *
+  find_leak_rate_unit(const std::string &name_or_column)
+  {
+    for (const LeakRateUnit &unit : leak_rate_units)
+      if (unit.name == name_or_column || unit.column == name_or_column)
+        return &unit;
+    return nullptr;
+  }
+
+  std::string
+  leak_rate_unit_names()
+  {
+    std::vector<std::string> names;
+    for (const LeakRateUnit &unit : leak_rate_units)
+      names.emplace_back(unit.name);
+    return join(names, ", ");
+  }
+} // namespace strait

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/surface/harmonic_fill.h>
+#include <strait/surface/least_squares.h>
+#include <strait/surface/map_processing.h>
+
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    /** What the file's unit is in the scene's; nothing if nobody says. */
+    std::optional<double>
+    factor_of(const std::string   &override_text,
+              const LengthUnit    &stated,
+              const MapParameters &parameters,
+              const std::string   &what,
+              const std::string   &file)
+    {
+      if (override_text == "scene")
+        return 1.;
+      const LengthUnit unit =
+        override_text.empty() ? stated : parse_length_unit(override_text);
+      if (!unit.is_stated())
+        return {};
+      if (!unit.metres)
+        reject_height_map(file,
+                          "states the " + what + " unit '" + unit.name +
+                            "', which is no length: set Surface/" +
+                            (what == "height" ? "Height" : "Lateral") +
+                            " unit to what 1 in the file means, such as 63.1 nm.");
+      return *unit.metres / parameters.length_in_metres;
+    }
+
+    struct Roughness
+    {
+      double height = 0.; // rms about the mean
+      double slope  = 0.; // rms, of differences between neighbours
+      double seam   = 0.; // rms step between opposite edges over that of neighbours
+    };
+
+    Roughness
+    roughness(const HeightMap &map, const std::array<double, 2> &size)
+    {
+      const auto at = [&map](const int ix, const int iy) {
+        return map.values[static_cast<std::size_t>(iy) * map.nx + ix];
+      };
+      const double dx = size[0] / map.nx, dy = size[1] / map.ny;
+      double       sum = 0, squares = 0, steps_x = 0, steps_y = 0, seam = 0;
+      for (int iy = 0; iy < map.ny; ++iy)
+        for (int ix = 0; ix < map.nx; ++ix)
+          {
+            sum += at(ix, iy);
+            squares += at(ix, iy) * at(ix, iy);
+            if (ix > 0)
+              steps_x += std::pow(at(ix, iy) - at(ix - 1, iy), 2);
+            if (iy > 0)
+              steps_y += std::pow(at(ix, iy) - at(ix, iy - 1), 2);
+          }
+      for (int iy = 0; iy < map.ny; ++iy)
+        seam += std::pow(at(0, iy) - at(map.nx - 1, iy), 2);
+      for (int ix = 0; ix < map.nx; ++ix)
+        seam += std::pow(at(ix, 0) - at(ix, map.ny - 1), 2);
+      const double n   = static_cast<double>(map.nx) * map.ny;
+      const double n_x = n - map.ny, n_y = n - map.nx;
+      Roughness    result;
+      result.height = std::sqrt(std::max(squares / n - std::pow(sum / n, 2), 0.));
+      if (map.nx < 2 || map.ny < 2)
+        return result;
+      result.slope = std::sqrt(steps_x / n_x / (dx * dx) + steps_y / n_y / (dy * dy));
+      const double step = (steps_x + steps_y) / (n_x + n_y);
+      result.seam       = step > 0 ? std::sqrt(seam / (map.nx + map.ny) / step) : 0.;
+      return result;
+    }
+
+    /** One at the centre, zero at the edges: half a cosine over @p width of the side. */
+    double
+    window(const int i, const int n, const double width)
+    {
+      const double pi       = std::acos(-1.);
+      const double position = (i + 0.5) / n;
+      const double distance = std::min(position, 1 - position) / width;
+      return distance >= 1 ? 1. : 0.5 * (1 - std::cos(pi * distance));
+    }
+
+    void
+    apply_window(HeightMap &map, const double width)
+    {
+      double mean = 0;
+      for (const double value : map.values)
+        mean += value / static_cast<double>(map.values.size());
+      for (int iy = 0; iy < map.ny; ++iy)
+        for (int ix = 0; ix < map.nx; ++ix)
+          {
+            double &value = map.values[static_cast<std::size_t>(iy) * map.nx + ix];
+            value         = mean + (value - mean) * window(ix, map.nx, width) *
+                             window(iy, map.ny, width);
+          }
+    }
+
+    void
+    mirror(HeightMap &map)
+    {
+      const int           nx = map.nx, ny = map.ny;
+      std::vector<double> values(4 * map.values.size());
+      for (int iy = 0; iy < 2 * ny; ++iy)
+        for (int ix = 0; ix < 2 * nx; ++ix)
+          values[static_cast<std::size_t>(iy) * 2 * nx + ix] =
+            map.values[static_cast<std::size_t>(std::min(iy, 2 * ny - 1 - iy)) * nx +
+                       std::min(ix, 2 * nx - 1 - ix)];
+      map.values = std::move(values);
+      map.nx     = 2 * nx;
+      map.ny     = 2 * ny;
+      if (map.size)
+        map.size = {{2 * (*map.size)[0], 2 * (*map.size)[1]}};
+    }
+  } // namespace
+
+  void
+  convert_to_scene_units(HeightMap           &map,
+                         const MapParameters &parameters,
+                         const std::string   &file)
+  {
+    const auto height =
+      factor_of(parameters.height_unit, map.height_unit, parameters, "height", file);
+    const auto lateral = map.size ? factor_of(parameters.lateral_unit,
+                                              map.lateral_unit,
+                                              parameters,
+                                              "lateral",
+                                              file)
+                                  : std::nullopt;
+    if (map.size && height && !lateral)
+      reject_height_map(file,
+                        "states a size without a unit, but has heights with one: set "
+                        "Surface/Lateral unit.");
+    if (map.size && lateral && !height)
+      reject_height_map(file,
+                        "states a size with a unit, but no unit of its heights: set "
+                        "Surface/Height unit.");
+    for (double &value : map.values)
+      value *= height.value_or(1.);
+    if (map.size)
+      for (double &side : *map.size)
+        side *= lateral.value_or(1.);
+  }
+
+  void
+  detrend(HeightMap &map, const Detrend what)
+  {
+    if (what == Detrend::none)
+      return;
+    const int n_terms = what == Detrend::mean ? 1 : what == Detrend::tilt ? 3 : 6;
+    subtract_polynomial(map, n_terms);
+  }
+
+  void
+  fill_missing_points(HeightMap         &map,
+                      const double       largest_share,
+                      const std::string &file,
+                      Remarks           &remarks)
+  {
+    const std::size_t n_missing = map.n_missing();
+    if (n_missing == 0)
+      return;
+    const double share =
+      static_cast<double>(n_missing) / static_cast<double>(map.values.size());
+    if (share > largest_share)
+      reject_height_map(
+        file,
+        format("lacks %zu of its points, a share of %.3g: fill them in, or set "
+               "Surface/Largest missing share to that or more.",
+               n_missing,
+               share));
+    fill_harmonically(map);
+    remarks.notes.push_back(
+      format("%zu missing points (%.3g %%) filled harmonically", n_missing, 100 * share));
+  }
+
+  void
+  make_periodic(HeightMap           &map,
+                const MapParameters &parameters,
+                const std::string   &file,
+                Remarks             &remarks)
+  {
+    const std::array<double, 2> size =
+      map.size.value_or(std::array<double, 2>{{double(map.nx), double(map.ny)}});
+    const Roughness before = roughness(map, size);
+    if (parameters.make_periodic == MakePeriodic::no)
+      {
+        constexpr double largest_step = 3.;
+        if (!map.is_periodic && before.seam > largest_step)
+          remarks.warnings.push_back(format(
+            "the map '%s' is taken as one period, but steps at its seams are %.3g times "
+            "those between neighbours; set Surface/Make periodic or Detrend",
+            file.c_str(),
+            before.seam));
+        return;
+      }
+    const bool is_window = parameters.make_periodic == MakePeriodic::window;
+    if (is_window)
+      apply_window(map, parameters.window_width);
+    else
+      mirror(map);
+    const Roughness after = roughness(map, map.size.value_or(size));
+    std::string     text  = format(
+      "Surface/Make periodic = %s changes the statistics of the map: rms height "
+           "%.4g instead of %.4g",
+      is_window ? "window" : "mirror",
+      after.height,
+      before.height);
+    if (map.size)
+      text += format(", rms slope %.4g instead of %.4g", after.slope, before.slope);
+    if (is_window)
+      text += "; its edges are a flat rim, which may seal where the surface would leak";
+    else
+      text += "; only a quarter of it is independent";
+    remarks.warnings.push_back(text);
+  }
+
+  void
+  process_map(HeightMap           &map,
+              const MapParameters &parameters,
+              const std::string   &file,
+              Remarks             &remarks)
+  {
+    remarks.notes.push_back(format(
+      "map '%s': %s, %d × %d points", file.c_str(), map.format.c_str(), map.nx, map.ny));
+    convert_to_scene_units(map, parameters, file);
+    detrend(map, parameters.detrend);
+    fill_missing_points(map, parameters.largest_missing_share, file, remarks);
+    make_periodic(map, parameters, file, remarks);
+  }
+} // namespace strait
