@@ -11,8 +11,14 @@ namespace strait
     /** Of the elastic curvature: below it, the attraction is left out. */
     constexpr double least_curvature = .05;
 
-    /** A step that closes points is taken whole unless the line says this or less. */
-    constexpr double short_step = .5;
+    /** Where the attraction wins, the elastic curvature alone is too cautious. */
+    constexpr double boldness = 3;
+
+    /** A step that closes points is taken whole or, if the line asks for less than
+     *  this share of it, formed anew with a shorter length. */
+    constexpr double short_step = .4, shorter_arc = .3;
+
+    constexpr int max_trials = 12;
 
     constexpr double slack = 3e-13; // of the energy, for rounding
   }                                 // namespace
@@ -51,9 +57,7 @@ namespace strait
             !std::isfinite(solution.residual) || iterate.is_detached())
           break;
         precondition();
-        const double length = choose_direction();
-        const double work   = form_step(length);
-        if (!search_line(work))
+        if (!go(choose_direction()))
           {
             if (restarts) // rounding is all that is left
               break;
@@ -124,6 +128,24 @@ namespace strait
            (curvature > least_curvature * foretold_work ? curvature : foretold_work);
   }
 
+  /** Follow the projected direction as far as the energy falls well. Return whether
+   *  it did. */
+  bool
+  GapConjugateGradients::go(double length)
+  {
+    for (int trials = 0; trials < max_trials; ++trials)
+      {
+        const double work = form_step(length);
+        if (search_line(work))
+          return true;
+        if (!truncated)
+          return false;
+        // Too many points close at once: a shorter arc has fewer of them.
+        length *= shorter_arc;
+      }
+    return false;
+  }
+
   /** d = max(g + s t, 0) − g and K d. Return <d, Kd>. */
   double
   GapConjugateGradients::form_step(const double length)
@@ -155,7 +177,8 @@ namespace strait
     return work;
   }
 
-  /** Go along d as far as the energy falls well. Return whether it did. */
+  /** Go along d as far as the energy falls well. Return whether it did; if not, the
+   *  gap is as it was. */
   bool
   GapConjugateGradients::search_line(const double work)
   {
@@ -170,14 +193,15 @@ namespace strait
     furthest                = -problem.largest_over_ranks(-furthest);
     if (!(d_r < 0))
       return false;
-    const double curvature = work + local > least_curvature * work ? work + local : work;
-    double       length    = std::min(-d_r / curvature, furthest);
-    if (truncated && length > short_step)
-      length = 1;
+    const bool   is_convex = work + local > least_curvature * work;
+    const double ideal     = is_convex ? -d_r / (work + local) : -boldness * d_r / work;
+    if (truncated && ideal < short_step)
+      return false;
+    double length = truncated ? 1. : std::min(ideal, furthest);
 
     const double before = iterate.energy();
     double       gone   = 0;
-    for (int trials = 0; trials < 12; ++trials)
+    for (int trials = 0; trials < (truncated ? 1 : max_trials); ++trials)
       {
         iterate.move(d, response.data(), work, length - gone);
         gone = length;

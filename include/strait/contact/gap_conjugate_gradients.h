@@ -32,6 +32,7 @@ namespace strait
   private:
     void   precondition();
     double choose_direction();
+    bool   go(double length);
     double form_step(double length);
     bool   search_line(double work);
 
