@@ -81,17 +81,16 @@ namespace strait
     realisations.check();
     output.check();
 
+    const bool by_load = contact.control == ContactControl::load;
     if (contact.enabled)
       for (const double value : programme.pressures)
-        if (!(value > 0.))
+        if (!(value > 0.) && !(contact.adhesion.enabled && by_load))
           throw InputError(
             "Load programme/Pressures contains " + to_text(value) +
-            (contact.control == ContactControl::load
-               ? ", a load that never makes contact; give positive nominal "
-                 "pressures."
-               : "; give positive mean gaps (Contact/Control = mean gap)."));
-    if (programme.find_threshold &&
-        (!contact.enabled || !fluid.enabled || contact.control != ContactControl::load))
+            (by_load ? ", a load that never makes contact; give positive nominal "
+                       "pressures."
+                     : "; give positive mean gaps (Contact/Control = mean gap)."));
+    if (programme.find_threshold && (!contact.enabled || !fluid.enabled || !by_load))
       throw InputError(
         "Load programme/Find threshold looks for a critical load; it needs "
         "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");

@@ -73,8 +73,7 @@ namespace strait
     const auto optimiser = make_optimiser(target, observer);
     peak_memory          = std::max(
       peak_memory,
-      (heights.size() + gap.size() + kept_gap.size() + stability.direction().size()) *
-          sizeof(double) +
+      (heights.size() + 2 * gap.size() + stability.direction().size()) * sizeof(double) +
         earlier_gap.size() * sizeof(float) + problem.memory_consumption() +
         std::max(optimiser->memory_consumption(), stability.memory_consumption()));
 
@@ -234,29 +233,20 @@ namespace strait
   void
   AdhesiveContactSolver::forget()
   {
-    gap = kept_gap = SlabField();
-    earlier_gap    = std::vector<float>();
+    recall({});
+  }
+
+  ContactMemory
+  AdhesiveContactSolver::memory() const
+  {
+    return {gap, last_target};
   }
 
   void
-  AdhesiveContactSolver::keep_state()
+  AdhesiveContactSolver::recall(const ContactMemory &memory)
   {
-    kept_gap    = gap;
-    kept_target = last_target;
-  }
-
-  void
-  AdhesiveContactSolver::return_to_kept_state()
-  {
-    gap         = kept_gap;
-    last_target = kept_target;
-    earlier_gap = std::vector<float>();
-  }
-
-  void
-  AdhesiveContactSolver::start_from(SlabField start_gap)
-  {
-    gap         = std::move(start_gap);
+    gap         = memory.gap;
+    last_target = memory.target;
     earlier_gap = std::vector<float>();
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
+#include <strait/contact/contact_solver.h>
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/step_report.h>
 #include <strait/percolation/percolating_gap.h>
@@ -43,14 +44,17 @@ namespace strait
       {
         // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
         // saddle at 0.229: start a little to the side that the scene names.
-        const double share = scene.programme.path == LoadPath::loading ? .2 : .28;
+        const double share = scene.programme.path == LoadPath::unloading ? .28 : .2;
         first_guess =
           share * parameters.effective_modulus * statistics(heights).rms_slope;
         // The verdict must not depend on what the solver leaves over.
         parameters.tolerance =
           std::min(parameters.tolerance, .01 * scene.programme.threshold_tolerance);
       }
-    contact = std::make_unique<ContactSolver>(parameters, std::move(heights));
+    if (scene.contact.adhesion.enabled)
+      make_adhesive_contact(parameters, std::move(heights));
+    else
+      contact = std::make_unique<ContactSolver>(parameters, std::move(heights));
   }
 
   const std::vector<Threshold> &
@@ -82,7 +86,7 @@ namespace strait
   ThresholdProbe
   LoadSweep::probe(const double load)
   {
-    const ContactState  state = contact->solve(load);
+    const ContactState  state = path ? state_for_search(load) : contact->solve(load);
     const PeriodicGrid &grid  = state.gap.grid();
     if (!state.converged)
       log.warn(format("the contact did not converge at a load of %.6g, residual %.1e",
@@ -125,17 +129,22 @@ namespace strait
       for (const double slip_length : slips)
         stops.push_back({target, slip_length});
 
+    if (scene.programme.path == LoadPath::cycle)
+      add_cycle(stops);
+
     std::vector<Stop> near_threshold;
     for (const Threshold &threshold : thresholds)
       for (const double reduced : scene.programme.reduced_loads)
         near_threshold.push_back(
           {(1 - reduced) * threshold.critical_load(), threshold.slip_length});
-    const bool upwards = scene.programme.path == LoadPath::loading;
+    const bool upwards = scene.programme.path != LoadPath::unloading;
     std::stable_sort(near_threshold.begin(),
                      near_threshold.end(),
                      [upwards](const Stop &a, const Stop &b) {
                        return upwards ? a.target < b.target : a.target > b.target;
                      });
+    if (!near_threshold.empty())
+      near_threshold.front().begins_anew = true;
     stops.insert(stops.end(), near_threshold.begin(), near_threshold.end());
     return stops;
   }
@@ -149,11 +158,19 @@ namespace strait
     for (std::size_t k = 0; k < stops.size(); ++k)
       {
         step.number      = static_cast<int>(k) + 1;
+        step.branch      = branch_of(stops, k);
         step.slip_length = stops[k].slip_length;
         if (k > 0 && stops[k].target == stops[k - 1].target)
-          step.contact_seconds = 0.; // another slip length in the same gap
-        else
-          press(step, stops[k].target);
+          step.contact_seconds = step.dissipated_energy = 0.; // only another slip length
+        else if (!press(step, stops[k]))
+          {
+            log.warn(
+              format("the surfaces part under tension before the pressure %.6g: "
+                     "%zu steps are left out",
+                     stops[k].target,
+                     stops.size() - k));
+            break;
+          }
         leak(step);
         compare_with_threshold(step);
         converged = converged && step.converged();
@@ -163,8 +180,9 @@ namespace strait
     return converged;
   }
 
-  void
-  LoadSweep::press(Step &step, const double target)
+  /** Set what the step has of contact. Return whether there is any. */
+  bool
+  LoadSweep::press(Step &step, const Stop &stop)
   {
     if (!contact)
       {
@@ -173,14 +191,26 @@ namespace strait
         for (double &value : gap)
           value = std::max(value, 0.);
         step.mean_gap = mean(gap);
-        return;
+        return true;
       }
-    const auto scope     = timers.scope("contact");
-    const auto start     = Timers::Clock::now();
-    step.contact         = contact->solve(target);
+    const auto scope = timers.scope("contact");
+    const auto start = Timers::Clock::now();
+    if (!path)
+      step.contact = contact->solve(stop.target);
+    else
+      {
+        if (step.number == 1 || stop.begins_anew)
+          path->begin_anew();
+        BranchFollower::Arrival arrival = path->go_to(stop.target);
+        if (!arrival.state)
+          return false;
+        step.contact           = std::move(arrival.state);
+        step.dissipated_energy = arrival.dissipated;
+      }
     step.gap             = step.contact->gap;
     step.mean_gap        = step.contact->mean_gap;
     step.contact_seconds = seconds_since(start);
+    return true;
   }
 
   void

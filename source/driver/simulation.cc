@@ -2,6 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
+#include <strait/contact/adhesion_of_scene.h>
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/simulation.h>
@@ -109,8 +110,8 @@ namespace strait
     const auto n_points = static_cast<double>(heights.grid().n_points());
 
     // The first thing that is written, after the last check of the input.
-    OutputDirectory output(scene, MPI_COMM_WORLD, log);
     LoadSweep       sweep(scene, std::move(heights), log, timers);
+    OutputDirectory output(scene, MPI_COMM_WORLD, log);
     RunSummary      summary;
     if (scene.programme.find_threshold)
       {
@@ -121,7 +122,9 @@ namespace strait
     summary.converged = sweep.run([&](const Step &step) {
       const auto scope = timers.scope("output");
       output.write(step, step.number == n_steps);
+      output.write(sweep.jumps());
     });
+    output.write(sweep.jumps());
     save_wisdom(MPI_COMM_WORLD);
     const double bytes =
       sum(MPI_COMM_WORLD, static_cast<double>(sweep.memory_consumption()));
@@ -137,10 +140,14 @@ namespace strait
   describe(const Scene &scene, Log &log)
   {
     // Contact fields; two moment pyramids, the gap and the path search.
-    constexpr double bytes_contact = 57.;
-    const double     bytes_flow =
+    const double bytes_contact = scene.contact.adhesion.enabled ? 105. : 57.;
+    const double bytes_flow =
       2 * 8. / 3 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
-    make_heights(scene, log);
+    const SlabField          heights = make_heights(scene, log);
+    const ContactParameters &contact = scene.contact;
+    if (contact.enabled && contact.adhesion.enabled &&
+        !(contact.adhesion.matched_pressure > 0.))
+      adhesion_of_scene(contact, heights); // checks that the grid resolves its range
     const auto   n_points = static_cast<double>(grid_of(scene).n_points());
     const double bytes    = n_points * ((scene.contact.enabled ? bytes_contact : 8.) +
                                      (scene.fluid.enabled ? bytes_flow : 0.));

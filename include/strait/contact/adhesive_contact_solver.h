@@ -39,18 +39,15 @@ namespace strait
 
     /**
      * See ContactModel. Under load control the target may be negative, but not in the
-     * first solve. A `detached` state is no equilibrium; the next solve should start
-     * from a kept state. Collective.
+     * first solve. A `detached` state is no equilibrium; recall() an earlier one before
+     * the next solve. Collective.
      */
     ContactState solve(double target) override;
 
-    void        forget() override;
-    void        keep_state() override;
-    void        return_to_kept_state() override;
-    std::size_t memory_consumption() const override;
-
-    /** Start the next solve at @p gap. */
-    void start_from(SlabField gap);
+    void          forget() override;
+    ContactMemory memory() const override;
+    void          recall(const ContactMemory &memory) override;
+    std::size_t   memory_consumption() const override;
 
   private:
     std::unique_ptr<GapOptimiser> make_optimiser(double target, RelaxationObserver);
@@ -70,13 +67,11 @@ namespace strait
     GapStability            stability;
     std::size_t             peak_memory = 0;
 
-    // The gap of the last state, of the one before, and of the one kept.
+    // The gap of the last state, and of the one before.
     SlabField          gap;
     double             last_target = 0;
     std::vector<float> earlier_gap;
     double             earlier_target = 0;
-    SlabField          kept_gap;
-    double             kept_target = 0;
   };
 } // namespace strait
 

@@ -8,6 +8,13 @@
 
 namespace strait
 {
+  /** What a state depends on besides its load, where it depends on its past. */
+  struct ContactMemory
+  {
+    SlabField gap; // empty: nothing yet, or no such dependence
+    double    target = 0;
+  };
+
   /** A half-space against one surface, load after load, whatever acts between them. */
   class ContactModel
   {
@@ -23,17 +30,16 @@ namespace strait
     /** Start the next solve anew, without the states before. */
     virtual void forget() = 0;
 
-    /**
-     * Where the result depends on the states before: keep the present one, and
-     * later go back to it.
-     */
-    virtual void
-    keep_state()
+    /** What the next solve starts from, where its result depends on that. */
+    virtual ContactMemory
+    memory() const
     {
+      return {};
     }
 
+    /** Start the next solve from there. */
     virtual void
-    return_to_kept_state()
+    recall(const ContactMemory &)
     {
     }
 

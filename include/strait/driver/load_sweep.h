@@ -5,7 +5,8 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
-#include <strait/contact/contact_solver.h>
+#include <strait/contact/contact_model.h>
+#include <strait/driver/branch_follower.h>
 #include <strait/driver/step.h>
 #include <strait/driver/threshold_search.h>
 #include <strait/interface/gap_field.h>
@@ -44,8 +45,14 @@ namespace strait
       return static_cast<int>(plan().size());
     }
 
-    /** Run all steps. Collective. @return whether all of them converged. */
+    /**
+     * Run all steps, or those before the surfaces part under tension. Collective.
+     * @return whether all of them converged.
+     */
     bool run(const Consumer &consume);
+
+    /** Where the state of an adhesive contact jumped, so far. */
+    const std::vector<Jump> &jumps() const;
 
     /** Bytes that contact and bridge hold on this rank. */
     std::size_t memory_consumption() const;
@@ -56,24 +63,31 @@ namespace strait
     {
       double target; // nominal pressure or mean gap
       double slip_length;
+      bool   begins_anew = false; // a contact that remembers begins a new path here
     };
 
     std::vector<Stop> plan() const;
     ThresholdProbe    probe(double load);
-    void              press(Step &step, double target);
-    void              leak(Step &step);
-    void              compare_with_threshold(Step &step) const;
-    SlabField         gap_seen_by_fluid(const Step &step) const;
-    const Threshold  *threshold_of(double slip_length) const;
+    void              add_cycle(std::vector<Stop> &stops) const;
+    std::string       branch_of(const std::vector<Stop> &stops, std::size_t k) const;
+    void make_adhesive_contact(const ContactParameters &parameters, SlabField heights);
+    ContactState     state_for_search(double load);
+    bool             press(Step &step, const Stop &stop);
+    void             leak(Step &step);
+    void             compare_with_threshold(Step &step) const;
+    SlabField        gap_seen_by_fluid(const Step &step) const;
+    const Threshold *threshold_of(double slip_length) const;
 
-    const Scene                   &scene;
-    Log                           &log;
-    Timers                        &timers;
-    double                         first_guess; // of the critical load
-    SlabField                      given_gap;   // if there is no contact to solve
-    std::unique_ptr<ContactSolver> contact;
-    std::unique_ptr<GapField>      gap_field;
-    std::vector<Threshold>         thresholds;
+    const Scene                    &scene;
+    Log                            &log;
+    Timers                         &timers;
+    double                          first_guess; // of the critical load
+    SlabField                       given_gap;   // if there is no contact to solve
+    std::unique_ptr<ContactModel>   contact;
+    std::unique_ptr<BranchFollower> path; // with adhesion
+    ContactMemory                   search_start;
+    std::unique_ptr<GapField>       gap_field;
+    std::vector<Threshold>          thresholds;
   };
 } // namespace strait
 

@@ -34,10 +34,12 @@ namespace strait
   struct Step
   {
     int                         number = 0;    // counts from 1
+    std::string                 branch;        // loading or unloading
     SlabField                   gap;           // a given one is below zero where closed
     double                      mean_gap = 0.; // closed points count as zero
     std::optional<ContactState> contact;       // unless the gap was given
-    std::optional<StepFlow>     flow;          // unless the fluid is off
+    double                      dissipated_energy = 0.; // by jumps of the contact
+    std::optional<StepFlow>     flow;                   // unless the fluid is off
     double                      slip_length = 0.;
     std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
     std::string                 remark;       // a doubt about a converged result
