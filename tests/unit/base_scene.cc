@@ -246,7 +246,7 @@ TEST(Scene, UnknownNamesSuggestTheNearest)
 
 TEST(Scene, EffectsThatAreNotThereAreUnknown)
 {
-  for (const char *name : {"Contact/Adhesion/Enabled=true",
+  for (const char *name : {"Contact/Friction/Enabled=true",
                            "Fluid/Wall feedback/Enabled=true",
                            "Fluid/Mesh=a.msh",
                            "Theory/Enabled=true"})
