@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
-#include <strait/contact/contact_solver.h>
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/step_report.h>
 #include <strait/percolation/percolating_gap.h>
@@ -52,7 +51,8 @@ namespace strait
           std::min(parameters.tolerance, .01 * scene.programme.threshold_tolerance);
       }
     if (scene.contact.adhesion.enabled)
-      make_adhesive_contact(parameters, std::move(heights));
+      adhesive =
+        std::make_unique<AdhesiveSweep>(scene, parameters, std::move(heights), log);
     else
       contact = std::make_unique<ContactSolver>(parameters, std::move(heights));
   }
@@ -86,8 +86,9 @@ namespace strait
   ThresholdProbe
   LoadSweep::probe(const double load)
   {
-    const ContactState  state = path ? state_for_search(load) : contact->solve(load);
-    const PeriodicGrid &grid  = state.gap.grid();
+    const ContactState state =
+      adhesive ? adhesive->state_for_search(load) : contact->solve(load);
+    const PeriodicGrid &grid = state.gap.grid();
     if (!state.converged)
       log.warn(format("the contact did not converge at a load of %.6g, residual %.1e",
                       load,
@@ -118,47 +119,16 @@ namespace strait
     return nullptr;
   }
 
-  std::vector<LoadSweep::Stop>
-  LoadSweep::plan() const
-  {
-    const std::vector<double> slips =
-      scene.fluid.enabled ? scene.fluid.slip_lengths : std::vector<double>{0.};
-    std::vector<Stop> stops;
-    for (const double target :
-         scene.contact.enabled ? scene.programme.pressures : std::vector<double>{0.})
-      for (const double slip_length : slips)
-        stops.push_back({target, slip_length});
-
-    if (scene.programme.path == LoadPath::cycle)
-      add_cycle(stops);
-
-    std::vector<Stop> near_threshold;
-    for (const Threshold &threshold : thresholds)
-      for (const double reduced : scene.programme.reduced_loads)
-        near_threshold.push_back(
-          {(1 - reduced) * threshold.critical_load(), threshold.slip_length});
-    const bool upwards = scene.programme.path != LoadPath::unloading;
-    std::stable_sort(near_threshold.begin(),
-                     near_threshold.end(),
-                     [upwards](const Stop &a, const Stop &b) {
-                       return upwards ? a.target < b.target : a.target > b.target;
-                     });
-    if (!near_threshold.empty())
-      near_threshold.front().begins_anew = true;
-    stops.insert(stops.end(), near_threshold.begin(), near_threshold.end());
-    return stops;
-  }
-
   bool
   LoadSweep::run(const Consumer &consume)
   {
-    const std::vector<Stop> stops     = plan();
-    bool                    converged = true;
-    Step                    step;
+    const std::vector<LoadStop> stops     = plan_stops(scene, thresholds);
+    bool                        converged = true;
+    Step                        step;
     for (std::size_t k = 0; k < stops.size(); ++k)
       {
         step.number      = static_cast<int>(k) + 1;
-        step.branch      = branch_of(stops, k);
+        step.branch      = branch_of(scene, stops, k);
         step.slip_length = stops[k].slip_length;
         if (k > 0 && stops[k].target == stops[k - 1].target)
           step.contact_seconds = step.dissipated_energy = 0.; // only another slip length
@@ -182,9 +152,9 @@ namespace strait
 
   /** Set what the step has of contact. Return whether there is any. */
   bool
-  LoadSweep::press(Step &step, const Stop &stop)
+  LoadSweep::press(Step &step, const LoadStop &stop)
   {
-    if (!contact)
+    if (!scene.contact.enabled)
       {
         step.gap      = given_gap;
         SlabField gap = given_gap;
@@ -195,13 +165,14 @@ namespace strait
       }
     const auto scope = timers.scope("contact");
     const auto start = Timers::Clock::now();
-    if (!path)
+    if (!adhesive)
       step.contact = contact->solve(stop.target);
     else
       {
+        BranchFollower &path = adhesive->path();
         if (step.number == 1 || stop.begins_anew)
-          path->begin_anew();
-        BranchFollower::Arrival arrival = path->go_to(stop.target);
+          path.begin_anew();
+        BranchFollower::Arrival arrival = path.go_to(stop.target);
         if (!arrival.state)
           return false;
         step.contact           = std::move(arrival.state);
@@ -297,10 +268,19 @@ namespace strait
     return seen;
   }
 
+  const std::vector<Jump> &
+  LoadSweep::jumps() const
+  {
+    static const std::vector<Jump> none;
+    return adhesive ? adhesive->jumps() : none;
+  }
+
   std::size_t
   LoadSweep::memory_consumption() const
   {
-    return (contact ? contact->memory_consumption() : given_gap.size() * sizeof(double)) +
-           (gap_field ? gap_field->memory_consumption() : 0);
+    const std::size_t grid = adhesive  ? adhesive->memory_consumption()
+                             : contact ? contact->memory_consumption()
+                                       : given_gap.size() * sizeof(double);
+    return grid + (gap_field ? gap_field->memory_consumption() : 0);
   }
 } // namespace strait

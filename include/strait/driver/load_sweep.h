@@ -5,8 +5,9 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
-#include <strait/contact/contact_model.h>
-#include <strait/driver/branch_follower.h>
+#include <strait/contact/contact_solver.h>
+#include <strait/driver/adhesive_sweep.h>
+#include <strait/driver/load_stops.h>
 #include <strait/driver/step.h>
 #include <strait/driver/threshold_search.h>
 #include <strait/interface/gap_field.h>
@@ -42,7 +43,7 @@ namespace strait
     int
     n_steps() const
     {
-      return static_cast<int>(plan().size());
+      return static_cast<int>(plan_stops(scene, thresholds).size());
     }
 
     /**
@@ -58,36 +59,22 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    /** One step to come. */
-    struct Stop
-    {
-      double target; // nominal pressure or mean gap
-      double slip_length;
-      bool   begins_anew = false; // a contact that remembers begins a new path here
-    };
-
-    std::vector<Stop> plan() const;
-    ThresholdProbe    probe(double load);
-    void              add_cycle(std::vector<Stop> &stops) const;
-    std::string       branch_of(const std::vector<Stop> &stops, std::size_t k) const;
-    void make_adhesive_contact(const ContactParameters &parameters, SlabField heights);
-    ContactState     state_for_search(double load);
-    bool             press(Step &step, const Stop &stop);
+    ThresholdProbe   probe(double load);
+    bool             press(Step &step, const LoadStop &stop);
     void             leak(Step &step);
     void             compare_with_threshold(Step &step) const;
     SlabField        gap_seen_by_fluid(const Step &step) const;
     const Threshold *threshold_of(double slip_length) const;
 
-    const Scene                    &scene;
-    Log                            &log;
-    Timers                         &timers;
-    double                          first_guess; // of the critical load
-    SlabField                       given_gap;   // if there is no contact to solve
-    std::unique_ptr<ContactModel>   contact;
-    std::unique_ptr<BranchFollower> path; // with adhesion
-    ContactMemory                   search_start;
-    std::unique_ptr<GapField>       gap_field;
-    std::vector<Threshold>          thresholds;
+    const Scene                   &scene;
+    Log                           &log;
+    Timers                        &timers;
+    double                         first_guess; // of the critical load
+    SlabField                      given_gap;   // if there is no contact to solve
+    std::unique_ptr<ContactSolver> contact;     // without adhesion
+    std::unique_ptr<AdhesiveSweep> adhesive;    // with it
+    std::unique_ptr<GapField>      gap_field;
+    std::vector<Threshold>         thresholds;
   };
 } // namespace strait
 
