@@ -172,7 +172,7 @@ namespace strait
       {
         const double share =
           (work / (length * length) - fixed_work) / free_work; // <z, Kz>/<z, r>
-        stiffness = std::clamp(share, .2, 2.);
+        stiffness = std::clamp(share, .2, 3.);
       }
     return work;
   }

@@ -20,8 +20,12 @@ namespace strait
      *  relative step, a jump at a share f of the step |f − 1/2|. */
     constexpr double largest_skewness = .025;
 
-    /** Error of the slopes of the energy, in units of the largest. */
-    constexpr double slope_noise = 1e-4;
+    /** What a jump must dissipate, in units of the largest slope and the step. */
+    constexpr double slope_noise = 1e-3;
+
+    /** Of one step: a rough contact line may move in many small jumps, which together
+     *  are not worth more. */
+    constexpr int max_solves = 60;
 
     PathPoint
     point_of(const ContactState &state, const double target)
@@ -60,19 +64,19 @@ namespace strait
     Arrival             arrival;
     std::vector<double> ahead      = {target};
     long                pairs      = 0;
-    int                 iterations = 0;
+    int                 iterations = 0, n_solves = 0;
     while (!ahead.empty())
       {
-        const bool          may_halve = last && tolerance > 0;
-        const ContactMemory start     = may_halve ? model.memory() : ContactMemory();
-        ContactState        state     = model.solve(ahead.back());
+        const ContactMemory start = last ? model.memory() : ContactMemory();
+        ContactState        state = model.solve(ahead.back());
         pairs += state.fft_pairs;
         iterations += state.iterations;
         const PathPoint point    = point_of(state, ahead.back());
         const bool      detached = state.adhesion->detached;
-        if (may_halve && (detached || !is_smooth(point)))
+        if (last && (detached || (tolerance > 0 && !is_smooth(point))))
           {
-            if (std::abs(ahead.back() - last->target) > tolerance)
+            const bool may_halve = tolerance > 0 && ++n_solves < max_solves;
+            if (may_halve && std::abs(ahead.back() - last->target) > tolerance)
               {
                 model.recall(start);
                 ahead.push_back(.5 * (ahead.back() + last->target));

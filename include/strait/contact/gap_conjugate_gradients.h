@@ -45,12 +45,12 @@ namespace strait
     std::vector<double>      response; // K d
 
     // Sums over the points, of the present direction and step.
-    double slope         = 0; // <t, r>
-    double foretold_work = 0; // <t, Kt>
-    double fixed_work    = 0; // the part of it that is known
-    double free_work     = 0; // <z, r>, of which <z, Kz> is a known share
-    double local_work    = 0; // <t, γ'' t>
-    double stiffness     = 1; // <z, Kz>/<z, r>
+    double slope         = 0;   // <t, r>
+    double foretold_work = 0;   // <t, Kt>
+    double fixed_work    = 0;   // the part of it that is known
+    double free_work     = 0;   // <z, r>, of which <z, Kz> is a known share
+    double local_work    = 0;   // <t, γ'' t>
+    double stiffness     = 1.5; // <z, Kz>/<z, r>, at first a typical value
     double last_length   = 0;
     bool   truncated     = false; // some point of the step closes
     bool   restarts      = true;
