@@ -2,6 +2,8 @@
 #include <strait/base/csv_file.h>
 #include <strait/driver/adhesion_tables.h>
 
+#include <cmath>
+
 namespace strait
 {
   void
@@ -17,6 +19,10 @@ namespace strait
                "contact_area_before",
                "contact_area_after",
                "dissipated_energy"});
+    // After a pull-off there is no state.
+    const auto after = [](const Jump &jump, const double value) {
+      return full_precision(jump.is_pull_off ? std::nan("") : value);
+    };
     for (const Jump &jump : jumps)
       file.append({jump.is_pull_off                                     ? "pull-off"
                    : jump.after.contact_area > jump.before.contact_area ? "closing"
@@ -24,9 +30,9 @@ namespace strait
                    full_precision(jump.before.pressure),
                    full_precision(jump.after.pressure),
                    full_precision(jump.before.mean_gap),
-                   full_precision(jump.after.mean_gap),
+                   after(jump, jump.after.mean_gap),
                    full_precision(jump.before.contact_area),
-                   full_precision(jump.after.contact_area),
+                   after(jump, jump.after.contact_area),
                    full_precision(jump.dissipated)});
   }
 

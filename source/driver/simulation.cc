@@ -87,6 +87,26 @@ namespace strait
       report_surface(scene, heights, log);
       return heights;
     }
+    /** For a dry run; throws if the grid does not resolve the range. */
+    void
+    describe_adhesion(const ContactParameters &contact,
+                      const SlabField         &heights,
+                      Log                     &log)
+    {
+      if (!contact.enabled || !contact.adhesion.enabled)
+        return;
+      if (contact.adhesion.matched_pressure > 0.)
+        {
+          log.line("adhesion on; its surface energy is found in the run");
+          return;
+        }
+      const AdhesionLaw law = adhesion_of_scene(contact, heights);
+      log.line(
+        format("adhesion on; range %.5g, E* z0²/(γ0 a) = %.3g (3 or more resolves "
+               "it)",
+               law.range,
+               AdhesionScale(contact, heights).resolution(law)));
+    }
   } // namespace
 
   PeriodicGrid
@@ -143,11 +163,8 @@ namespace strait
     const double bytes_contact = scene.contact.adhesion.enabled ? 105. : 57.;
     const double bytes_flow =
       2 * 8. / 3 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
-    const SlabField          heights = make_heights(scene, log);
-    const ContactParameters &contact = scene.contact;
-    if (contact.enabled && contact.adhesion.enabled &&
-        !(contact.adhesion.matched_pressure > 0.))
-      adhesion_of_scene(contact, heights); // checks that the grid resolves its range
+    const SlabField heights = make_heights(scene, log);
+    describe_adhesion(scene.contact, heights, log);
     const auto   n_points = static_cast<double>(grid_of(scene).n_points());
     const double bytes    = n_points * ((scene.contact.enabled ? bytes_contact : 8.) +
                                      (scene.fluid.enabled ? bytes_flow : 0.));
