@@ -119,6 +119,7 @@ namespace strait
                       "Iterations on the fine grid after which a step counts as not "
                       "converged [1].");
     prm.leave_subsection();
+    AdhesionParameters::declare(prm);
   }
 
   void
@@ -139,6 +140,7 @@ namespace strait
     tolerance          = prm.get_double("Tolerance");
     maximum_iterations = static_cast<int>(prm.get_integer("Maximum iterations"));
     prm.leave_subsection();
+    adhesion.parse(prm);
   }
 
   void
@@ -159,5 +161,6 @@ namespace strait
     if (maximum_iterations < 1)
       throw InputError("Contact/Maximum iterations is " +
                        std::to_string(maximum_iterations) + " but must be at least 1.");
+    adhesion.check();
   }
 } // namespace strait

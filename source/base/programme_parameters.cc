@@ -11,7 +11,8 @@ namespace strait
   namespace
   {
     const Choices<LoadPath> load_paths = {{LoadPath::loading, "loading"},
-                                          {LoadPath::unloading, "unloading"}};
+                                          {LoadPath::unloading, "unloading"},
+                                          {LoadPath::cycle, "cycle"}};
 
     std::vector<double>
     parse_list(const std::string &text)
@@ -68,7 +69,16 @@ namespace strait
       load_paths.name(LoadPath::loading),
       Selection(load_paths.pattern()),
       "From which side the threshold is approached, and the order of the steps at "
-      "Reduced loads: loading (towards larger loads) or unloading.");
+      "Reduced loads: loading (towards larger loads) or unloading; with adhesion it "
+      "also says whether the first state is that of no adhesion (loading) or of full "
+      "contact (unloading). cycle: loading, and the Pressures then back in the reverse "
+      "order.");
+    prm.declare_entry(
+      "Jump tolerance",
+      "1e-3",
+      Double(0., 1.),
+      "With adhesion: width to which the load of a jump is enclosed, in units of the "
+      "largest of Pressures; 0: jumps are not looked for [1].");
     prm.leave_subsection();
   }
 
@@ -83,6 +93,7 @@ namespace strait
     reduced_loads       = parse_list(prm.get("Reduced loads"));
     largest_fitted      = prm.get_double("Largest reduced load of fits");
     path                = load_paths.value(prm.get("Path"));
+    jump_tolerance      = prm.get_double("Jump tolerance");
     prm.leave_subsection();
   }
 

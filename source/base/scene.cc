@@ -90,17 +90,16 @@ namespace strait
     theory.check(*this);
     output.check();
 
+    const bool by_load = contact.control == ContactControl::load;
     if (contact.enabled)
       for (const double value : programme.pressures)
-        if (!(value > 0.))
+        if (!(value > 0.) && !(contact.adhesion.enabled && by_load))
           throw InputError(
             "Load programme/Pressures contains " + to_text(value) +
-            (contact.control == ContactControl::load
-               ? ", a load that never makes contact; give positive nominal "
-                 "pressures."
-               : "; give positive mean gaps (Contact/Control = mean gap)."));
-    if (programme.find_threshold &&
-        (!contact.enabled || !fluid.enabled || contact.control != ContactControl::load))
+            (by_load ? ", a load that never makes contact; give positive nominal "
+                       "pressures."
+                     : "; give positive mean gaps (Contact/Control = mean gap)."));
+    if (programme.find_threshold && (!contact.enabled || !fluid.enabled || !by_load))
       throw InputError(
         "Load programme/Find threshold looks for a critical load; it needs "
         "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
@@ -108,6 +107,10 @@ namespace strait
       throw InputError(
         "Fluid/Wall feedback lets a fluid press on an elastic wall; it "
         "needs Contact/Enabled and Fluid/Enabled.");
+    if (fluid.feedback.enabled && contact.adhesion.enabled)
+      throw InputError(
+        "Fluid/Wall feedback and Contact/Adhesion cannot be enabled "
+        "together yet; switch one of them off.");
     if (programme.find_blow_out &&
         (!fluid.feedback.enabled || contact.control != ContactControl::load))
       throw InputError(

@@ -38,14 +38,18 @@ namespace strait
       {
         // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
         // saddle at 0.229: start a little to the side that the scene names.
-        const double share = scene.programme.path == LoadPath::loading ? .2 : .28;
+        const double share = scene.programme.path == LoadPath::unloading ? .28 : .2;
         first_guess =
           share * parameters.effective_modulus * statistics(heights).rms_slope;
         // The verdict must not depend on what the solver leaves over.
         parameters.tolerance =
           std::min(parameters.tolerance, .01 * scene.programme.threshold_tolerance);
       }
-    contact = std::make_unique<ContactSolver>(parameters, std::move(heights));
+    if (scene.contact.adhesion.enabled)
+      adhesive =
+        std::make_unique<AdhesiveSweep>(scene, parameters, std::move(heights), log);
+    else
+      contact = std::make_unique<ContactSolver>(parameters, std::move(heights));
     if (scene.fluid.feedback.enabled)
       coupling = std::make_unique<CoupledStage>(scene, *contact, *flow, log);
   }
@@ -54,124 +58,21 @@ namespace strait
   LoadSweep::find_thresholds()
   {
     const auto scope = timers.scope("threshold");
-    // A dry contact, once probed, serves all slip lengths.
-    double     slip_length = 0.;
-    const auto probe_load  = [&](const double load) { return probe(load, slip_length); };
-    ThresholdSearch search(probe_load, first_guess, scene.programme.threshold_tolerance);
-    for (const double next : scene.fluid.slip_lengths)
-      {
-        slip_length = next;
-        if (coupling)
-          search =
-            ThresholdSearch(probe_load, first_guess, scene.programme.threshold_tolerance);
-        thresholds.push_back(search.find(slip_length));
-        const Threshold &found = thresholds.back();
-        log.line(
-          format("threshold%s: critical load between %.10g and %.10g, contact "
-                 "%.3f %% (%d contact solves, %ld FFT pairs)",
-                 scene.fluid.has_slip()
-                   ? format(" for slip length %.4g", slip_length).c_str()
-                   : "",
-                 found.lower,
-                 found.upper,
-                 100. * found.contact_area,
-                 found.n_solves,
-                 found.fft_pairs));
-      }
+    SealSearch search(scene,
+                      {contact.get(), adhesive.get(), flow.get(), coupling.get()},
+                      log);
+    thresholds = search.find_thresholds(first_guess);
     return thresholds;
   }
 
   std::vector<BlowOut>
   LoadSweep::find_blow_outs()
   {
-    const auto           scope  = timers.scope("blow-out");
-    const double         outlet = scene.fluid.outlet_pressure;
-    std::vector<BlowOut> result;
-    for (const double load : scene.programme.pressures)
-      {
-        // The pressure rises: each probe starts from the fluid of the last held one.
-        SlabField held(contact->layout());
-        result.push_back(find_blow_out(
-          [&](const double pressure) {
-            flow->set_inlet_pressure(outlet + pressure);
-            coupling->fluid_pressure() = held;
-            Step step;
-            step.slip_length = scene.fluid.slip_lengths.front();
-            coupling->settle(step, load);
-            BlowOutProbe probe;
-            probe.leaks        = step.flow->clusters.percolates;
-            probe.contact_area = step.contact->contact_area;
-            if (!probe.leaks)
-              held = coupling->fluid_pressure();
-            else if (!step.flow->paths.empty())
-              probe.constriction = step.flow->paths.front().bottleneck;
-            log.progress(format("  blow-out: inlet pressure %.6g %s",
-                                outlet + pressure,
-                                probe.leaks ? "leaks" : "is held"));
-            return probe;
-          },
-          load,
-          scene.programme.threshold_tolerance));
-        BlowOut &found = result.back();
-        found.load     = load;
-        found.lower += outlet;
-        found.upper += outlet;
-        log.line(
-          format("blow-out at a load of %.6g: inlet pressure between %.8g and "
-                 "%.8g (%d solves of contact and flow)",
-                 load,
-                 found.lower,
-                 found.upper,
-                 found.n_solves));
-      }
-    flow->set_inlet_pressure(scene.fluid.inlet_pressure);
-    coupling->fluid_pressure() = SlabField(contact->layout());
-    return result;
-  }
-
-  ContactState
-  LoadSweep::state_under(const double load, const double slip_length)
-  {
-    if (!coupling)
-      return contact->solve(load);
-    // Each probe starts from the fluid on the side that the path comes from.
-    if (!probe_start.empty())
-      coupling->fluid_pressure() = probe_start;
-    Step step;
-    step.slip_length = slip_length;
-    coupling->settle(step, load);
-    const bool open = step.flow->clusters.percolates;
-    if (open == (scene.programme.path == LoadPath::loading))
-      probe_start = coupling->fluid_pressure();
-    if (!step.feedback->converged && !step.feedback->undecided)
-      log.warn(format("contact and flow did not agree at a load of %.6g", load));
-    return std::move(*step.contact);
-  }
-
-  ThresholdProbe
-  LoadSweep::probe(const double load, const double slip_length)
-  {
-    const ContactState  state = state_under(load, slip_length);
-    const PeriodicGrid &grid  = state.gap.grid();
-    if (!state.converged)
-      log.warn(format("the contact did not converge at a load of %.6g, residual %.1e",
-                      load,
-                      state.residual));
-    // Under pressure a point is closed the more firmly the more its own spacing is
-    // indented: a length, like the gap, and of one slope with it.
-    const double softness =
-      std::max(grid.dx(), grid.dy()) / scene.contact.effective_modulus;
-    SlabField openness = state.gap;
-    for (std::size_t k = 0; k < openness.size(); ++k)
-      if (state.pressure[k] > 0)
-        openness[k] = -softness * state.pressure[k];
-    const ThresholdProbe result{find_bottleneck(openness, scene.fluid.direction),
-                                state.contact_area,
-                                state.fft_pairs};
-    log.progress(format("  threshold: load %.8g %s",
-                        load,
-                        result.bottleneck.value > 0 ? "leaks" : "seals"));
-    return result;
+    const auto scope = timers.scope("blow-out");
+    SealSearch search(scene,
+                      {contact.get(), adhesive.get(), flow.get(), coupling.get()},
+                      log);
+    return search.find_blow_outs();
   }
 
   const Threshold *
@@ -183,50 +84,32 @@ namespace strait
     return nullptr;
   }
 
-  std::vector<LoadSweep::Stop>
-  LoadSweep::plan() const
-  {
-    const std::vector<double> slips =
-      scene.fluid.enabled ? scene.fluid.slip_lengths : std::vector<double>{0.};
-    std::vector<Stop> stops;
-    for (const double target :
-         scene.contact.enabled ? scene.programme.pressures : std::vector<double>{0.})
-      for (const double slip_length : slips)
-        stops.push_back({target, slip_length});
-
-    std::vector<Stop> near_threshold;
-    for (const Threshold &threshold : thresholds)
-      for (const double reduced : scene.programme.reduced_loads)
-        near_threshold.push_back(
-          {(1 - reduced) * threshold.critical_load(), threshold.slip_length});
-    const bool upwards = scene.programme.path == LoadPath::loading;
-    std::stable_sort(near_threshold.begin(),
-                     near_threshold.end(),
-                     [upwards](const Stop &a, const Stop &b) {
-                       return upwards ? a.target < b.target : a.target > b.target;
-                     });
-    stops.insert(stops.end(), near_threshold.begin(), near_threshold.end());
-    return stops;
-  }
-
   bool
   LoadSweep::run(const Consumer &consume)
   {
-    const std::vector<Stop> stops     = plan();
-    bool                    converged = true;
-    Step                    step;
+    const std::vector<LoadStop> stops     = plan_stops(scene, thresholds);
+    bool                        converged = true;
+    Step                        step;
     for (std::size_t k = 0; k < stops.size(); ++k)
       {
         step.number      = static_cast<int>(k) + 1;
+        step.branch      = branch_of(scene, stops, k);
         step.slip_length = stops[k].slip_length;
         if (coupling)
           press_with_fluid(step, stops[k].target);
         else
           {
             if (k > 0 && stops[k].target == stops[k - 1].target)
-              step.contact_seconds = 0.; // another slip length in the same gap
-            else
-              press(step, stops[k].target);
+              step.contact_seconds = step.dissipated_energy = 0.; // another slip length
+            else if (!press(step, stops[k]))
+              {
+                log.warn(
+                  format("the surfaces part under tension before the pressure %.6g: "
+                         "%zu steps are left out",
+                         stops[k].target,
+                         stops.size() - k));
+                break;
+              }
             leak(step);
           }
         compare_with_threshold(step);
@@ -238,24 +121,38 @@ namespace strait
     return converged;
   }
 
-  void
-  LoadSweep::press(Step &step, const double target)
+  /** Set what the step has of contact. Return whether there is any. */
+  bool
+  LoadSweep::press(Step &step, const LoadStop &stop)
   {
-    if (!contact)
+    if (!scene.contact.enabled)
       {
         step.gap      = given_gap;
         SlabField gap = given_gap;
         for (double &value : gap)
           value = std::max(value, 0.);
         step.mean_gap = mean(gap);
-        return;
+        return true;
       }
-    const auto scope     = timers.scope("contact");
-    const auto start     = Timers::Clock::now();
-    step.contact         = contact->solve(target);
+    const auto scope = timers.scope("contact");
+    const auto start = Timers::Clock::now();
+    if (!adhesive)
+      step.contact = contact->solve(stop.target);
+    else
+      {
+        BranchFollower &path = adhesive->path();
+        if (step.number == 1 || stop.begins_anew)
+          path.begin_anew();
+        BranchFollower::Arrival arrival = path.go_to(stop.target);
+        if (!arrival.state)
+          return false;
+        step.contact           = std::move(arrival.state);
+        step.dissipated_energy = arrival.dissipated;
+      }
     step.gap             = step.contact->gap;
     step.mean_gap        = step.contact->mean_gap;
     step.contact_seconds = seconds_since(start);
+    return true;
   }
 
   void
@@ -329,11 +226,20 @@ namespace strait
                                   threshold_of(step.slip_length));
   }
 
+  const std::vector<Jump> &
+  LoadSweep::jumps() const
+  {
+    static const std::vector<Jump> none;
+    return adhesive ? adhesive->jumps() : none;
+  }
+
   std::size_t
   LoadSweep::memory_consumption() const
   {
-    return (contact ? contact->memory_consumption() : given_gap.size() * sizeof(double)) +
-           (flow ? flow->memory_consumption() : 0) +
+    const std::size_t grid = adhesive  ? adhesive->memory_consumption()
+                             : contact ? contact->memory_consumption()
+                                       : given_gap.size() * sizeof(double);
+    return grid + (flow ? flow->memory_consumption() : 0) +
            (coupling ? coupling->memory_consumption() : 0);
   }
 } // namespace strait

@@ -3,6 +3,7 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/json.h>
+#include <strait/driver/adhesion_tables.h>
 #include <strait/driver/field_output.h>
 #include <strait/driver/gap_output.h>
 #include <strait/driver/output_directory.h>
@@ -39,13 +40,14 @@ namespace strait
                                 "surface.nc",
                                 "spectrum.csv",
                                 "spectrum.png",
+                                "jumps.csv",
                                 "run.json",
                                 "log.txt",
                                 "parameters.prm"})
         if (name == exact)
           return true;
       static const std::regex numbered_file(
-        "(fields|flow|picture)-[0-9]+\\.(h5|vtu|pvtu|png)");
+        "(fields|flow|picture)-[0-9]+\\.(h5|vtu|pvtu|png)|relaxation-[0-9]+\\.csv");
       return std::regex_match(name, numbered_file);
     }
 
@@ -163,10 +165,22 @@ namespace strait
   }
 
   void
+  OutputDirectory::write(const std::vector<Jump> &jumps)
+  {
+    if (jumps.size() > n_jumps)
+      run_on_root(comm, [&]() { write_jumps(path + "/jumps.csv", jumps); });
+    n_jumps = jumps.size();
+  }
+
+  void
   OutputDirectory::write(const Step &step, const bool is_last)
   {
     run_on_root(comm, [&]() {
       table.append(step);
+      if (step.contact && step.contact->adhesion &&
+          !step.contact->adhesion->relaxation.empty())
+        write_relaxation(path + "/relaxation-" + std::to_string(step.number) + ".csv",
+                         step.contact->adhesion->relaxation);
       if (scene.programme.find_threshold)
         constrictions.append(step);
     });

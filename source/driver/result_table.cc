@@ -31,9 +31,7 @@ namespace strait
     add("step", [](const Step &step) { return step.number; });
     if (scene.contact.enabled)
       {
-        const char *branch =
-          scene.programme.path == LoadPath::loading ? "loading" : "unloading";
-        columns.push_back({"branch", [branch](const Step &) { return branch; }});
+        columns.push_back({"branch", [](const Step &step) { return step.branch; }});
         add("pressure", [](const Step &step) { return step.contact->nominal_pressure; });
         add("mean_gap", [](const Step &step) { return step.mean_gap; });
         add("contact_area", [](const Step &step) { return step.contact->contact_area; });
@@ -60,6 +58,12 @@ namespace strait
             [](const Step &step) { return step.flow->result.refinements; });
         add("flow_iterations",
             [](const Step &step) { return step.flow->result.iterations; });
+      }
+    if (scene.contact.enabled && scene.contact.adhesion.enabled)
+      {
+        add("adhesive_energy",
+            [](const Step &step) { return step.contact->adhesion->adhesive_energy; });
+        add("dissipated_energy", [](const Step &step) { return step.dissipated_energy; });
       }
     if (scene.contact.enabled)
       add("contact_seconds", [](const Step &step) { return step.contact_seconds; });

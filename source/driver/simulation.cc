@@ -2,6 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
+#include <strait/contact/adhesion_of_scene.h>
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/simulation.h>
@@ -71,6 +72,26 @@ namespace strait
       report_surface(scene, heights, log);
       return heights;
     }
+    /** For a dry run; throws if the grid does not resolve the range. */
+    void
+    describe_adhesion(const ContactParameters &contact,
+                      const SlabField         &heights,
+                      Log                     &log)
+    {
+      if (!contact.enabled || !contact.adhesion.enabled)
+        return;
+      if (contact.adhesion.matched_pressure > 0.)
+        {
+          log.line("adhesion on; its surface energy is found in the run");
+          return;
+        }
+      const AdhesionLaw law = adhesion_of_scene(contact, heights);
+      log.line(
+        format("adhesion on; range %.5g, E* z0²/(γ0 a) = %.3g (3 or more resolves "
+               "it)",
+               law.range,
+               AdhesionScale(contact, heights).resolution(law)));
+    }
   } // namespace
 
   PeriodicGrid
@@ -117,7 +138,9 @@ namespace strait
     summary.converged = sweep.run([&](const Step &step) {
       const auto scope = timers.scope("output");
       output.write(step, step.number == n_steps);
+      output.write(sweep.jumps());
     });
+    output.write(sweep.jumps());
     save_wisdom(MPI_COMM_WORLD);
     const double bytes =
       sum(MPI_COMM_WORLD, static_cast<double>(sweep.memory_consumption()));
@@ -139,10 +162,11 @@ namespace strait
         return;
       }
     // Contact fields; two moment pyramids, the gap and the path search.
-    constexpr double bytes_contact = 57.;
-    const double     bytes_flow =
+    const double bytes_contact = scene.contact.adhesion.enabled ? 105. : 57.;
+    const double bytes_flow =
       2 * 8. / 3 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
-    make_heights(scene, log);
+    const SlabField heights = make_heights(scene, log);
+    describe_adhesion(scene.contact, heights, log);
     const auto   n_points = static_cast<double>(grid_of(scene).n_points());
     const double bytes    = n_points * ((scene.contact.enabled ? bytes_contact : 8.) +
                                      (scene.fluid.enabled ? bytes_flow : 0.));

@@ -246,7 +246,7 @@ TEST(Scene, UnknownNamesSuggestTheNearest)
 
 TEST(Scene, EffectsThatAreNotThereAreUnknown)
 {
-  for (const char *name : {"Contact/Adhesion/Enabled=true", "Fluid/Mesh=a.msh"})
+  for (const char *name : {"Contact/Friction/Enabled=true", "Fluid/Mesh=a.msh"})
     expect_in("unknown", error_of("", {name}));
 }
 

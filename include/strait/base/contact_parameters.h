@@ -2,6 +2,8 @@
 #ifndef strait_base_contact_parameters_h
 #define strait_base_contact_parameters_h
 
+#include <strait/base/adhesion_parameters.h>
+
 #include <array>
 #include <vector>
 
@@ -36,6 +38,7 @@ namespace strait
     ContactMethod       method             = ContactMethod::dual_cg;
     double              tolerance          = 1e-8; // residual in units of h_rms
     int                 maximum_iterations = 1000;
+    AdhesionParameters  adhesion;
 
     static void declare(dealii::ParameterHandler &prm);
     void        parse(dealii::ParameterHandler &prm);

@@ -14,7 +14,8 @@ namespace strait
   enum class LoadPath
   {
     loading,
-    unloading
+    unloading,
+    cycle
   };
 
   /** The section Load programme: which loads (or mean gaps), in which order. */
@@ -27,6 +28,7 @@ namespace strait
     std::vector<double> reduced_loads;         // 1 − L/L_c
     double              largest_fitted = 0.02; // reduced load
     LoadPath            path           = LoadPath::loading;
+    double              jump_tolerance = 1e-3;
 
     static void declare(dealii::ParameterHandler &prm);
     void        parse(dealii::ParameterHandler &prm);

@@ -3,7 +3,7 @@
 #define strait_contact_contact_solver_h
 
 #include <strait/base/contact_parameters.h>
-#include <strait/contact/contact_state.h>
+#include <strait/contact/contact_model.h>
 #include <strait/contact/half_space_problem.h>
 #include <strait/contact/optimisation.h>
 
@@ -21,7 +21,7 @@ namespace strait
    * last states where the load (or mean gap) changes little. The result depends
    * on the start within the tolerance only.
    */
-  class ContactSolver
+  class ContactSolver : public ContactModel
   {
   public:
     /** Gets a line of text for each grid and solve. */
@@ -35,7 +35,7 @@ namespace strait
     ContactSolver(const ContactParameters &parameters,
                   SlabField                heights,
                   Report                   report = {});
-    ~ContactSolver();
+    ~ContactSolver() override;
 
     /**
      * The state under the nominal pressure or, in gap control, at the mean gap
@@ -44,7 +44,7 @@ namespace strait
      * but not `converged`. Collective.
      * Throws InputError if @p target is not positive.
      */
-    ContactState solve(double target);
+    ContactState solve(double target) override;
 
     /**
      * Let a fluid of the pressure @p fluid_pressure, on the grid of the heights and
@@ -58,7 +58,7 @@ namespace strait
     void set_fluid_pressure(const SlabField &fluid_pressure);
 
     /** Start the next solve anew, without the states before. */
-    void forget();
+    void forget() override;
 
     const SlabLayoutPtr &
     layout() const
@@ -68,7 +68,7 @@ namespace strait
 
     /** Largest number of bytes held on this rank during a solve so far. */
     std::size_t
-    memory_consumption() const
+    memory_consumption() const override
     {
       return peak_memory;
     }

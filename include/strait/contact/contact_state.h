@@ -4,26 +4,60 @@
 
 #include <strait/spectral/slab_field.h>
 
+#include <optional>
+#include <vector>
+
 namespace strait
 {
+  /** One iteration on the way to a state of least energy. */
+  struct RelaxationStep
+  {
+    int    iteration;
+    double energy;   // per area
+    double residual; // as in ContactState
+    double step;     // length of the step along its direction; GFMD: of time
+  };
+
+  /** What adhesion adds to a contact state. */
+  struct AdhesiveState
+  {
+    double adhesive_energy = 0; // mean of γ(g), <= 0 [energy/area]
+    /** ½<w, Kw> + <γ> + p0 <g>, the last term under load control only. */
+    double total_energy = 0;
+
+    /** Smallest eigenvalue of the preconditioned curvature on the open points: the
+     *  state is a minimum of the energy if it is positive. */
+    double smallest_curvature = 0;
+
+    /** The tension is more than any contact bears: the state is not an equilibrium,
+     *  and the mean gap was still growing when this was noticed. */
+    bool detached = false;
+
+    std::vector<RelaxationStep> relaxation; // if the scene asks for it
+  };
+
   /**
    * The solution of one contact problem, in the scene's units.
    *
    * gap is 0 exactly where pressure > 0, and >= 0 everywhere: a point is open
-   * where its gap is positive. pressure is >= 0 everywhere.
+   * where its gap is positive. pressure is >= 0 everywhere. With adhesion it is the
+   * reaction of the wall; the attraction γ'(g) comes on top, so that its mean is the
+   * nominal pressure plus that of γ'(g).
    */
   struct ContactState
   {
     SlabField pressure;
     SlabField gap;
-    double    nominal_pressure       = 0; // mean of pressure
+    double    nominal_pressure       = 0; // the load; mean of pressure without adhesion
     double    mean_gap               = 0; // mean of gap
     double    contact_area           = 0; // fraction of the points with pressure > 0
     double    contact_area_corrected = 0; // the same for the continuum, see ContactArea
-    double    residual   = 0; // see ContactResidual, in units of the rms height
-    int       iterations = 0; // on the grid itself, without coarser ones
-    long      fft_pairs  = 0; // likewise
-    bool      converged  = false;
+    double    residual               = 0; // of the solver, in its own units
+    int       iterations             = 0; // on the grid itself, without coarser ones
+    long      fft_pairs              = 0; // likewise
+    bool      converged              = false;
+
+    std::optional<AdhesiveState> adhesion;
   };
 } // namespace strait
 

@@ -2,9 +2,7 @@
 #ifndef strait_contact_dual_problem_h
 #define strait_contact_dual_problem_h
 
-#include <cstddef>
-#include <functional>
-#include <vector>
+#include <strait/contact/point_set.h>
 
 namespace strait
 {
@@ -12,33 +10,14 @@ namespace strait
    * A contact problem as an optimiser sees it: minimise ½<p, Gp> − <p, h> over
    * pressures p >= 0. Knows neither elasticity nor how the points lie.
    *
-   * Fields are arrays of size() values of this rank. <a, b> is the mean of a·b
-   * over the nominal area. All member functions that say so are collective.
+   * <a, b> is the mean of a·b over the nominal area. All member functions that say
+   * so are collective.
    */
-  class DualProblem
+  class DualProblem : public PointSet
   {
   public:
-    virtual ~DualProblem() = default;
-
-    /** Points begin <= i < end of this rank that stand for the same area. */
-    struct Block
-    {
-      std::size_t begin;
-      std::size_t end;
-      double      weight; // area of one point over the nominal area
-    };
-
-    /**
-     * What an optimiser does with a range of points just before or after the
-     * problem does, while they are in the cache. Passes may not communicate.
-     */
-    using Pass     = std::function<void(const Block &range)>;
+    /** A pass that is told the work. */
     using WorkPass = std::function<void(const Block &range, double work)>;
-
-    virtual std::size_t size() const = 0;
-
-    /** Disjoint blocks that cover all points of this rank. */
-    virtual const std::vector<Block> &blocks() const = 0;
 
     /** The heights h [length]. */
     virtual const double *heights() const = 0;
@@ -65,12 +44,6 @@ namespace strait
 
     /** Room for size() values that lasts until the next apply(). */
     virtual double *scratch() = 0;
-
-    /** Collective: sums over the ranks, all in one message. */
-    virtual void sum_over_ranks(double *values, int count) const = 0;
-
-    /** Collective: the largest over the ranks. */
-    virtual double largest_over_ranks(double value) const = 0;
 
     /** How often apply() was called (FFT pairs on a plain grid). */
     virtual long n_applications() const = 0;

@@ -4,10 +4,6 @@
 
 #include <strait/contact/dual_problem.h>
 
-#include <array>
-#include <cstddef>
-#include <vector>
-
 namespace strait
 {
   /**
@@ -75,53 +71,7 @@ namespace strait
     bool   converged  = false;
   };
 
-  /** N sums over points, weighted by area. */
-  template <std::size_t N>
-  class WeightedSums
-  {
-  public:
-    /** add(i, sums) adds the values of point i of @p range to the N sums. */
-    template <class Add>
-    void
-    run_over(const DualProblem::Block &range, const Add &add)
-    {
-      std::array<double, N> sums{};
-      for (std::size_t i = range.begin; i < range.end; ++i)
-        add(i, sums);
-      for (std::size_t k = 0; k < N; ++k)
-        local[k] += range.weight * sums[k];
-    }
-
-    /** Collective: the sums over all ranks. */
-    std::array<double, N>
-    over_ranks(const DualProblem &problem) const
-    {
-      std::array<double, N> total = local;
-      problem.sum_over_ranks(total.data(), static_cast<int>(N));
-      return total;
-    }
-
-  private:
-    std::array<double, N> local{};
-  };
-
-  /** The same over all points at once. Collective. */
-  template <std::size_t N, class Add>
-  std::array<double, N>
-  weighted_sums(const DualProblem &problem, const Add &add)
-  {
-    WeightedSums<N> sums;
-    for (const DualProblem::Block &block : problem.blocks())
-      sums.run_over(block, add);
-    return sums.over_ranks(problem);
-  }
-
-  /** For DualProblem: nothing to do before or after. */
-  inline void
-  no_pass(const DualProblem::Block &)
-  {
-  }
-
+  /** For DualProblem: nothing to do after. */
   inline void
   no_work_pass(const DualProblem::Block &, double)
   {

@@ -6,9 +6,11 @@
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
 #include <strait/contact/contact_solver.h>
-#include <strait/driver/blow_out.h>
+#include <strait/driver/adhesive_sweep.h>
 #include <strait/driver/coupled_stage.h>
 #include <strait/driver/flow_stage.h>
+#include <strait/driver/load_stops.h>
+#include <strait/driver/seal_search.h>
 #include <strait/driver/step.h>
 #include <strait/driver/theory_prediction.h>
 #include <strait/driver/threshold_search.h>
@@ -47,43 +49,39 @@ namespace strait
     int
     n_steps() const
     {
-      return static_cast<int>(plan().size());
+      return static_cast<int>(plan_stops(scene, thresholds).size());
     }
 
-    /** Run all steps. Collective. @return whether all of them converged. */
+    /**
+     * Run all steps, or those before the surfaces part under tension. Collective.
+     * @return whether all of them converged.
+     */
     bool run(const Consumer &consume);
+
+    /** Where the state of an adhesive contact jumped, so far. */
+    const std::vector<Jump> &jumps() const;
 
     /** Bytes that contact and bridge hold on this rank. */
     std::size_t memory_consumption() const;
 
   private:
-    /** One step to come. */
-    struct Stop
-    {
-      double target; // nominal pressure or mean gap
-      double slip_length;
-    };
-
-    std::vector<Stop> plan() const;
-    ThresholdProbe    probe(double load, double slip_length);
-    ContactState      state_under(double load, double slip_length);
-    void              press(Step &step, double target);
-    void              leak(Step &step);
-    void              press_with_fluid(Step &step, double target);
-    void              compare_with_threshold(Step &step) const;
-    void              compare_with_theory(Step &step);
-    const Threshold  *threshold_of(double slip_length) const;
+    bool             press(Step &step, const LoadStop &stop);
+    void             leak(Step &step);
+    void             press_with_fluid(Step &step, double target);
+    void             compare_with_threshold(Step &step) const;
+    void             compare_with_theory(Step &step);
+    const Threshold *threshold_of(double slip_length) const;
 
     const Scene                      &scene;
     Log                              &log;
     Timers                           &timers;
     double                            first_guess; // of the critical load
     SlabField                         given_gap;   // if there is no contact to solve
-    std::unique_ptr<ContactSolver>    contact;
-    std::unique_ptr<FlowStage>        flow;     // unless the fluid is off
-    std::unique_ptr<CoupledStage>     coupling; // if the fluid presses on the wall
+    std::unique_ptr<ContactSolver>    contact;     // without adhesion
+    std::unique_ptr<AdhesiveSweep>    adhesive;    // with it
+    std::unique_ptr<FlowStage>        flow;        // unless the fluid is off
+    std::unique_ptr<CoupledStage>     coupling;    // if the fluid presses on the wall
     std::unique_ptr<TheoryPrediction> theory;
-    SlabField                         probe_start; // fluid pressure, with coupling
     std::vector<Threshold>            thresholds;
   };
 } // namespace strait

@@ -5,6 +5,7 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
+#include <strait/driver/branch_follower.h>
 #include <strait/driver/result_table.h>
 #include <strait/driver/step.h>
 #include <strait/driver/threshold_tables.h>
@@ -43,6 +44,9 @@ namespace strait
     /** Write blow_out.csv. Collective. */
     void write(const std::vector<BlowOut> &blow_outs);
 
+    /** Write jumps.csv if there are new ones. Collective. */
+    void write(const std::vector<Jump> &jumps);
+
     /** Write a row, and fields and picture data as the scene asks. Collective. */
     void write(const Step &step, bool is_last);
 
@@ -69,6 +73,7 @@ namespace strait
     ResultTable       table;
     ConstrictionTable constrictions;
     ScalingTable      scaling;
+    std::size_t       n_jumps = 0; // written
   };
 } // namespace strait
 

@@ -48,12 +48,14 @@ namespace strait
   struct Step
   {
     int                         number = 0;    // counts from 1
+    std::string                 branch;        // loading or unloading
     SlabField                   gap;           // a given one is below zero where closed
     double                      mean_gap = 0.; // closed points count as zero
     std::optional<ContactState> contact;       // unless the gap was given
-    std::optional<StepFlow>     flow;          // unless the fluid is off
-    std::optional<StepFeedback> feedback;      // if the fluid presses on the wall
-    std::optional<TheoryResult> theory;        // if the scene asks for it
+    double                      dissipated_energy = 0.; // by jumps of the contact
+    std::optional<StepFlow>     flow;                   // unless the fluid is off
+    std::optional<StepFeedback> feedback; // if the fluid presses on the wall
+    std::optional<TheoryResult> theory;   // if the scene asks for it
     double                      slip_length = 0.;
     std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
     std::vector<std::string>    doubts;       // about a result that may have converged

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_adhesion_of_scene_h
+#define strait_contact_adhesion_of_scene_h
+
+#include <strait/base/contact_parameters.h>
+#include <strait/contact/adhesion_law.h>
+#include <strait/spectral/slab_field.h>
+
+namespace strait
+{
+  /**
+   * What shape the adhesion of one surface has: its range follows from the surface
+   * energy by the Tabor number μT = Rc^{1/3} (γ0/E*)^{2/3} / z0, or is given.
+   */
+  class AdhesionScale
+  {
+  public:
+    /** @p parameters with Adhesion/Enabled; collective. Throws InputError if the
+     *  Tabor number is given and the surface is flat. */
+    AdhesionScale(const ContactParameters &parameters, const SlabField &heights);
+
+    AdhesionLaw law(double surface_energy) const;
+    double      tabor_number(const AdhesionLaw &law) const;
+
+    /**
+     * E* z0²/(γ0 a) with the grid spacing a: several points lie within the edge of a
+     * contact if it is 3 or more; below 0.8 contact lines stick to the grid.
+     */
+    double resolution(const AdhesionLaw &law) const;
+
+  private:
+    double range;
+    double tabor;
+    double modulus;
+    double curvature_radius; // Rc
+    double spacing;
+  };
+
+  /** Largest resolution() at which a warning, or an error, is due. */
+  constexpr double resolved_adhesion   = 3.;
+  constexpr double unresolved_adhesion = .8;
+
+  /**
+   * The adhesion law of the scene; collective. With `Match area at pressure` the
+   * surface energy is sought for which adhesion doubles the contact area at that
+   * nominal pressure, to a relative 0.1 %. Throws InputError if twice the area is more
+   * than the whole, or if the range is not resolved by the grid and the scene does
+   * not insist.
+   */
+  AdhesionLaw adhesion_of_scene(const ContactParameters &parameters,
+                                const SlabField         &heights);
+} // namespace strait
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_gap_conjugate_gradients_h
+#define strait_contact_gap_conjugate_gradients_h
+
+#include <strait/contact/gap_iterate.h>
+
+namespace strait
+{
+  /**
+   * Bound-constrained, preconditioned, nonlinear conjugate gradients on the gap.
+   *
+   * The direction t = −M r + β t lives on the free points. Its curvature is foretold
+   * from the last one's, so that K need not be applied to it: the step d =
+   * max(g + s t, 0) − g is formed first, K is applied to that, and the line along d,
+   * on which all gaps are admissible, is searched with what is then known exactly. An
+   * iteration thus costs one application of M and one of K, closing points included,
+   * and the energy falls with each.
+   */
+  class GapConjugateGradients : public GapOptimiser
+  {
+  public:
+    /** Needs five fields beside the gap. */
+    GapConjugateGradients(GapProblem          &problem,
+                          const GapConstraint &constraint,
+                          const GapTolerance  &tolerance,
+                          RelaxationObserver   observer = {});
+
+    GapSolution   solve(double *gap) override;
+    const double *reaction() const override;
+    std::size_t   memory_consumption() const override;
+
+  private:
+    void   precondition();
+    double choose_direction();
+    bool   go(double length);
+    double form_step(double length);
+    bool   search_line(double work);
+
+    GapProblem              &problem;
+    const GapTolerance       tolerance;
+    const RelaxationObserver observer;
+    GapIterate               iterate;
+    std::vector<double>      trial;    // z = M r, then t
+    std::vector<double>      step;     // d
+    std::vector<double>      response; // K d
+
+    // Sums over the points, of the present direction and step.
+    double slope         = 0;   // <t, r>
+    double foretold_work = 0;   // <t, Kt>
+    double fixed_work    = 0;   // the part of it that is known
+    double free_work     = 0;   // <z, r>, of which <z, Kz> is a known share
+    double local_work    = 0;   // <t, γ'' t>
+    double stiffness     = 1.5; // <z, Kz>/<z, r>, at first a typical value
+    double last_length   = 0;
+    bool   truncated     = false; // some point of the step closes
+    bool   restarts      = true;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_driver_adhesive_sweep_h
+#define strait_driver_adhesive_sweep_h
+
+#include <strait/base/scene.h>
+#include <strait/contact/adhesive_contact_solver.h>
+#include <strait/driver/branch_follower.h>
+
+namespace strait
+{
+  /** What a sweep needs besides where the contact remembers its past. */
+  class AdhesiveSweep
+  {
+  public:
+    /**
+     * @p parameters are those of @p scene, but for the tolerance. Collective. Throws
+     * as adhesion_of_scene(). @p scene and @p log must outlive this object.
+     */
+    AdhesiveSweep(const Scene             &scene,
+                  const ContactParameters &parameters,
+                  SlabField                heights,
+                  Log                     &log);
+
+    /** The branch that the steps follow. */
+    BranchFollower &
+    path()
+    {
+      return follower;
+    }
+
+    const std::vector<Jump> &
+    jumps() const
+    {
+      return follower.jumps();
+    }
+
+    /**
+     * A state on the branch by which the scene approaches the threshold: started from
+     * the nearest one on this side of it, so that no trial beyond it leaves a trace.
+     * Collective.
+     */
+    ContactState state_for_search(double load);
+
+    std::size_t
+    memory_consumption() const
+    {
+      return solver.memory_consumption();
+    }
+
+  private:
+    const Scene          &scene;
+    AdhesiveContactSolver solver;
+    BranchFollower        follower;
+    ContactMemory         search_start;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/base/text.h>
+#include <strait/contact/adhesion_of_scene.h>
+#include <strait/contact/adhesive_contact_solver.h>
+#include <strait/contact/contact_solver.h>
+#include <strait/surface/statistics.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr double area_tolerance  = 1e-3; // relative
+    constexpr int    max_evaluations = 60;
+
+    /** γ0 at which the contact area doubles, see adhesion_of_scene(). */
+    double
+    matched_surface_energy(const ContactParameters &scene,
+                           const AdhesionScale     &scale,
+                           const SlabField         &heights)
+    {
+      ContactParameters parameters         = scene;
+      parameters.control                   = ContactControl::load;
+      parameters.tolerance                 = std::max(1e-6, scene.tolerance);
+      parameters.adhesion.write_relaxation = false;
+      const double       pressure          = scene.adhesion.matched_pressure;
+      const ContactState without = ContactSolver(parameters, heights).solve(pressure);
+      const double       wanted  = 2 * without.contact_area;
+      if (wanted >= 1)
+        throw InputError("Contact/Adhesion/Match area at pressure is " +
+                         to_text(pressure) + ", where " + to_text(50 * wanted) +
+                         " % are in contact without adhesion; twice that is more than "
+                         "all, so give a smaller pressure.");
+
+      const auto excess = [&](const double surface_energy) {
+        AdhesiveContactSolver solver(parameters,
+                                     scale.law(surface_energy),
+                                     AdhesiveStart::without_adhesion,
+                                     heights);
+        solver.recall({without.gap, pressure});
+        return solver.solve(pressure).contact_area / wanted - 1;
+      };
+      // The area grows with γ0, with jumps: enclose it, then halve the logarithm or
+      // follow the secant of the ends, in turns.
+      double low = 0, high = 0, below = -.5, above = 0;
+      double energy = pressure * without.mean_gap;
+      for (int k = 0; k < max_evaluations; ++k)
+        {
+          const double value = excess(energy);
+          if (std::abs(value) < area_tolerance)
+            return energy;
+          (value < 0 ? low : high)    = energy;
+          (value < 0 ? below : above) = value;
+          if (high == 0 || low == 0)
+            energy *= high == 0 ? 2. : .5;
+          else if (high < low * (1 + 1e-6)) // the doubled area is skipped by a jump
+            return low;
+          else
+            energy = k % 3 == 2 ? std::sqrt(low * high)
+                                : low + (high - low) * below / (below - above);
+        }
+      throw ComputationError(
+        "No surface energy was found that doubles the contact area at the pressure " +
+        to_text(pressure) + "; give Contact/Adhesion/Surface energy instead.");
+    }
+  } // namespace
+
+  AdhesionScale::AdhesionScale(const ContactParameters &parameters,
+                               const SlabField         &heights)
+    : range(parameters.adhesion.range)
+    , tabor(parameters.adhesion.tabor_number)
+    , modulus(parameters.effective_modulus)
+    , curvature_radius(statistics(heights).curvature_radius)
+    , spacing(std::max(heights.grid().dx(), heights.grid().dy()))
+  {
+    if (tabor > 0 && !std::isfinite(curvature_radius))
+      throw InputError(
+        "Contact/Adhesion/Tabor number says nothing about a flat surface; give Range.");
+  }
+
+  AdhesionLaw
+  AdhesionScale::law(const double surface_energy) const
+  {
+    return {surface_energy,
+            range > 0
+              ? range
+              : std::cbrt(curvature_radius * std::pow(surface_energy / modulus, 2)) /
+                  tabor};
+  }
+
+  double
+  AdhesionScale::tabor_number(const AdhesionLaw &law) const
+  {
+    return std::cbrt(curvature_radius * std::pow(law.surface_energy / modulus, 2)) /
+           law.range;
+  }
+
+  double
+  AdhesionScale::resolution(const AdhesionLaw &law) const
+  {
+    return modulus * law.range * law.range / (law.surface_energy * spacing);
+  }
+
+  AdhesionLaw
+  adhesion_of_scene(const ContactParameters &parameters, const SlabField &heights)
+  {
+    const AdhesionScale scale(parameters, heights);
+    const AdhesionLaw   law =
+      scale.law(parameters.adhesion.matched_pressure > 0
+                  ? matched_surface_energy(parameters, scale, heights)
+                  : parameters.adhesion.surface_energy);
+    const double resolution = scale.resolution(law);
+    if (resolution < unresolved_adhesion && !parameters.adhesion.accept_unresolved)
+      throw InputError(
+        format("The range of the adhesion, z0 = %.4g, is too short for the grid: E* "
+               "z0^2/(gamma0 a) is %.3g and should be 3, at least 0.8; use a grid finer "
+               "by a factor of %.2g or set Contact/Adhesion/Accept unresolved range.",
+               law.range,
+               resolution,
+               resolved_adhesion / resolution));
+    return law;
+  }
+} // namespace strait

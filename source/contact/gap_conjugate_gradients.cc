@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/contact/gap_conjugate_gradients.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    /** Of the elastic curvature: below it, the attraction is left out. */
+    constexpr double least_curvature = .05;
+
+    /** Where the attraction wins, the elastic curvature alone is too cautious. */
+    constexpr double boldness = 3;
+
+    /** A step that closes points is taken whole or, if the line asks for less than
+     *  this share of it, formed anew with a shorter length. */
+    constexpr double short_step = .4, shorter_arc = .3;
+
+    constexpr int max_trials = 12;
+
+    constexpr double slack = 3e-13; // of the energy, for rounding
+  }                                 // namespace
+
+  GapConjugateGradients::GapConjugateGradients(GapProblem          &problem_,
+                                               const GapConstraint &constraint,
+                                               const GapTolerance  &tolerance_,
+                                               RelaxationObserver   observer_)
+    : problem(problem_)
+    , tolerance(tolerance_)
+    , observer(std::move(observer_))
+    , iterate(problem_, constraint)
+    , trial(problem_.size())
+    , step(problem_.size())
+    , response(problem_.size())
+  {
+  }
+
+  GapSolution
+  GapConjugateGradients::solve(double *gap)
+  {
+    std::fill(step.begin(), step.end(), 0.);
+    std::fill(response.begin(), response.end(), 0.);
+    restarts = true;
+    iterate.start(gap);
+
+    GapSolution solution;
+    while (true)
+      {
+        solution.residual  = iterate.violation() / tolerance.traction;
+        solution.converged = solution.residual <= tolerance.residual;
+        if (observer)
+          observer(
+            {solution.iterations, iterate.energy(), solution.residual, last_length});
+        if (solution.converged || solution.iterations >= tolerance.max_iterations ||
+            !std::isfinite(solution.residual) || iterate.is_detached())
+          break;
+        precondition();
+        if (!go(choose_direction()))
+          {
+            if (restarts) // rounding is all that is left
+              break;
+            restarts = true;
+            continue;
+          }
+        restarts = false;
+        ++solution.iterations;
+      }
+    iterate.describe(solution);
+    return solution;
+  }
+
+  /** z = M r on the free points. */
+  void
+  GapConjugateGradients::precondition()
+  {
+    double *z = trial.data();
+    problem.precondition(
+      z,
+      [&](const PointSet::Block &range) {
+        for (std::size_t i = range.begin; i < range.end; ++i)
+          z[i] = iterate.is_free(i) ? iterate.derivative[i] : 0.;
+      },
+      no_pass);
+    iterate.project(z);
+  }
+
+  /** t = −z + β d on the free points. Return how far to go. */
+  double
+  GapConjugateGradients::choose_direction()
+  {
+    double       *t = trial.data(), *d = step.data();
+    const double *r = iterate.derivative.data(), *q = response.data();
+    if (!restarts)
+      iterate.project(d);
+
+    const auto [z_r, z_q, z_local, d_q, d_local, d_r] =
+      weighted_sums<6>(problem, [&](const auto i, auto &sums) {
+        if (!iterate.is_free(i))
+          return;
+        const double gamma = iterate.curvature(i);
+        sums[0] += t[i] * r[i];
+        sums[1] += t[i] * q[i];
+        sums[2] += t[i] * gamma * d[i];
+        sums[3] += d[i] * q[i];
+        sums[4] += d[i] * gamma * d[i];
+        sums[5] += d[i] * r[i];
+      });
+    const double d_curvature = d_q + d_local;
+    double       beta        = 0;
+    if (!restarts && d_curvature > least_curvature * d_q)
+      beta = std::max(0., (z_q + z_local) / d_curvature);
+    if (-z_r + beta * d_r >= 0)
+      beta = 0;
+
+    const auto [local] = weighted_sums<1>(problem, [&, beta](const auto i, auto &sums) {
+      t[i] = -t[i] + beta * d[i];
+      sums[0] += t[i] != 0 ? t[i] * iterate.curvature(i) * t[i] : 0.;
+    });
+    slope              = -z_r + beta * d_r;
+    free_work          = z_r;
+    fixed_work         = beta * (beta * d_q - 2 * z_q);
+    local_work         = local;
+    foretold_work      = std::max(stiffness * free_work + fixed_work, .1 * free_work);
+    const double curvature = foretold_work + local_work;
+    return -slope /
+           (curvature > least_curvature * foretold_work ? curvature : foretold_work);
+  }
+
+  /** Follow the projected direction as far as the energy falls well. Return whether
+   *  it did. */
+  bool
+  GapConjugateGradients::go(double length)
+  {
+    for (int trials = 0; trials < max_trials; ++trials)
+      {
+        const double work = form_step(length);
+        if (search_line(work))
+          return true;
+        if (!truncated)
+          return false;
+        // Too many points close at once: a shorter arc has fewer of them.
+        length *= shorter_arc;
+      }
+    return false;
+  }
+
+  /** d = max(g + s t, 0) − g and K d. Return <d, Kd>. */
+  double
+  GapConjugateGradients::form_step(const double length)
+  {
+    double       *d = step.data();
+    const double *g = iterate.gap, *t = trial.data();
+    double        closing = 0;
+    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+      {
+        d[i]    = g[i] + length * t[i];
+        closing = d[i] < 0 ? 1. : closing;
+      }
+    truncated = problem.largest_over_ranks(closing) > 0;
+    iterate.make_admissible(d);
+    const double work = problem.apply(
+      d,
+      response.data(),
+      [=](const PointSet::Block &range) {
+        for (std::size_t i = range.begin; i < range.end; ++i)
+          d[i] -= g[i];
+      },
+      no_pass);
+    if (!truncated && free_work > 0)
+      {
+        const double share =
+          (work / (length * length) - fixed_work) / free_work; // <z, Kz>/<z, r>
+        stiffness = std::clamp(share, .2, 3.);
+      }
+    return work;
+  }
+
+  /** Go along d as far as the energy falls well. Return whether it did; if not, the
+   *  gap is as it was. */
+  bool
+  GapConjugateGradients::search_line(const double work)
+  {
+    const double *d = step.data(), *g = iterate.gap;
+    double        furthest  = INFINITY;
+    const auto [d_r, local] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
+      sums[0] += d[i] * iterate.derivative[i];
+      sums[1] += d[i] != 0 ? d[i] * iterate.curvature(i) * d[i] : 0.;
+      if (d[i] < 0)
+        furthest = std::min(furthest, -g[i] / d[i]);
+    });
+    furthest                = -problem.largest_over_ranks(-furthest);
+    if (!(d_r < 0))
+      return false;
+    const bool   is_convex = work + local > least_curvature * work;
+    const double ideal     = is_convex ? -d_r / (work + local) : -boldness * d_r / work;
+    if (truncated && ideal < short_step)
+      return false;
+    double length = truncated ? 1. : std::min(ideal, furthest);
+
+    const double before = iterate.energy();
+    double       gone   = 0;
+    for (int trials = 0; trials < (truncated ? 1 : max_trials); ++trials)
+      {
+        iterate.move(d, response.data(), work, length - gone);
+        gone = length;
+        if (iterate.energy() <= before + 1e-4 * length * d_r + slack * std::abs(before))
+          {
+            last_length = length;
+            return true;
+          }
+        length *= .4;
+      }
+    iterate.move(d, response.data(), work, -gone);
+    return false;
+  }
+
+  const double *
+  GapConjugateGradients::reaction() const
+  {
+    return iterate.derivative.data();
+  }
+
+  std::size_t
+  GapConjugateGradients::memory_consumption() const
+  {
+    return 5 * problem.size() * sizeof(double);
+  }
+} // namespace strait

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/contact/gap_newton.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr int    max_inner_iterations = 60;
+    constexpr int    max_trials           = 30;
+    constexpr double slack                = 3e-13; // of the energy, for rounding
+    constexpr double longest_escape       = 2.; // along negative curvature, in ranges z0
+  }                                             // namespace
+
+  GapNewton::GapNewton(GapProblem          &problem_,
+                       const GapConstraint &constraint,
+                       const GapTolerance  &tolerance_,
+                       RelaxationObserver   observer_)
+    : problem(problem_)
+    , tolerance(tolerance_)
+    , observer(std::move(observer_))
+    , iterate(problem_, constraint)
+    , step(problem_.size())
+    , remainder(problem_.size())
+    , z(problem_.size())
+    , direction(problem_.size())
+    , response(problem_.size())
+  {
+  }
+
+  GapSolution
+  GapNewton::solve(double *gap)
+  {
+    iterate.start(gap);
+    GapSolution solution;
+    while (true)
+      {
+        solution.residual  = iterate.violation() / tolerance.traction;
+        solution.converged = solution.residual <= tolerance.residual;
+        if (observer)
+          observer(
+            {solution.iterations, iterate.energy(), solution.residual, last_length});
+        if (solution.converged || solution.iterations >= tolerance.max_iterations ||
+            !std::isfinite(solution.residual) || iterate.is_detached())
+          break;
+        solve_model(solution.residual);
+        if (!search())
+          break;
+        ++solution.iterations;
+      }
+    iterate.describe(solution);
+    return solution;
+  }
+
+  /** z = M remainder. Return <z, remainder>. */
+  double
+  GapNewton::precondition()
+  {
+    z = remainder;
+    problem.precondition(z.data(), no_pass, no_pass);
+    iterate.project(z.data());
+    return weighted_sums<1>(problem, [this](const auto i, auto &sums) {
+      sums[0] += z[i] * remainder[i];
+    })[0];
+  }
+
+  /** An approximate minimiser of the quadratic model on the free points. */
+  void
+  GapNewton::solve_model(const double residual)
+  {
+    remainder = iterate.derivative;
+    iterate.project(remainder.data());
+    std::fill(step.begin(), step.end(), 0.);
+    std::fill(direction.begin(), direction.end(), 0.);
+    met_negative_curvature = false;
+
+    const double reduction = std::min(.1, std::sqrt(residual));
+    double       first = 0, last = 0;
+    for (int k = 0; k < max_inner_iterations; ++k)
+      {
+        const double now = precondition();
+        if (k == 0)
+          first = now;
+        else if (now <= reduction * reduction * first)
+          return;
+        const double beta = k == 0 ? 0. : now / last;
+        last              = now;
+        for (std::size_t i = 0; i < problem.size(); ++i)
+          direction[i] = -z[i] + beta * direction[i];
+        const double work =
+          problem.apply(direction.data(), response.data(), no_pass, no_pass);
+        const auto [local] = weighted_sums<1>(problem, [this](const auto i, auto &sums) {
+          const double d = direction[i];
+          sums[0] += d != 0 ? d * iterate.curvature(i) * d : 0.;
+        });
+        met_negative_curvature = work + local <= 1e-10 * work;
+        // Down the slope of the energy, as far as the search along it will say.
+        const double length = met_negative_curvature ? 1. : now / (work + local);
+        if (met_negative_curvature && k > 0)
+          return;
+        for (std::size_t i = 0; i < problem.size(); ++i)
+          {
+            step[i] += length * direction[i];
+            if (iterate.is_free(i))
+              remainder[i] +=
+                length * (response[i] + iterate.curvature(i) * direction[i]);
+          }
+        if (met_negative_curvature)
+          return;
+        iterate.project(remainder.data());
+      }
+  }
+
+  /** Go along the projected step until the energy falls. Return whether it did. */
+  bool
+  GapNewton::search()
+  {
+    double length = 1;
+    if (met_negative_curvature)
+      {
+        double largest = 0;
+        for (const double s : step)
+          largest = std::max(largest, std::abs(s));
+        largest = problem.largest_over_ranks(largest);
+        length  = std::min(1., longest_escape * problem.adhesion().range / largest);
+      }
+    const double before = iterate.energy();
+    for (int trials = 0; trials < max_trials; ++trials, length *= .5)
+      {
+        double       *d = direction.data();
+        const double *g = iterate.gap;
+        for (std::size_t i = 0; i < problem.size(); ++i)
+          d[i] = g[i] + length * step[i];
+        iterate.make_admissible(d);
+        for (std::size_t i = 0; i < problem.size(); ++i)
+          d[i] -= g[i];
+        const double work  = problem.apply(d, response.data(), no_pass, no_pass);
+        const auto [slope] = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
+          sums[0] += d[i] * iterate.derivative[i];
+        });
+        iterate.move(d, response.data(), work, 1.);
+        last_length = length;
+        if (iterate.energy() <=
+            before + 1e-4 * std::min(slope, 0.) + slack * std::abs(before))
+          return true;
+        iterate.move(d, response.data(), work, -1.);
+      }
+    return false;
+  }
+
+  const double *
+  GapNewton::reaction() const
+  {
+    return iterate.derivative.data();
+  }
+
+  std::size_t
+  GapNewton::memory_consumption() const
+  {
+    return 7 * problem.size() * sizeof(double);
+  }
+} // namespace strait

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/contact/gap_stability.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr int    max_iterations   = 40;
+    constexpr double settled          = .03;  // last relative change of the quotient
+    constexpr double clearly_negative = -.02; // no need to know it better
+
+    using Matrix = std::array<std::array<double, 3>, 3>;
+    using Vector = std::array<double, 3>;
+
+    /** x with |x| = 1 that makes x·Ax least, by Jacobi's rotations. */
+    Vector
+    lowest_eigenvector(Matrix a, const int n)
+    {
+      Matrix v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+      for (int sweep = 0; sweep < 30; ++sweep)
+        for (int p = 0; p < n; ++p)
+          for (int q = p + 1; q < n; ++q)
+            if (a[p][q] != 0)
+              {
+                const double theta = .5 * std::atan2(2 * a[p][q], a[q][q] - a[p][p]);
+                const double c = std::cos(theta), s = std::sin(theta);
+                for (int k = 0; k < n; ++k)
+                  {
+                    const double kp = a[k][p], kq = a[k][q];
+                    a[k][p]         = c * kp - s * kq;
+                    a[k][q]         = s * kp + c * kq;
+                    const double vp = v[k][p], vq = v[k][q];
+                    v[k][p] = c * vp - s * vq;
+                    v[k][q] = s * vp + c * vq;
+                  }
+                for (int k = 0; k < n; ++k)
+                  {
+                    const double pk = a[p][k], qk = a[q][k];
+                    a[p][k] = c * pk - s * qk;
+                    a[q][k] = s * pk + c * qk;
+                  }
+              }
+      int least = 0;
+      for (int k = 1; k < n; ++k)
+        least = a[k][k] < a[least][least] ? k : least;
+      return {v[0][least], v[1][least], v[2][least]};
+    }
+
+    /** The combination of n vectors that makes the quotient of A and B least, by
+     *  Gram and Schmidt in the inner product B; 0 for a vector that depends on those
+     *  before it. */
+    Vector
+    best_combination(const Matrix &a, const Matrix &b, const int n)
+    {
+      std::array<Vector, 3> basis{};
+      int                   n_basis = 0;
+      const auto product = [n](const Matrix &m, const Vector &x, const Vector &y) {
+        double result = 0;
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < n; ++j)
+            result += x[i] * m[i][j] * y[j];
+        return result;
+      };
+      for (int k = 0; k < n; ++k)
+        {
+          Vector x{};
+          x[k] = 1;
+          for (int twice = 0; twice < 2; ++twice)
+            for (int l = 0; l < n_basis; ++l)
+              {
+                const double share = product(b, basis[l], x);
+                for (int i = 0; i < n; ++i)
+                  x[i] -= share * basis[l][i];
+              }
+          const double norm = product(b, x, x);
+          if (!(norm > 1e-12 * b[k][k]))
+            continue;
+          for (double &value : x)
+            value /= std::sqrt(norm);
+          basis[n_basis++] = x;
+        }
+      Matrix small{};
+      for (int k = 0; k < n_basis; ++k)
+        for (int l = 0; l < n_basis; ++l)
+          small[k][l] = product(a, basis[k], basis[l]);
+      const Vector y = lowest_eigenvector(small, n_basis);
+      Vector       x{};
+      for (int l = 0; l < n_basis; ++l)
+        for (int i = 0; i < n; ++i)
+          x[i] += y[l] * basis[l][i];
+      return x;
+    }
+  } // namespace
+
+  GapStability::GapStability(GapProblem &problem_, const GapConstraint::Kind kind_)
+    : problem(problem_)
+    , kind(kind_)
+  {
+    vectors[0].resize(problem.size());
+    problem.fill_with_noise(vectors[0].data());
+    problem.precondition(vectors[0].data(), no_pass, no_pass);
+  }
+
+  double
+  GapStability::smallest_curvature(const double *gaps)
+  {
+    gap = gaps;
+    for (int k = 0; k < 3; ++k)
+      {
+        vectors[k].resize(problem.size());
+        responses[k].resize(problem.size());
+      }
+    find_lowest();
+    for (int k = 0; k < 3; ++k)
+      {
+        if (k > 0)
+          vectors[k] = std::vector<double>();
+        responses[k] = std::vector<double>();
+      }
+    return quotient;
+  }
+
+  void
+  GapStability::find_lowest()
+  {
+    prepare(vectors[0], responses[0]);
+    descend(1);
+    if (!std::isfinite(quotient)) // no point is free
+      {
+        problem.fill_with_noise(vectors[0].data());
+        quotient = 1;
+        return;
+      }
+    int n_settled = 0;
+    for (int k = 0; k < max_iterations && n_settled < 2 && quotient > clearly_negative;
+         ++k)
+      {
+        // The gradient of the quotient, preconditioned.
+        const double       uniform = problem.mean_stiffness() * uniform_part(vectors[0]);
+        const AdhesionLaw &law     = problem.adhesion();
+        for (std::size_t i = 0; i < problem.size(); ++i)
+          vectors[1][i] = (1 - quotient) * responses[0][i] +
+                          law.curvature(law.traction(gap[i])) * vectors[0][i] -
+                          quotient * uniform;
+        mask(vectors[1]);
+        problem.precondition(vectors[1].data(), no_pass, no_pass);
+        prepare(vectors[1], responses[1]);
+        const double before = quotient;
+        descend(k == 0 ? 2 : 3);
+        n_settled = before - quotient <= settled * std::abs(quotient) ? n_settled + 1 : 0;
+      }
+  }
+
+  double
+  GapStability::uniform_part(const std::vector<double> &v) const
+  {
+    return weighted_sums<1>(problem,
+                            [&v](const auto i, auto &sums) { sums[0] += v[i]; })[0];
+  }
+
+  void
+  GapStability::mask(std::vector<double> &v) const
+  {
+    for (std::size_t i = 0; i < problem.size(); ++i)
+      v[i] = gap[i] > 0 ? v[i] : 0.;
+    if (kind != GapConstraint::Kind::mean_gap)
+      return;
+    const auto [total, area] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
+      sums[0] += v[i];
+      sums[1] += gap[i] > 0 ? 1. : 0.;
+    });
+    const double mean        = area > 0 ? total / area : 0.;
+    for (std::size_t i = 0; i < problem.size(); ++i)
+      v[i] -= gap[i] > 0 ? mean : 0.;
+  }
+
+  void
+  GapStability::prepare(std::vector<double> &v, std::vector<double> &stiffness)
+  {
+    mask(v);
+    problem.apply(v.data(), stiffness.data(), no_pass, no_pass);
+  }
+
+  /** Replace v by the best combination of the first @p n vectors. */
+  void
+  GapStability::descend(const int n)
+  {
+    const AdhesionLaw &law = problem.adhesion();
+    // Of each pair of vectors <v, Kv>, <v, γ''v>; and the means.
+    const auto sums = weighted_sums<15>(problem, [&](const auto i, auto &terms) {
+      if (!(gap[i] > 0))
+        return;
+      const double curvature = law.curvature(law.traction(gap[i]));
+      int          term      = 0;
+      for (int k = 0; k < n; ++k)
+        {
+          const double v = vectors[k][i];
+          for (int l = 0; l <= k; ++l)
+            {
+              terms[term++] += v * responses[l][i];
+              terms[term++] += v * curvature * vectors[l][i];
+            }
+          terms[12 + k] += v;
+        }
+    });
+    Matrix     a{}, b{};
+    int        term = 0;
+    for (int k = 0; k < n; ++k)
+      for (int l = 0; l <= k; ++l)
+        {
+          const double elastic = sums[term++], local = sums[term++];
+          a[k][l] = a[l][k] = elastic + local;
+          b[k][l]           = b[l][k] =
+            elastic + problem.mean_stiffness() * sums[12 + k] * sums[12 + l];
+        }
+    const Vector x = best_combination(a, b, n);
+    quotient       = 0;
+    for (int k = 0; k < n; ++k)
+      for (int l = 0; l < n; ++l)
+        quotient += x[k] * a[k][l] * x[l];
+    if (x == Vector{})
+      quotient = NAN;
+
+    // The new v and its change, and K of both.
+    for (auto *fields : {vectors, responses})
+      for (std::size_t i = 0; i < problem.size(); ++i)
+        {
+          double change = 0;
+          for (int k = 1; k < n; ++k)
+            change += x[k] * fields[k][i];
+          fields[2][i] = change;
+          fields[0][i] = x[0] * fields[0][i] + change;
+        }
+  }
+
+  std::size_t
+  GapStability::memory_consumption() const
+  {
+    return 6 * problem.size() * sizeof(double);
+  }
+} // namespace strait

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/driver/seal_search.h>
+
+#include <algorithm>
+
+namespace strait
+{
+  SealSearch::SealSearch(const Scene &scene_, const Stages &stages_, Log &log_)
+    : scene(scene_)
+    , stages(stages_)
+    , log(log_)
+  {
+  }
+
+  std::vector<Threshold>
+  SealSearch::find_thresholds(const double first_guess)
+  {
+    std::vector<Threshold> result;
+    // A dry contact, once probed, serves all slip lengths.
+    double     slip_length = 0.;
+    const auto probe_load  = [&](const double load) { return probe(load, slip_length); };
+    ThresholdSearch search(probe_load, first_guess, scene.programme.threshold_tolerance);
+    for (const double next : scene.fluid.slip_lengths)
+      {
+        slip_length = next;
+        if (stages.coupling != nullptr)
+          search =
+            ThresholdSearch(probe_load, first_guess, scene.programme.threshold_tolerance);
+        result.push_back(search.find(slip_length));
+        report(result.back());
+      }
+    return result;
+  }
+
+  void
+  SealSearch::report(const Threshold &found) const
+  {
+    log.line(
+      format("threshold%s: critical load between %.10g and %.10g, contact "
+             "%.3f %% (%d contact solves, %ld FFT pairs)",
+             scene.fluid.has_slip()
+               ? format(" for slip length %.4g", found.slip_length).c_str()
+               : "",
+             found.lower,
+             found.upper,
+             100. * found.contact_area,
+             found.n_solves,
+             found.fft_pairs));
+  }
+
+  ThresholdProbe
+  SealSearch::probe(const double load, const double slip_length)
+  {
+    const ContactState  state = state_under(load, slip_length);
+    const PeriodicGrid &grid  = state.gap.grid();
+    if (!state.converged)
+      log.warn(format("the contact did not converge at a load of %.6g, residual %.1e",
+                      load,
+                      state.residual));
+    // Under pressure a point is closed the more firmly the more its own spacing is
+    // indented: a length, like the gap, and of one slope with it.
+    const double softness =
+      std::max(grid.dx(), grid.dy()) / scene.contact.effective_modulus;
+    SlabField openness = state.gap;
+    for (std::size_t k = 0; k < openness.size(); ++k)
+      if (state.pressure[k] > 0)
+        openness[k] = -softness * state.pressure[k];
+    const ThresholdProbe result{find_bottleneck(openness, scene.fluid.direction),
+                                state.contact_area,
+                                state.fft_pairs};
+    log.progress(format("  threshold: load %.8g %s",
+                        load,
+                        result.bottleneck.value > 0 ? "leaks" : "seals"));
+    return result;
+  }
+
+  ContactState
+  SealSearch::state_under(const double load, const double slip_length)
+  {
+    if (stages.coupling != nullptr)
+      return state_with_fluid(load, slip_length);
+    if (stages.adhesive != nullptr)
+      return stages.adhesive->state_for_search(load);
+    return stages.contact->solve(load);
+  }
+
+  ContactState
+  SealSearch::state_with_fluid(const double load, const double slip_length)
+  {
+    // Each probe starts from the fluid on the side that the path comes from.
+    if (!start.empty())
+      stages.coupling->fluid_pressure() = start;
+    Step step;
+    step.slip_length = slip_length;
+    stages.coupling->settle(step, load);
+    const bool open = step.flow->clusters.percolates;
+    if (open == (scene.programme.path != LoadPath::unloading))
+      start = stages.coupling->fluid_pressure();
+    if (!step.feedback->converged && !step.feedback->undecided)
+      log.warn(format("contact and flow did not agree at a load of %.6g", load));
+    return std::move(*step.contact);
+  }
+
+  std::vector<BlowOut>
+  SealSearch::find_blow_outs()
+  {
+    const double         outlet = scene.fluid.outlet_pressure;
+    std::vector<BlowOut> result;
+    for (const double load : scene.programme.pressures)
+      {
+        // The pressure rises: each probe starts from the fluid of the last held one.
+        start = SlabField(stages.contact->layout());
+        result.push_back(
+          find_blow_out([&](const double pressure) { return pressurise(load, pressure); },
+                        load,
+                        scene.programme.threshold_tolerance));
+        BlowOut &found = result.back();
+        found.load     = load;
+        found.lower += outlet;
+        found.upper += outlet;
+        log.line(
+          format("blow-out at a load of %.6g: inlet pressure between %.8g and "
+                 "%.8g (%d solves of contact and flow)",
+                 load,
+                 found.lower,
+                 found.upper,
+                 found.n_solves));
+      }
+    stages.flow->set_inlet_pressure(scene.fluid.inlet_pressure);
+    stages.coupling->fluid_pressure() = SlabField(stages.contact->layout());
+    return result;
+  }
+
+  BlowOutProbe
+  SealSearch::pressurise(const double load, const double pressure_difference)
+  {
+    const double inlet = scene.fluid.outlet_pressure + pressure_difference;
+    stages.flow->set_inlet_pressure(inlet);
+    stages.coupling->fluid_pressure() = start;
+    Step step;
+    step.slip_length = scene.fluid.slip_lengths.front();
+    stages.coupling->settle(step, load);
+    BlowOutProbe result;
+    result.leaks        = step.flow->clusters.percolates;
+    result.contact_area = step.contact->contact_area;
+    if (!result.leaks)
+      start = stages.coupling->fluid_pressure();
+    else if (!step.flow->paths.empty())
+      result.constriction = step.flow->paths.front().bottleneck;
+    log.progress(format("  blow-out: inlet pressure %.6g %s",
+                        inlet,
+                        result.leaks ? "leaks" : "is held"));
+    return result;
+  }
+} // namespace strait

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The adhesive contact: closed forms, the conditions that define a solution, and
+// three methods against each other.
+#include <strait/base/exceptions.h>
+#include <strait/contact/adhesion_of_scene.h>
+#include <strait/contact/adhesive_contact_solver.h>
+
+#include <gtest/gtest.h>
+
+#include "contact_tools.h"
+
+namespace
+{
+  using namespace contact_tests;
+
+  constexpr AdhesionMethod all_methods[] = {AdhesionMethod::nonlinear_cg,
+                                            AdhesionMethod::newton_cg,
+                                            AdhesionMethod::gfmd};
+
+  ContactParameters
+  adhesive_parameters(const double         tolerance,
+                      const AdhesionMethod method  = AdhesionMethod::nonlinear_cg,
+                      const ContactControl control = ContactControl::load)
+  {
+    ContactParameters parameters  = contact_parameters(tolerance, control);
+    parameters.maximum_iterations = 5000;
+    parameters.adhesion.enabled   = true;
+    parameters.adhesion.method    = method;
+    return parameters;
+  }
+
+  /** γ0 = 0.1 E*Δ and the range of a Tabor number, for the square saddle. */
+  AdhesionLaw
+  saddle_law(const double tabor)
+  {
+    return {.1, std::cbrt(.035823 * .01) / tabor};
+  }
+
+  AdhesiveContactSolver
+  saddle_solver(const ContactParameters &parameters, const double tabor, const int n = 64)
+  {
+    return {parameters,
+            saddle_law(tabor),
+            AdhesiveStart::without_adhesion,
+            saddle_heights(n)};
+  }
+
+  TEST(Adhesion, TheTaborNumberSetsTheRange)
+  {
+    ContactParameters parameters       = adhesive_parameters(1e-8);
+    parameters.adhesion.surface_energy = .1;
+    parameters.adhesion.tabor_number   = .5;
+    const SlabField     heights        = saddle_heights(64);
+    const AdhesionScale scale(parameters, heights);
+    const AdhesionLaw   law = adhesion_of_scene(parameters, heights);
+    EXPECT_NEAR(law.range, saddle_law(.5).range, 1e-5 * law.range);
+    EXPECT_NEAR(scale.tabor_number(law), .5, 1e-12);
+    EXPECT_NEAR(scale.resolution(law), 64 * law.range * law.range / .1, 1e-9);
+  }
+
+  TEST(Adhesion, RefusesARangeThatTheGridDoesNotResolve)
+  {
+    ContactParameters parameters       = adhesive_parameters(1e-8);
+    parameters.adhesion.surface_energy = .1;
+    parameters.adhesion.tabor_number   = 3;
+    const SlabField heights            = saddle_heights(64);
+    EXPECT_THROW(adhesion_of_scene(parameters, heights), InputError);
+    parameters.adhesion.accept_unresolved = true;
+    EXPECT_GT(adhesion_of_scene(parameters, heights).range, 0);
+  }
+
+  TEST(Adhesion, MatchesTheContactArea)
+  {
+    ContactParameters parameters         = adhesive_parameters(1e-7);
+    parameters.adhesion.matched_pressure = .02;
+    parameters.adhesion.tabor_number     = .5;
+    const SlabField       heights        = rough_heights({128, 128, 1., 1.}, 8);
+    const AdhesionLaw     law            = adhesion_of_scene(parameters, heights);
+    AdhesiveContactSolver solver(parameters,
+                                 law,
+                                 AdhesiveStart::without_adhesion,
+                                 heights);
+    const double without = ContactSolver(parameters, heights).solve(.02).contact_area;
+    EXPECT_NEAR(solver.solve(.02).contact_area / without, 2, .005);
+    EXPECT_NEAR(AdhesionScale(parameters, heights).tabor_number(law), .5, 1e-12);
+
+    parameters.adhesion.matched_pressure = 2.; // all but in full contact already
+    EXPECT_THROW(adhesion_of_scene(parameters, heights), InputError);
+  }
+
+  /** A ripple under a uniform gap ḡ answers with −h1/(1 − 2k/(qE*)). */
+  TEST(Adhesion, AUniformGapRespondsLinearly)
+  {
+    const double ripple = 1e-6, mean_gap = .15;
+    for (const AdhesionMethod method : all_methods)
+      for (const int wave : {1, 3})
+        {
+          const SlabField heights =
+            sampled({32, 32, 1., 1.}, [=](const double x, const double) {
+              return ripple * std::cos(2 * pi * wave * x);
+            });
+          const AdhesionLaw     law{.02, .1};
+          AdhesiveContactSolver solver(adhesive_parameters(1e-9,
+                                                           method,
+                                                           ContactControl::mean_gap),
+                                       law,
+                                       AdhesiveStart::without_adhesion,
+                                       heights);
+          const ContactState    state = solver.solve(mean_gap);
+          EXPECT_TRUE(state.converged);
+          const double k =
+            law.surface_energy / std::pow(law.range, 2) * std::exp(-mean_gap / law.range);
+          const double expected  = -ripple / (1 - 2 * k / (2 * pi * wave));
+          double       projected = 0;
+          for (std::size_t i = 0; i < heights.size(); ++i)
+            projected += 2 * state.gap[i] * heights[i] / ripple / (32 * 32);
+          EXPECT_NEAR(sum(MPI_COMM_WORLD, projected),
+                      expected,
+                      1e-4 * std::abs(expected));
+          EXPECT_NEAR(state.nominal_pressure, -k * law.range, 1e-6 * k * law.range);
+        }
+  }
+
+  /** The flat state at a mean gap ends where 2k = qE* for the longest wave. */
+  TEST(Adhesion, AUniformGapBecomesUnstable)
+  {
+    const double    range = .1, mean_gap = .2;
+    const double    critical = pi * range * range * std::exp(mean_gap / range);
+    const SlabField flat(make_layout({32, 32, 1., 1.}, MPI_COMM_WORLD));
+    for (const double factor : {1 - 1e-4, 1 + 1e-4})
+      {
+        AdhesiveContactSolver solver(adhesive_parameters(1e-10,
+                                                         AdhesionMethod::nonlinear_cg,
+                                                         ContactControl::mean_gap),
+                                     {factor * critical, range},
+                                     AdhesiveStart::without_adhesion,
+                                     flat);
+        const ContactState    state  = solver.solve(mean_gap);
+        const double          spread = max_value(state.gap) - min_value(state.gap);
+        EXPECT_TRUE(state.converged);
+        if (factor < 1)
+          {
+            EXPECT_LT(spread, 1e-6);
+            EXPECT_NEAR(state.adhesion->smallest_curvature, 1e-4, 1e-5);
+          }
+        else
+          {
+            EXPECT_GT(spread, .1); // it fell into another state, which is a minimum
+            EXPECT_GT(state.adhesion->smallest_curvature, 0);
+          }
+      }
+  }
+
+  TEST(Adhesion, TheMethodsAgreeOnEnergyAndGap)
+  {
+    for (const double tabor : {.25, 1.})
+      {
+        const ContactState reference =
+          saddle_solver(adhesive_parameters(1e-9), tabor).solve(.9);
+        EXPECT_TRUE(reference.converged);
+        for (const AdhesionMethod method :
+             {AdhesionMethod::newton_cg, AdhesionMethod::gfmd})
+          {
+            const ContactState state =
+              saddle_solver(adhesive_parameters(1e-9, method), tabor).solve(.9);
+            EXPECT_TRUE(state.converged);
+            EXPECT_NEAR(state.adhesion->total_energy / reference.adhesion->total_energy,
+                        1,
+                        1e-10);
+            EXPECT_EQ(state.contact_area, reference.contact_area);
+            EXPECT_LT(largest_difference(state.gap, reference.gap), 1e-6);
+          }
+      }
+  }
+
+  /** Without adhesion all three solve the hard-wall problem, another way round. */
+  TEST(Adhesion, WithoutAttractionTheMethodsFindTheHardWall)
+  {
+    const SlabField    heights = rough_heights({64, 48, 1., 1.}, 8);
+    const ContactState expected =
+      ContactSolver(contact_parameters(1e-10), heights).solve(.02);
+    for (const AdhesionMethod method : all_methods)
+      {
+        AdhesiveContactSolver solver(adhesive_parameters(1e-8, method),
+                                     {0., 1.},
+                                     AdhesiveStart::full_contact,
+                                     heights);
+        const ContactState    state = solver.solve(.02);
+        EXPECT_TRUE(state.converged);
+        EXPECT_NEAR(state.contact_area, expected.contact_area, 1e-12);
+        EXPECT_LT(largest_difference(state.gap, expected.gap), 1e-6 * rms(heights));
+        EXPECT_LT(violation(state, heights, 1.), 1e-6);
+      }
+  }
+
+  /** Reaction less attraction is the pressure that deforms the half-space. */
+  TEST(Adhesion, ForcesBalanceAtEveryPoint)
+  {
+    const SlabField    heights  = saddle_heights(64);
+    const AdhesionLaw  law      = saddle_law(1.);
+    const ContactState state    = saddle_solver(adhesive_parameters(1e-9), 1.).solve(.9);
+    SlabField          pressure = state.pressure;
+    for (std::size_t i = 0; i < pressure.size(); ++i)
+      pressure[i] -= law.traction(state.gap[i]);
+    EXPECT_NEAR(mean(pressure), .9, 1e-8);
+    HalfSpace half_space(heights.layout_pointer(), 1.);
+    SlabField rigid(heights.layout_pointer());
+    half_space.apply(pressure.data(), rigid.data());
+    for (std::size_t i = 0; i < rigid.size(); ++i)
+      {
+        rigid[i] -= state.gap[i] + heights[i];
+        EXPECT_TRUE((state.gap[i] > 0) == (state.pressure[i] == 0));
+      }
+    EXPECT_LT(max_value(rigid) - min_value(rigid), 1e-6);
+  }
+
+  /** Also during the jump from the open to the closed branch. */
+  TEST(Adhesion, TheEnergyFallsMonotonically)
+  {
+    for (const AdhesionMethod method :
+         {AdhesionMethod::nonlinear_cg, AdhesionMethod::newton_cg})
+      {
+        ContactParameters parameters         = adhesive_parameters(1e-8, method);
+        parameters.adhesion.write_relaxation = true;
+        AdhesiveContactSolver solver         = saddle_solver(parameters, 2., 128);
+        const double          open           = solver.solve(1.).contact_area;
+        const ContactState    closed         = solver.solve(1.06);
+        EXPECT_GT(closed.contact_area, open + .04);
+        const auto &steps = closed.adhesion->relaxation;
+        ASSERT_GT(steps.size(), 5u);
+        for (std::size_t k = 1; k < steps.size(); ++k)
+          EXPECT_LE(steps[k].energy, steps[k - 1].energy + 1e-12);
+        EXPECT_LT(steps.back().energy, steps.front().energy - 1e-4);
+        EXPECT_NEAR(steps.back().energy, closed.adhesion->total_energy, 1e-12);
+      }
+  }
+
+  TEST(Adhesion, LoadAndGapControlMeet)
+  {
+    const ContactState by_load = saddle_solver(adhesive_parameters(1e-9), 1.).solve(.9);
+    ContactParameters  parameters = adhesive_parameters(1e-9);
+    parameters.control            = ContactControl::mean_gap;
+    const ContactState by_gap     = saddle_solver(parameters, 1.).solve(by_load.mean_gap);
+    EXPECT_TRUE(by_gap.converged);
+    EXPECT_NEAR(by_gap.nominal_pressure, .9, 1e-6);
+    EXPECT_EQ(by_gap.contact_area, by_load.contact_area);
+    EXPECT_NEAR(by_gap.adhesion->total_energy + .9 * by_load.mean_gap,
+                by_load.adhesion->total_energy,
+                1e-8);
+  }
+
+  TEST(Adhesion, TooMuchTensionDetaches)
+  {
+    AdhesiveContactSolver solver = saddle_solver(adhesive_parameters(1e-8), 1.);
+    EXPECT_THROW(solver.solve(-.1), InputError);
+    EXPECT_TRUE(solver.solve(.1).converged);
+    const ContactState pulled = solver.solve(-.005);
+    EXPECT_TRUE(pulled.converged);
+    EXPECT_FALSE(pulled.adhesion->detached);
+    EXPECT_GT(pulled.contact_area, 0);
+    const ContactMemory memory = solver.memory();
+    for (const AdhesionMethod method : all_methods)
+      {
+        AdhesiveContactSolver other =
+          saddle_solver(adhesive_parameters(1e-8, method), 1.);
+        other.recall(memory);
+        const ContactState parted = other.solve(-.1);
+        EXPECT_TRUE(parted.adhesion->detached);
+        EXPECT_FALSE(parted.converged);
+        EXPECT_LT(parted.iterations, 1000);
+      }
+    EXPECT_NEAR(solver.solve(-.005).contact_area, pulled.contact_area, 1e-12);
+  }
+} // namespace

@@ -1,0 +1,75 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Compare runs with different adhesion.
+
+    plot_adhesion.py leakage PICTURE.png LABEL=FOLDER ...   leak rates against load and 1 - L/L_c
+    plot_adhesion.py contact PICTURE.png LABEL=FOLDER ...   contact of the last fields of each
+
+A folder whose steps were unloading is drawn dashed.
+"""
+import pathlib
+import sys
+
+import h5py
+import numpy as np
+from matplotlib.figure import Figure
+
+from plot_common import BLUE, COLOURS, UNCERTAIN, VERMILLION, read_table, use_style
+
+
+def draw_leakage(runs):
+    """Left: against the load; right: against the reduced load, with the slopes 69/20 and 1."""
+    figure = Figure(figsize=(9, 4), layout="constrained")
+    left, right = figure.subplots(1, 2)
+    colours = dict.fromkeys(label.replace(" opening", "") for label, _ in runs)
+    colours = dict(zip(colours, (*COLOURS, VERMILLION)))
+    for label, folder in runs:
+        table = read_table(folder / "leakage.csv")
+        if "reduced_load" not in table:
+            raise SystemExit(f"{folder}: only runs with Find threshold can be compared.")
+        leaks = (table["leak_rate"] > 0) & np.isin(table["status"], ["ok", *UNCERTAIN])
+        order = np.flatnonzero(leaks)[np.argsort(table["pressure"][leaks])]
+        hollow = order[table["status"][order] != "ok"]
+        style = {"color": colours[label.replace(" opening", "")], "marker": "o",
+                 "linestyle": "--" if (table["branch"] == "unloading").all() else "-"}
+        for axes, name in ((left, "pressure"), (right, "reduced_load")):
+            rows = order[table[name][order] > 0]
+            axes.plot(table[name][rows], table["leak_rate"][rows], label=label, **style)
+            axes.plot(table[name][hollow], table["leak_rate"][hollow],
+                      **{**style, "linestyle": "none", "markerfacecolor": "white"})
+    left.set(yscale="log", xlabel="Nominal pressure", ylabel="Leak rate")
+    right.set(xscale="log", yscale="log", xlabel="1 - load / critical load")
+    x = np.array([0.01, 0.1])
+    level = max(line.get_ydata().max() for line in right.lines if len(line.get_ydata()))
+    for slope, kind in ((69 / 20, ":"), (1, "-.")):
+        right.plot(x, 0.3 * level * (x / 0.1)**slope, kind, color="0.4",
+                   label=f"slope {slope:.3g}")
+    right.legend()
+    return figure
+
+
+def draw_contact(runs):
+    """Contact (dark) of the last fields of each run."""
+    figure = Figure(figsize=(3.4 * len(runs), 3.8), layout="constrained")
+    for axes, (label, folder) in zip(figure.subplots(1, len(runs), squeeze=False)[0], runs):
+        name = max(folder.glob("fields-*.h5"), key=lambda path: int(path.stem.split("-")[1]))
+        with h5py.File(name) as file:
+            gap = file["gap"][()]
+            size = (0, file.attrs["lx"], 0, file.attrs["ly"])
+        axes.imshow(gap > 0, cmap="gray", origin="lower", extent=size, vmin=-0.2)
+        axes.contour(gap > 0, [0.5], colors=BLUE, linewidths=0.4, origin="lower", extent=size)
+        axes.set(title=f"{label}: {100 * (gap == 0).mean():.1f} %", xticks=[], yticks=[])
+    return figure
+
+
+def main(kind, picture, *runs):
+    """The script, with the command line's arguments."""
+    use_style()
+    pairs = [(run.rpartition("=")[0], pathlib.Path(run.rpartition("=")[2])) for run in runs]
+    {"leakage": draw_leakage, "contact": draw_contact}[kind](pairs).savefig(picture)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 4 or sys.argv[1] not in ("leakage", "contact"):
+        raise SystemExit(__doc__)
+    main(*sys.argv[1:])
