@@ -149,6 +149,45 @@ namespace strait
       EXPECT_LT(std::abs(errors[1]), .7 * std::abs(errors[0]));
     }
 
+    TEST(Coupled, ExponentUnderAFixedFluidPressure)
+    {
+      // A pressure that does not move with the throat is only another surface: the
+      // saddle keeps its exponents, about its own critical load. The window is what
+      // 256² resolves; corrections to scaling are part of the number.
+      const Scene       scene  = coupled_saddle(256);
+      const auto        layout = make_layout(grid_of(scene), MPI_COMM_WORLD);
+      Log               log(MPI_COMM_WORLD, true);
+      Timers            timers;
+      ContactParameters parameters = scene.contact;
+      parameters.tolerance         = 1e-9;
+      ContactSolver contact(parameters,
+                            make_surface(scene.surface, MPI_COMM_WORLD)->heights(layout));
+      FlowStage     flow(scene, layout, log, timers);
+      CoupledStage  coupling(scene, contact, flow, log);
+      Step          step;
+      coupling.settle(step, 1.45);
+      EXPECT_TRUE(step.feedback->converged);
+
+      const auto openness = [&](const double load) {
+        const ContactState state = contact.solve(load);
+        SlabField          value = state.gap;
+        for (std::size_t k = 0; k < value.size(); ++k)
+          if (state.pressure[k] > 0)
+            value[k] = -state.pressure[k] / 256;
+        return ThresholdProbe{find_bottleneck(value, FlowDirection::x), 0., 0};
+      };
+      const double critical =
+        ThresholdSearch(openness, 1.5, 1e-6).find(0.).critical_load();
+      EXPECT_GT(critical, 1.5); // the fluid carries 5 % of it
+      std::vector<double> leak_rates;
+      for (const double reduced : {.04, .02})
+        leak_rates.push_back(
+          flow.solve(contact.solve((1 - reduced) * critical).gap, 0.).result.leak_rate);
+      const double exponent = std::log2(leak_rates[0] / leak_rates[1]);
+      EXPECT_GT(exponent, 3.4);
+      EXPECT_LT(exponent, 3.6);
+    }
+
     TEST(Coupled, BlowsOutWhereThatPressureMakesTheLoadCritical)
     {
       // The larger of two views of one curve: L_c(p_in) = L at p_in = the blow-out.
