@@ -2,7 +2,9 @@
 #ifndef strait_flow_reynolds_solver_h
 #define strait_flow_reynolds_solver_h
 
+#include <strait/flow/bracket.h>
 #include <strait/flow/potential_problem.h>
+#include <strait/percolation/flow_path.h>
 
 #include <functional>
 #include <string>
@@ -82,20 +84,17 @@ namespace strait
     /** @return whether the linear solver converged; the bounds hold either way. */
     bool solve_on_mesh(FlowResult &result);
 
-    /** Each cell's share of upper − lower, over upper. */
-    dealii::Vector<float> indicator(double conductance_lower,
-                                    double conductance_upper) const;
-
     /** @return false, without refining, if the unknowns would become too many. */
     bool refine(const FlowResult &result);
 
-    const FluidParameters &parameters;
-    const GapField        &gap_field;
-    double                 pressure_drop;
-    FlowMesh               flow_mesh;
-    PotentialProblem       pressure_problem;
-    PotentialProblem       stream_problem;
-    dealii::Vector<float>  shares;
+    const FluidParameters      &parameters;
+    const GapField             &gap_field;
+    double                      pressure_drop;
+    FlowMesh                    flow_mesh;
+    PotentialProblem            pressure_problem;
+    PotentialProblem            stream_problem;
+    std::unique_ptr<Enrichment> enrichment; // of solutions of degree 1
+    Bracket                     plain;      // without enrichment; says where to refine
   };
 } // namespace strait
 
