@@ -35,6 +35,12 @@ namespace strait
       "true",
       Bool(),
       "Draw a picture of each step and of the leak rate against the load.");
+    prm.declare_entry(
+      "Error budget",
+      "false",
+      Bool(),
+      "Estimate the leak rate's errors from contact grid and gap interpolation as "
+      "well, from solutions on coarser grids; about doubles the time of a step.");
     prm.leave_subsection();
   }
 
@@ -42,9 +48,10 @@ namespace strait
   OutputParameters::parse(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Output");
-    directory = prm.get("Directory");
-    fields    = field_outputs.value(prm.get("Fields"));
-    pictures  = prm.get_bool("Pictures");
+    directory    = prm.get("Directory");
+    fields       = field_outputs.value(prm.get("Fields"));
+    pictures     = prm.get_bool("Pictures");
+    error_budget = prm.get_bool("Error budget");
     prm.leave_subsection();
   }
 

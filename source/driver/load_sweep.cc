@@ -32,7 +32,10 @@ namespace strait
     , first_guess(0.)
   {
     if (scene.fluid.enabled)
-      gap_field = std::make_unique<GapField>(heights.layout_pointer(), scene.fluid);
+      {
+        gap_field    = std::make_unique<GapField>(heights.layout_pointer(), scene.fluid);
+        error_budget = std::make_unique<ErrorBudget>(scene, heights);
+      }
     if (!scene.contact.enabled)
       {
         given_gap = std::move(heights);
@@ -156,7 +159,10 @@ namespace strait
           press(step, stops[k].target);
         leak(step);
         compare_with_threshold(step);
-        converged = converged && step.converged();
+        step.errors = step.flow && step.flow->clusters.percolates
+                        ? error_budget->assess(step)
+                        : StepErrors();
+        converged   = converged && step.converged();
         report_step(step, static_cast<int>(stops.size()), timers.total(), log);
         consume(step);
       }
@@ -212,6 +218,10 @@ namespace strait
           std::make_unique<ReynoldsSolver>(scene.fluid, *gap_field, flow.paths);
         flow.result =
           solver->run([this](const FlowResult &now) { report_flow(now, log); });
+        if (!flow.result.reason.empty())
+          log.warn(format("the leak rate is known to %.1f %% only because %s",
+                          50. * flow.result.relative_width(),
+                          flow.result.reason.c_str()));
         flow.solver = std::move(solver);
         if (scene.programme.find_threshold)
           flow.constrictions =

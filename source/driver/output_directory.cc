@@ -3,6 +3,7 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/json.h>
+#include <strait/driver/error_budget.h>
 #include <strait/driver/field_output.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/picture_data.h>
@@ -128,6 +129,8 @@ namespace strait
   void
   OutputDirectory::write(const Step &step, const bool is_last)
   {
+    if (!step.errors.items.empty())
+      error_budget.append(to_json(step));
     run_on_root(comm, [&]() {
       table.append(step);
       if (scene.programme.find_threshold)
@@ -176,6 +179,7 @@ namespace strait
       .set("grid", grid)
       .set("bytes_per_grid_point", bytes_per_point)
       .set("seconds", seconds)
+      .set("error_budget", error_budget)
       .set("warnings", Json(log.warnings()))
       .set("parameters", scene.resolved);
     write_text(path + "/run.json", record.text());

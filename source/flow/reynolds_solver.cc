@@ -11,8 +11,6 @@ namespace strait
 {
   namespace
   {
-    // How much smaller than the bracket the error of the linear solver must be.
-    constexpr double linear_share = 1e-6;
     // A cell is refined if its share exceeds this part of the mean one.
     constexpr double marking_level = .7;
   } // namespace
@@ -41,8 +39,8 @@ namespace strait
   FlowResult
   ReynoldsSolver::run(const Observer &observer)
   {
-    constexpr unsigned int max_refinements = 40;
-    FlowResult             result;
+    FlowResult result;
+    widths.clear();
     while (true)
       {
         const bool solved = solve_on_mesh(result);
@@ -56,7 +54,10 @@ namespace strait
           }
         if (result.relative_width() <= parameters.target_accuracy)
           return result;
-        if (result.refinements == max_refinements || !refine(result))
+        result.reason = obstacle(result);
+        if (result.reason.empty() && !refine(result))
+          result.reason = "it takes more than Fluid/Maximum unknowns";
+        if (!result.reason.empty())
           {
             result.status = solved ? "flow-accuracy" : "flow-solver";
             return result;
@@ -104,6 +105,24 @@ namespace strait
     return solved;
   }
 
+  std::string
+  ReynoldsSolver::obstacle(const FlowResult &result)
+  {
+    constexpr unsigned int max_refinements = 40;
+    // While a barrier or a channel is being resolved the bracket may rest for a mesh
+    // or two before it narrows again.
+    constexpr std::size_t patience = 4;
+    constexpr double      progress = .97;
+    widths.push_back(result.relative_width());
+    if (result.refinements == max_refinements)
+      return "the mesh was refined " + std::to_string(max_refinements) + " times";
+    if (widths.size() > patience &&
+        widths.back() > progress * widths[widths.size() - 1 - patience])
+      return "the bracket no longer narrows: the grid of the contact does not resolve "
+             "the narrowest constriction";
+    return {};
+  }
+
   bool
   ReynoldsSolver::refine(const FlowResult &result)
   {
@@ -133,7 +152,12 @@ namespace strait
         n_marked = dealii::Utilities::MPI::sum(n_marked, tria.get_communicator());
         if (n_marked == 0 || affordable < least_share)
           return false;
-        if (n_marked > affordable * result.cells)
+        // Where most cells matter alike, adaptivity saves nothing and costs hanging
+        // nodes and meshes.
+        constexpr double most_cells = .5;
+        if (n_marked > most_cells * static_cast<double>(result.cells) && affordable > 1.)
+          tria.set_all_refine_flags();
+        else if (n_marked > affordable * result.cells)
           {
             for (const auto &cell : tria.active_cell_iterators())
               cell->clear_refine_flag();

@@ -21,9 +21,10 @@ namespace strait
   /** The section Output. */
   struct OutputParameters
   {
-    std::string directory = "output";
-    FieldOutput fields    = FieldOutput::none;
-    bool        pictures  = true;
+    std::string directory    = "output";
+    FieldOutput fields       = FieldOutput::none;
+    bool        pictures     = true;
+    bool        error_budget = false; // with the parts that cost further solves
 
     static void declare(dealii::ParameterHandler &prm);
     void        parse(dealii::ParameterHandler &prm);

@@ -6,6 +6,7 @@
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
 #include <strait/contact/contact_solver.h>
+#include <strait/driver/error_budget.h>
 #include <strait/driver/step.h>
 #include <strait/driver/threshold_search.h>
 #include <strait/interface/gap_field.h>
@@ -73,6 +74,7 @@ namespace strait
     SlabField                      given_gap;   // if there is no contact to solve
     std::unique_ptr<ContactSolver> contact;
     std::unique_ptr<GapField>      gap_field;
+    std::unique_ptr<ErrorBudget>   error_budget; // if there is a fluid
     std::vector<Threshold>         thresholds;
   };
 } // namespace strait

@@ -2,6 +2,7 @@
 #ifndef strait_driver_output_directory_h
 #define strait_driver_output_directory_h
 
+#include <strait/base/json.h>
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
@@ -66,6 +67,7 @@ namespace strait
     ResultTable       table;
     ConstrictionTable constrictions;
     ScalingTable      scaling;
+    Json              error_budget = Json::array(); // of the steps so far
   };
 } // namespace strait
 

@@ -30,6 +30,22 @@ namespace strait
     std::unique_ptr<const ReynoldsSolver> solver;
   };
 
+  /** One source of error of a leak rate. */
+  struct ErrorItem
+  {
+    std::string source;
+    double      relative = 0.;
+    std::string parameter; // that would reduce it
+  };
+
+  /** The errors of a step's leak rate, the largest first (error_budget.h). */
+  struct StepErrors
+  {
+    std::vector<ErrorItem> items;
+    std::optional<double>  grid_order;   // observed from contact grid to contact grid
+    std::optional<double>  extrapolated; // leak rate at a grid spacing of zero
+  };
+
   /** One step of the load programme, with all that its output may need. */
   struct Step
   {
@@ -41,6 +57,7 @@ namespace strait
     double                      slip_length = 0.;
     std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
     std::string                 remark;       // a doubt about a converged result
+    StepErrors                  errors;       // of the leak rate, if there is one
     double                      contact_seconds = 0.;
     double                      flow_seconds    = 0.;
 

@@ -3,9 +3,9 @@
 #define strait_flow_enrichment_h
 
 #include <strait/flow/potential_problem.h>
+#include <strait/flow/rim_systems.h>
 
 #include <deal.II/fe/fe_q_iso_q1.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
 #include <vector>
@@ -62,39 +62,13 @@ namespace strait
                                const EnrichedSolution::Nodes &v) const;
 
   private:
-    using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+    using Vector = RimSystems::Vector;
     using Nodes  = EnrichedSolution::Nodes;
 
-    /** A node on the rim of a cell depends on this freed one. */
-    struct Dependence
-    {
-      unsigned int node;
-      unsigned int column; // position in the list of the cell's freed nodes
-      double       weight;
-    };
-
-    /** Freed nodes of a cell, and how its rim depends on them. */
-    struct CellNodes
-    {
-      std::size_t  first_index      = 0;
-      unsigned int n_indices        = 0;
-      std::size_t  first_dependence = 0;
-      unsigned int n_dependences    = 0;
-      unsigned int at_reservoir     = 0; // bit f: face f is at inlet or outlet
-    };
-
-    class LocalSystems;
-
-    void list_nodes();
-    void macro_matrix(std::size_t                           cell,
-                      const CellAnswers                    &answers,
-                      std::array<std::array<double, 9>, 9> &matrix) const;
-    void conjugate_gradients(const LocalSystems &systems,
-                             unsigned int        n_steps,
-                             Vector             &x,
-                             Vector             &r,
-                             const Vector       &diagonal) const;
-
+    void                              list_nodes();
+    void                              macro_matrix(std::size_t         cell,
+                                                   const CellAnswers  &answers,
+                                                   RimSystems::Matrix &matrix) const;
     const FlowMesh                   &mesh;
     ElementMatrix                     element;
     dealii::FE_Q_iso_Q1<2>            fe;
@@ -102,9 +76,7 @@ namespace strait
     dealii::AffineConstraints<double> constraints;
     Vector                            layout;
     std::vector<GridCell>             cells, child_cells;
-    std::vector<CellNodes>            cell_nodes;
-    std::vector<unsigned int>         indices; // positions in this rank's part
-    std::vector<Dependence>           dependences;
+    EnrichmentNodes                   nodes;
   };
 } // namespace strait
 

@@ -26,6 +26,7 @@ namespace strait
     unsigned int       refinements = 0;
     unsigned int       iterations  = 0; // of the linear solver, all meshes
     std::string        status      = "ok";
+    std::string        reason; // why the target accuracy was missed
 
     /** Relative width of the bracket. */
     double
@@ -49,6 +50,9 @@ namespace strait
   class ReynoldsSolver
   {
   public:
+    /** How much smaller than the target accuracy the linear solver's error is. */
+    static constexpr double linear_share = 1e-6;
+
     /** Called after each mesh with what is known so far. */
     using Observer = std::function<void(const FlowResult &)>;
 
@@ -84,6 +88,9 @@ namespace strait
     /** @return whether the linear solver converged; the bounds hold either way. */
     bool solve_on_mesh(FlowResult &result);
 
+    /** @return why another mesh would not pay; empty if it would. */
+    std::string obstacle(const FlowResult &result);
+
     /** @return false, without refining, if the unknowns would become too many. */
     bool refine(const FlowResult &result);
 
@@ -94,6 +101,7 @@ namespace strait
     PotentialProblem            pressure_problem;
     PotentialProblem            stream_problem;
     std::unique_ptr<Enrichment> enrichment; // of solutions of degree 1
+    std::vector<double>         widths;     // of the bracket, on all meshes
     Bracket                     plain;      // without enrichment; says where to refine
   };
 } // namespace strait
