@@ -244,7 +244,7 @@ namespace
     FluidParameters     fluid;
     fluid.refinement       = refinement;
     fluid.target_accuracy  = accuracy;
-    fluid.maximum_unknowns = 6000000;
+    fluid.maximum_unknowns = 1500000;
     const auto paths       = find_flow_paths(gap, fluid.direction, 3);
     GapField   field(gap.layout_pointer(), fluid);
     field.update(gap, 1e-8 * field.conductivity_of(paths.front().bottleneck_gap));
