@@ -85,9 +85,11 @@ namespace strait
     };
 
     /** ∫ (g/g0)³ dt across the channel at the bottleneck g0, in spacings, where that
-     *  is least of four directions; 1 where the gap is nowhere widest. */
+     *  is least of four directions; @p otherwise where the gap is widest in none. */
     double
-    width_of_bottleneck(const FlowLattice &gap, const FlowPath &path)
+    width_of_bottleneck(const FlowLattice &gap,
+                        const FlowPath    &path,
+                        const double       otherwise)
     {
       constexpr double  infinity = std::numeric_limits<double>::infinity();
       const std::size_t k        = gap.index_of(path.bottleneck);
@@ -114,14 +116,14 @@ namespace strait
               }
           best = std::min(best, width);
         }
-      return std::isfinite(best) ? best : 1.;
+      return std::isfinite(best) ? best : otherwise;
     }
 
     /** What the path would let through on its own, in units of Δp/(12 η). */
     double
-    conductance_of(const FlowLattice &gap, const FlowPath &path)
+    conductance_of(const FlowLattice &gap, const FlowPath &path, const double otherwise)
     {
-      return width_of_bottleneck(gap, path) *
+      return width_of_bottleneck(gap, path, otherwise) *
              std::min(gap.spacing_along(), gap.spacing_across()) / path.path_resistance;
     }
 
@@ -153,8 +155,11 @@ namespace strait
           for (int b = 0; b < levels[e - 1].n_across; ++b)
             for (int a = 0; a < levels[e - 1].n_along; ++a)
               levels[e].at(a >> 1, b >> 1).add_child(levels[e - 1].at(a, b));
+        // If the first path is in no channel, the flow is as wide as the box; another
+        // one may run beside the first in the same channel, and counts for little.
         for (const FlowPath &path : paths)
-          conductances.push_back(conductance_of(gap, path));
+          conductances.push_back(
+            conductance_of(gap, path, conductances.empty() ? n_across : 1.));
       }
 
       /** The cells of each exponent, from 1, that are too coarse. */
