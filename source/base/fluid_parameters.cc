@@ -21,6 +21,9 @@ namespace strait
       {GapInterpolation::monotone_cubic, "monotone cubic"},
       {GapInterpolation::bilinear, "bilinear"}};
 
+    const Choices<FlowBounds> bound_kinds = {{FlowBounds::asymptotic, "asymptotic"},
+                                             {FlowBounds::rigorous, "rigorous"}};
+
     const Choices<Refinement> refinements = {{Refinement::adaptive, "adaptive"},
                                              {Refinement::uniform, "uniform"}};
   } // namespace
@@ -98,6 +101,15 @@ namespace strait
       Integer(),
       "Refinement stops before the flow has more unknowns than this, the first mesh "
       "apart [1].");
+    prm.declare_entry(
+      "Bounds",
+      bound_kinds.name(standard.bounds),
+      Selection(bound_kinds.pattern()),
+      "The leak rate's bounds. asymptotic: the conductivity is integrated by Gauss "
+      "quadrature, which is accurate, but where the gap closes proves nothing; "
+      "rigorous: its largest and smallest value in each quarter of a grid spacing "
+      "take its place, so that the true value for the interpolated gap lies between "
+      "the bounds, which cannot come as close.");
     FeedbackParameters::declare(prm);
     prm.leave_subsection();
   }
@@ -121,6 +133,7 @@ namespace strait
     refinement       = refinements.value(prm.get("Refinement"));
     target_accuracy  = prm.get_double("Target accuracy");
     maximum_unknowns = static_cast<unsigned int>(prm.get_integer("Maximum unknowns"));
+    bounds           = bound_kinds.value(prm.get("Bounds"));
     feedback.parse(prm);
     prm.leave_subsection();
   }

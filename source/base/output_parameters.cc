@@ -38,6 +38,12 @@ namespace strait
       Bool(),
       "Draw a picture of each step and of the leak rate against the load.");
     prm.declare_entry(
+      "Error budget",
+      "false",
+      Bool(),
+      "Estimate the leak rate's errors from contact grid and gap interpolation as "
+      "well, from solutions on coarser grids; about doubles the time of a step.");
+    prm.declare_entry(
       "Surface map",
       "false",
       Bool(),
@@ -63,6 +69,7 @@ namespace strait
     directory        = prm.get("Directory");
     fields           = field_outputs.value(prm.get("Fields"));
     pictures         = prm.get_bool("Pictures");
+    error_budget     = prm.get_bool("Error budget");
     surface_map      = prm.get_bool("Surface map");
     surface_spectrum = prm.get_bool("Surface spectrum");
     leak_rate_units.clear();

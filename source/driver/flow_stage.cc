@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/text.h>
 #include <strait/driver/flow_stage.h>
 #include <strait/driver/step_report.h>
 #include <strait/percolation/percolating_gap.h>
@@ -142,6 +143,10 @@ namespace strait
     const auto scope = timers.scope("mesh and solver");
     flow.result =
       flow.solver->run([this](const FlowResult &now) { report_flow(now, log); });
+    if (!flow.result.reason.empty())
+      log.warn(format("the leak rate is known to %.1f %% only because %s",
+                      50. * flow.result.relative_width(),
+                      flow.result.reason.c_str()));
     if (scene.programme.find_threshold)
       flow.constrictions = report_constrictions(seen, flow.paths.front(), *flow.solver);
   }

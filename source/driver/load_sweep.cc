@@ -25,7 +25,10 @@ namespace strait
     , first_guess(0.)
   {
     if (scene.fluid.enabled)
-      flow = std::make_unique<FlowStage>(scene, heights.layout_pointer(), log, timers);
+      {
+        flow = std::make_unique<FlowStage>(scene, heights.layout_pointer(), log, timers);
+        error_budget = std::make_unique<ErrorBudget>(scene, heights);
+      }
     if (scene.theory.enabled)
       theory = std::make_unique<TheoryPrediction>(scene, &heights);
     if (!scene.contact.enabled)
@@ -114,6 +117,8 @@ namespace strait
           }
         compare_with_threshold(step);
         compare_with_theory(step);
+        step.errors =
+          step.flow && step.flow->solver ? error_budget->assess(step) : StepErrors();
         converged = converged && step.converged();
         report_step(step, static_cast<int>(stops.size()), timers.total(), log);
         consume(step);

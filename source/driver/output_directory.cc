@@ -4,6 +4,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/json.h>
 #include <strait/driver/adhesion_tables.h>
+#include <strait/driver/error_budget.h>
 #include <strait/driver/field_output.h>
 #include <strait/driver/gap_output.h>
 #include <strait/driver/output_directory.h>
@@ -175,6 +176,8 @@ namespace strait
   void
   OutputDirectory::write(const Step &step, const bool is_last)
   {
+    if (!step.errors.items.empty())
+      error_budget.append(to_json(step));
     run_on_root(comm, [&]() {
       table.append(step);
       if (step.contact && step.contact->adhesion &&
@@ -231,6 +234,7 @@ namespace strait
       .set("grid", grid)
       .set("bytes_per_grid_point", bytes_per_point)
       .set("seconds", seconds)
+      .set("error_budget", error_budget)
       .set("warnings", Json(log.warnings()))
       .set("parameters", scene.resolved);
     if (scene.units.are_complete())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
+#include <strait/driver/error_budget.h>
 #include <strait/driver/step_report.h>
 
 namespace strait
@@ -46,6 +47,8 @@ namespace strait
     if (step.status() != "ok")
       text += "; " + step.status();
     log.line(text);
+    if (!step.errors.items.empty())
+      log.line(describe_errors(step.errors));
     if (step.number < n_steps)
       log.progress(format("  about %.0f s remain",
                           seconds_so_far / step.number * (n_steps - step.number)));

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 namespace strait
 {
@@ -87,64 +85,18 @@ namespace strait
   }
 
   void
-  FlowMesh::refine_initially(const GapField &gap, const std::vector<FlowPath> &paths)
+  FlowMesh::refine_initially(const int                    largest_exponent,
+                             const std::vector<GridCell> &critical)
   {
-    constexpr int start_exponent = 4;
-    refine_uniformly(std::min(start_exponent, root_exponent));
-    std::map<int, CellSet> near_paths;
-    for (int exponent = 1; exponent <= std::min(start_exponent, root_exponent);
-         ++exponent)
-      near_paths[exponent] = cells_near(paths, exponent);
-    while (refine_contact_lines_and_paths(gap, near_paths))
-      ;
-  }
-
-  FlowMesh::CellSet
-  FlowMesh::cells_near(const std::vector<FlowPath> &paths, const int exponent) const
-  {
-    const int nx = periodic_grid.nx >> exponent, ny = periodic_grid.ny >> exponent;
-    CellSet   cells;
-    for (const FlowPath &path : paths)
-      for (const GridPoint &point : path.points)
-        for (int a = -1; a <= 1; ++a)
-          for (int b = -1; b <= 1; ++b)
-            cells.emplace_back(((point.ix >> exponent) + a + nx) % nx,
-                               ((point.iy >> exponent) + b + ny) % ny);
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    return cells;
-  }
-
-  bool
-  FlowMesh::refine_contact_lines_and_paths(const GapField               &gap,
-                                           const std::map<int, CellSet> &near_paths)
-  {
-    constexpr int               contact_line_exponent = 2;
-    const std::vector<GridCell> cells                 = owned_grid_cells();
-    const CellAnswers answers   = gap.ask(GapField::Coefficient::conductivity, cells);
-    std::size_t       c         = 0;
-    unsigned int      n_flagged = 0;
-    for (const auto &cell : tria.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const GridCell  &here   = cells[c];
-          const CellAnswer answer = answers[c];
-          const bool       cut    = answer.open && answer.closed;
-          ++c;
-          const auto near_path = near_paths.find(here.exponent);
-          const bool on_path   = near_path != near_paths.end() &&
-                               std::binary_search(near_path->second.begin(),
-                                                  near_path->second.end(),
-                                                  std::make_pair(here.i, here.j));
-          if (on_path || (cut && here.exponent > contact_line_exponent))
-            {
-              cell->set_refine_flag();
-              ++n_flagged;
-            }
-        }
-    if (dealii::Utilities::MPI::sum(n_flagged, tria.get_communicator()) == 0)
-      return false;
-    tria.execute_coarsening_and_refinement();
-    return true;
+    refine_uniformly(largest_exponent);
+    for (int exponent = std::min(largest_exponent, root_exponent); exponent > 0;
+         --exponent)
+      {
+        for (const auto &cell : tria.active_cell_iterators())
+          if (cell->is_locally_owned() && exponent_of_level(cell->level()) == exponent &&
+              std::binary_search(critical.begin(), critical.end(), grid_cell(*cell)))
+            cell->set_refine_flag();
+        tria.execute_coarsening_and_refinement();
+      }
   }
 } // namespace strait

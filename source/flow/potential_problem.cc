@@ -19,7 +19,7 @@ namespace strait
   PotentialProblem::PotentialProblem(const Kind       kind_,
                                      FlowMesh        &mesh_,
                                      const MomentSet &set)
-    : kind(kind_)
+    : problem_kind(kind_)
     , mesh(mesh_)
     , element(set)
     , fe(set.degree())
@@ -65,7 +65,7 @@ namespace strait
                                            FlowMesh::periodic_last,
                                            1 - mesh.axis_along(),
                                            constraints);
-    if (kind == Kind::pressure)
+    if (problem_kind == Kind::pressure)
       {
         VectorTools::interpolate_boundary_values(dofs,
                                                  FlowMesh::inlet,
@@ -100,7 +100,7 @@ namespace strait
   PotentialProblem::affine_part(const GridCell &cell, std::vector<double> &values) const
   {
     values.assign(fe.n_dofs_per_cell(), 0.);
-    if (kind == Kind::pressure)
+    if (problem_kind == Kind::pressure)
       return;
     // The corner of the cell is as good an origin as any other, and keeps the
     // values of a small cell small.
@@ -131,8 +131,8 @@ namespace strait
   PotentialProblem::assemble(const GapField &gap, const Source &source)
   {
     cells   = mesh.owned_grid_cells();
-    answers = gap.ask(kind == Kind::pressure ? GapField::Coefficient::conductivity
-                                             : GapField::Coefficient::resistivity,
+    answers = gap.ask(problem_kind == Kind::pressure ? GapField::Coefficient::conductivity
+                                                     : GapField::Coefficient::resistivity,
                       cells);
     const unsigned int                   n = fe.n_dofs_per_cell();
     FullMatrix<double>                   local_matrix(n, n);

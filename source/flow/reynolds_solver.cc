@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/reynolds_solver.h>
+#include <strait/percolation/critical_cells.h>
 
 #include <deal.II/distributed/grid_refinement.h>
 
@@ -10,9 +11,8 @@ namespace strait
 {
   namespace
   {
-    // How much smaller than the bracket the error of the linear solver must be.
-    constexpr double linear_share = 1e-6;
-    constexpr double marked_share = 0.8;
+    // A cell is refined if its share exceeds this part of the mean one.
+    constexpr double marking_level = .7;
   } // namespace
 
   ReynoldsSolver::ReynoldsSolver(const FluidParameters       &fluid,
@@ -26,8 +26,12 @@ namespace strait
     , stream_problem(PotentialProblem::Kind::stream_function, flow_mesh, gap.moment_set())
   {
     constexpr int start_exponent = 4;
+    if (fluid.element_degree == 1)
+      enrichment = std::make_unique<Enrichment>(flow_mesh);
     if (fluid.refinement == Refinement::adaptive)
-      flow_mesh.refine_initially(gap, paths);
+      flow_mesh.refine_initially(largest_start_exponent(flow_mesh.grid()),
+                                 paths.empty() ? std::vector<GridCell>()
+                                               : paths.front().critical_cells);
     else
       flow_mesh.refine_uniformly(start_exponent);
   }
@@ -35,8 +39,8 @@ namespace strait
   FlowResult
   ReynoldsSolver::run(const Observer &observer)
   {
-    constexpr unsigned int max_refinements = 40;
-    FlowResult             result;
+    FlowResult result;
+    widths.clear();
     while (true)
       {
         const bool solved = solve_on_mesh(result);
@@ -50,7 +54,10 @@ namespace strait
           }
         if (result.relative_width() <= parameters.target_accuracy)
           return result;
-        if (result.refinements == max_refinements || !refine(result))
+        result.reason = obstacle(result);
+        if (result.reason.empty() && !refine(result))
+          result.reason = "it takes more than Fluid/Maximum unknowns";
+        if (!result.reason.empty())
           {
             result.status = solved ? "flow-accuracy" : "flow-solver";
             return result;
@@ -85,13 +92,17 @@ namespace strait
         result.iterations += outcome.iterations;
         solved = solved && outcome.converged;
       }
-    const double conductance_upper = pressure_problem.energy();
-    const double conductance_lower = 1. / stream_problem.energy();
-    shares                         = indicator(conductance_lower, conductance_upper);
+    plain                 = plain_bracket(flow_mesh, pressure_problem, stream_problem);
+    const Bracket closest = enrichment ? enriched_bracket(flow_mesh,
+                                                          gap_field,
+                                                          pressure_problem,
+                                                          stream_problem,
+                                                          *enrichment)
+                                       : plain;
 
     const double drop = std::abs(pressure_drop);
-    result.mesh_upper = conductance_upper * drop;
-    result.mesh_lower = conductance_lower * drop;
+    result.mesh_upper = closest.upper * drop;
+    result.mesh_lower = closest.lower * drop;
     // A bound of an earlier mesh still holds, should the solver fail on this one.
     const bool first = result.upper == 0;
     result.upper = first ? result.mesh_upper : std::min(result.upper, result.mesh_upper);
@@ -106,31 +117,22 @@ namespace strait
     return solved;
   }
 
-  dealii::Vector<float>
-  ReynoldsSolver::indicator(const double conductance_lower,
-                            const double conductance_upper) const
+  std::string
+  ReynoldsSolver::obstacle(const FlowResult &result)
   {
-    dealii::Vector<float> result(flow_mesh.triangulation().n_active_cells());
-    std::vector<double>   p, psi;
-    std::size_t           c           = 0;
-    auto                  cell        = pressure_problem.dof_handler().begin_active();
-    auto                  cell_of_psi = stream_problem.dof_handler().begin_active();
-    for (; cell != pressure_problem.dof_handler().end(); ++cell, ++cell_of_psi)
-      if (cell->is_locally_owned())
-        {
-          const std::size_t here = c++;
-          pressure_problem.cell_values(cell, p);
-          stream_problem.cell_values(cell_of_psi, psi);
-          double share =
-            conductance_lower * conductance_lower * stream_problem.cell_energy(here, psi);
-          if (pressure_problem.is_active(here))
-            share += pressure_problem.cell_energy(here, p) +
-                     2. * conductance_lower *
-                       pressure_problem.element_matrix().gradient_times_curl(p, psi);
-          result(cell->active_cell_index()) =
-            static_cast<float>(std::max(share / conductance_upper, 0.));
-        }
-    return result;
+    constexpr unsigned int max_refinements = 40;
+    // While a barrier or a channel is being resolved the bracket may rest for a mesh
+    // or two before it narrows again.
+    constexpr std::size_t patience = 4;
+    constexpr double      progress = .97;
+    widths.push_back(result.relative_width());
+    if (result.refinements == max_refinements)
+      return "the mesh was refined " + std::to_string(max_refinements) + " times";
+    if (widths.size() > patience &&
+        widths.back() > progress * widths[widths.size() - 1 - patience])
+      return "the bracket no longer narrows: the grid of the contact does not resolve "
+             "the narrowest constriction";
+    return {};
   }
 
   bool
@@ -150,18 +152,31 @@ namespace strait
       }
     else
       {
-        refinement::refine_and_coarsen_fixed_fraction(tria, shares, marked_share, 0.);
+        const double total =
+          dealii::Utilities::MPI::sum(plain.shares.l1_norm(), tria.get_communicator());
+        const double level = marking_level * total / static_cast<double>(result.cells);
+        for (const auto &cell : tria.active_cell_iterators())
+          if (cell->is_locally_owned() && plain.shares(cell->active_cell_index()) > level)
+            cell->set_refine_flag();
         unsigned long long n_marked = 0;
         for (const auto &cell : tria.active_cell_iterators())
           n_marked += cell->is_locally_owned() && cell->refine_flag_set() ? 1 : 0;
         n_marked = dealii::Utilities::MPI::sum(n_marked, tria.get_communicator());
         if (n_marked == 0 || affordable < least_share)
           return false;
-        if (n_marked > affordable * result.cells)
+        // Where most cells matter alike, adaptivity saves nothing and costs hanging
+        // nodes and meshes.
+        constexpr double most_cells = .5;
+        if (n_marked > most_cells * static_cast<double>(result.cells) && affordable > 1.)
+          tria.set_all_refine_flags();
+        else if (n_marked > affordable * result.cells)
           {
             for (const auto &cell : tria.active_cell_iterators())
               cell->clear_refine_flag();
-            refinement::refine_and_coarsen_fixed_number(tria, shares, affordable, 0.);
+            refinement::refine_and_coarsen_fixed_number(tria,
+                                                        plain.shares,
+                                                        affordable,
+                                                        0.);
           }
       }
     tria.prepare_coarsening_and_refinement();

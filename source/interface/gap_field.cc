@@ -12,6 +12,7 @@ namespace strait
   namespace
   {
     constexpr unsigned char open_flag = 1, closed_flag = 2;
+    constexpr int           max_gauss_points = 4;
 
     /** The grid row that decides which rank owns a cell. */
     int
@@ -26,6 +27,7 @@ namespace strait
     , set(fluid.element_degree)
     , interpolant(fluid.interpolation, fluid.direction)
     , viscosity(fluid.viscosity)
+    , rigorous(fluid.bounds == FlowBounds::rigorous)
     , halvings(slab_layout->grid().n_halvings())
     , conductivity(slab_layout, set, halvings)
   {
@@ -85,6 +87,37 @@ namespace strait
     return gap;
   }
 
+  void
+  GapField::sample(const Coefficient coefficient,
+                   const GapStencil &gap,
+                   const double      x0,
+                   const double      y0,
+                   const double      edge,
+                   double           *values) const
+  {
+    const int n = static_cast<int>(gauss_points.size());
+    if (rigorous)
+      {
+        const GapInterpolant::Range range = interpolant.range(gap, x0, y0, edge);
+        std::fill_n(values,
+                    n * n,
+                    coefficient_of(coefficient,
+                                   coefficient == Coefficient::conductivity
+                                     ? range.highest
+                                     : range.lowest));
+        return;
+      }
+    double x[max_gauss_points] = {}, y[max_gauss_points] = {};
+    for (int q = 0; q < n; ++q)
+      {
+        x[q] = x0 + edge * gauss_points[q];
+        y[q] = y0 + edge * gauss_points[q];
+      }
+    interpolant.evaluate(gap, n, x, y, values);
+    for (int k = 0; k < n * n; ++k)
+      values[k] = coefficient_of(coefficient, values[k]);
+  }
+
   unsigned char
   GapField::integrate(const Coefficient coefficient,
                       const GapStencil &gap,
@@ -93,26 +126,32 @@ namespace strait
                       const double      edge,
                       double           *moments) const
   {
-    constexpr int max_points = 4;
-    const int     n          = static_cast<int>(gauss_points.size());
-    double        x[max_points], y[max_points], values[max_points * max_points] = {};
-    for (int q = 0; q < n; ++q)
-      {
-        x[q] = x0 + edge * gauss_points[q];
-        y[q] = y0 + edge * gauss_points[q];
-      }
     const bool open = GapInterpolant::may_be_open(gap);
     if (!open && coefficient == Coefficient::conductivity)
       return closed_flag;
-    if (open)
-      interpolant.evaluate(gap, n, x, y, values);
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i)
-        set.add_point(moments,
-                      gauss_points[i],
-                      gauss_points[j],
-                      gauss_weights[i] * gauss_weights[j] *
-                        coefficient_of(coefficient, values[j * n + i]));
+    const int    n       = static_cast<int>(gauss_points.size());
+    const int    n_parts = rigorous && open ? 4 : 1;
+    const double part    = 1. / n_parts;
+    double       values[max_gauss_points * max_gauss_points];
+    std::fill_n(values, n * n, coefficient_of(coefficient, 0.));
+    for (int b = 0; b < n_parts; ++b)
+      for (int a = 0; a < n_parts; ++a)
+        {
+          if (open)
+            sample(coefficient,
+                   gap,
+                   x0 + edge * part * a,
+                   y0 + edge * part * b,
+                   edge * part,
+                   values);
+          for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i)
+              set.add_point(moments,
+                            part * (a + gauss_points[i]),
+                            part * (b + gauss_points[j]),
+                            part * part * gauss_weights[i] * gauss_weights[j] *
+                              values[j * n + i]);
+        }
     const bool all_open =
       gap[1][1] > 0 && gap[1][2] > 0 && gap[2][1] > 0 && gap[2][2] > 0;
     return (open ? open_flag : 0U) | (all_open ? 0U : closed_flag);

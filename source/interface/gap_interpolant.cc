@@ -117,4 +117,37 @@ namespace strait
                         n,
                         1);
   }
+
+  GapInterpolant::Range
+  GapInterpolant::range(const GapStencil &gap,
+                        const double      x0,
+                        const double      y0,
+                        const double      edge) const
+  {
+    const double x[2] = {x0, x0 + edge}, y[2] = {y0, y0 + edge};
+    double       values[8];
+    unsigned int n = 0;
+    if (kind == GapInterpolation::bilinear)
+      {
+        evaluate(gap, 2, x, y, values);
+        n = 4;
+      }
+    else
+      {
+        const bool    along_x = direction == FlowDirection::x;
+        const double *first = along_x ? x : y, *second = along_x ? y : x;
+        const auto    at = [&gap, along_x](const int line, const int i) {
+          return along_x ? gap[line][i] : gap[i][line];
+        };
+        const MonotoneCubic lower(at(1, 0), at(1, 1), at(1, 2), at(1, 3));
+        const MonotoneCubic upper(at(2, 0), at(2, 1), at(2, 2), at(2, 3));
+        const double        t[2] = {second[0] * second[0], second[1] * (2. - second[1])};
+        for (int a = 0; a < 2; ++a)
+          for (int b = 0; b < 2; ++b)
+            for (const double phi : t)
+              values[n++] = (1. - phi) * lower(first[a]) + phi * upper(first[b]);
+      }
+    const auto [lowest, highest] = std::minmax_element(values, values + n);
+    return {std::max(*lowest, 0.), std::max(*highest, 0.)};
+  }
 } // namespace strait

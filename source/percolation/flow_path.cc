@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/percolation/critical_cells.h>
 #include <strait/percolation/flow_path.h>
 
 #include <algorithm>
@@ -37,7 +38,14 @@ namespace strait
       }
 
       /** The least-resistance path that avoids blocked points; may be empty. */
-      FlowPath run() const;
+      FlowPath run();
+
+      /** Of the last run(), from the inlet; infinity where it did not come. */
+      const std::vector<double> &
+      resistances() const
+      {
+        return resistance;
+      }
 
       /** Bar the throats of @p path to later searches. */
       void block_throats(const FlowPath &path);
@@ -60,8 +68,9 @@ namespace strait
       FlowPath trace_back(std::size_t                      end,
                           const std::vector<std::uint8_t> &came_by) const;
 
-      const FlowLattice &gap;
-      std::vector<bool>  blocked;
+      const FlowLattice  &gap;
+      std::vector<bool>   blocked;
+      std::vector<double> resistance;
     };
 
     double
@@ -88,10 +97,10 @@ namespace strait
     }
 
     FlowPath
-    PathSearch::run() const
+    PathSearch::run()
     {
       using Entry = std::pair<double, std::size_t>;
-      std::vector<double>       resistance(gap.size(), infinity);
+      resistance.assign(gap.size(), infinity);
       std::vector<std::uint8_t> came_by(gap.size(), start_of_path);
       std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
       for (int b = 0; b < gap.n_across(); ++b)
@@ -186,6 +195,11 @@ namespace strait
       MPI_Bcast(&path.bottleneck, 2, MPI_INT, 0, comm);
       MPI_Bcast(&path.bottleneck_gap, 1, MPI_DOUBLE, 0, comm);
       MPI_Bcast(&path.path_resistance, 1, MPI_DOUBLE, 0, comm);
+      auto n_cells = static_cast<int>(path.critical_cells.size());
+      MPI_Bcast(&n_cells, 1, MPI_INT, 0, comm);
+      path.critical_cells.resize(n_cells);
+      static_assert(sizeof(GridCell) == 3 * sizeof(int));
+      MPI_Bcast(path.critical_cells.data(), 3 * n_cells, MPI_INT, 0, comm);
     }
   } // namespace
 
@@ -198,6 +212,7 @@ namespace strait
     MPI_Comm                  comm          = gap.layout().communicator();
     const std::vector<double> whole         = gather_on_root(gap);
     std::vector<FlowPath>     paths;
+    std::vector<double>       resistances;
     run_on_root(comm, [&]() {
       const FlowLattice lattice(whole, gap.grid(), direction);
       PathSearch        search(lattice);
@@ -208,9 +223,14 @@ namespace strait
               (!paths.empty() &&
                path.path_resistance > largest_ratio * paths.front().path_resistance))
             break;
+          if (paths.empty())
+            resistances = search.resistances();
           search.block_throats(path);
           paths.push_back(std::move(path));
         }
+      if (!paths.empty())
+        paths.front().critical_cells = find_critical_cells(
+          lattice, resistances, paths, direction, largest_start_exponent(gap.grid()));
     });
     auto n_found = static_cast<int>(paths.size());
     MPI_Bcast(&n_found, 1, MPI_INT, 0, comm);

@@ -11,6 +11,7 @@
 #include <strait/contact/contact_solver.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/clusters.h>
+#include <strait/percolation/percolating_gap.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/surface.h>
 

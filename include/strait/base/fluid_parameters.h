@@ -31,6 +31,13 @@ namespace strait
     bilinear
   };
 
+  /** How the coefficients of the two bounds are integrated. */
+  enum class FlowBounds
+  {
+    asymptotic, // by Gauss quadrature
+    rigorous    // from their extremes
+  };
+
   enum class Refinement
   {
     adaptive,
@@ -54,6 +61,7 @@ namespace strait
     double              target_accuracy  = 0.02;
     unsigned int        maximum_unknowns = 1000000;
     FeedbackParameters  feedback;
+    FlowBounds          bounds = FlowBounds::asymptotic;
 
     /** Whether some slip length is not zero. */
     bool

@@ -8,6 +8,7 @@
 #include <strait/contact/contact_solver.h>
 #include <strait/driver/adhesive_sweep.h>
 #include <strait/driver/coupled_stage.h>
+#include <strait/driver/error_budget.h>
 #include <strait/driver/flow_stage.h>
 #include <strait/driver/load_stops.h>
 #include <strait/driver/seal_search.h>
@@ -82,6 +83,7 @@ namespace strait
     std::unique_ptr<FlowStage>        flow;        // unless the fluid is off
     std::unique_ptr<CoupledStage>     coupling;    // if the fluid presses on the wall
     std::unique_ptr<TheoryPrediction> theory;
+    std::unique_ptr<ErrorBudget>      error_budget; // if there is a fluid
     std::vector<Threshold>            thresholds;
   };
 } // namespace strait

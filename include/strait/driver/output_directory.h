@@ -2,6 +2,7 @@
 #ifndef strait_driver_output_directory_h
 #define strait_driver_output_directory_h
 
+#include <strait/base/json.h>
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
@@ -73,7 +74,8 @@ namespace strait
     ResultTable       table;
     ConstrictionTable constrictions;
     ScalingTable      scaling;
-    std::size_t       n_jumps = 0; // written
+    std::size_t       n_jumps      = 0;             // written
+    Json              error_budget = Json::array(); // of the steps so far
   };
 } // namespace strait
 

@@ -44,6 +44,22 @@ namespace strait
     bool   lifted_off         = false; // the fluid carries more than the load
   };
 
+  /** One source of error of a leak rate. */
+  struct ErrorItem
+  {
+    std::string source;
+    double      relative = 0.;
+    std::string parameter; // that would reduce it
+  };
+
+  /** The errors of a step's leak rate, the largest first (error_budget.h). */
+  struct StepErrors
+  {
+    std::vector<ErrorItem> items;
+    std::optional<double>  grid_order;   // observed from contact grid to contact grid
+    std::optional<double>  extrapolated; // leak rate at a grid spacing of zero
+  };
+
   /** One step of the load programme, with all that its output may need. */
   struct Step
   {
@@ -58,6 +74,7 @@ namespace strait
     std::optional<TheoryResult> theory;   // if the scene asks for it
     double                      slip_length = 0.;
     std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
+    StepErrors                  errors;       // of the leak rate, if there is one
     std::vector<std::string>    doubts;       // about a result that may have converged
     double                      contact_seconds = 0.;
     double                      flow_seconds    = 0.;

@@ -4,13 +4,10 @@
 
 #include <strait/base/fluid_parameters.h>
 #include <strait/interface/gap_field.h>
-#include <strait/percolation/flow_path.h>
 
 #include <deal.II/distributed/tria.h>
 
 #include <cmath>
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace strait
@@ -84,12 +81,12 @@ namespace strait
     }
 
     /**
-     * Refine to a mesh from which an adaptive cycle finds the leak rate: cells of 16
-     * grid spacings, of 4 where a contact line cuts them, and of 1 along @p paths
-     * and one cell around. A residual alone does not find a barrier or a channel
-     * that is thinner than the cells it starts from.
+     * Refine to a mesh from which an adaptive cycle finds the leak rate: cells of
+     * 2^@p largest_exponent spacings, and the sorted @p critical ones refined. A
+     * residual alone does not find a barrier or a channel that is thinner than the
+     * cells it starts from.
      */
-    void refine_initially(const GapField &gap, const std::vector<FlowPath> &paths);
+    void refine_initially(int largest_exponent, const std::vector<GridCell> &critical);
 
     /** Refine every cell until it is a cell of 2^exponent grid spacings. */
     void refine_uniformly(int exponent);
@@ -100,15 +97,6 @@ namespace strait
     {
       return root_exponent - level;
     }
-
-    /** Pairs (i, j) of cells of one size, sorted. */
-    using CellSet = std::vector<std::pair<int, int>>;
-
-    /** Cells that hold a point of a path or touch one that does. */
-    CellSet cells_near(const std::vector<FlowPath> &paths, int exponent) const;
-
-    bool refine_contact_lines_and_paths(const GapField               &gap,
-                                        const std::map<int, CellSet> &near_paths);
 
     PeriodicGrid  periodic_grid;
     FlowDirection flow_direction;

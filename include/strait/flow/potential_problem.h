@@ -92,6 +92,12 @@ namespace strait
       return answers[owned_cell].moments[0] > 0;
     }
 
+    Kind
+    kind() const
+    {
+      return problem_kind;
+    }
+
     /** Unknowns that the solver really solves for. */
     dealii::types::global_dof_index
     n_unknowns() const
@@ -128,7 +134,7 @@ namespace strait
                     const Source           &source,
                     dealii::Vector<double> &rhs) const;
 
-    Kind                                         kind;
+    Kind                                         problem_kind;
     FlowMesh                                    &mesh;
     ElementMatrix                                element;
     dealii::FE_Q<2>                              fe;

@@ -2,7 +2,9 @@
 #ifndef strait_flow_reynolds_solver_h
 #define strait_flow_reynolds_solver_h
 
+#include <strait/flow/bracket.h>
 #include <strait/flow/potential_problem.h>
+#include <strait/percolation/flow_path.h>
 
 #include <functional>
 #include <string>
@@ -24,6 +26,7 @@ namespace strait
     unsigned int       refinements = 0;
     unsigned int       iterations  = 0; // of the linear solver, all meshes
     std::string        status      = "ok";
+    std::string        reason; // why the target accuracy was missed
 
     /** Relative width of the bracket. */
     double
@@ -47,6 +50,9 @@ namespace strait
   class ReynoldsSolver
   {
   public:
+    /** How much smaller than the target accuracy the linear solver's error is. */
+    static constexpr double linear_share = 1e-8;
+
     /** Called after each mesh with what is known so far. */
     using Observer = std::function<void(const FlowResult &)>;
 
@@ -93,20 +99,21 @@ namespace strait
     /** @return whether the linear solver converged; the bounds hold either way. */
     bool solve_on_mesh(FlowResult &result);
 
-    /** Each cell's share of upper − lower, over upper. */
-    dealii::Vector<float> indicator(double conductance_lower,
-                                    double conductance_upper) const;
+    /** @return why another mesh would not pay; empty if it would. */
+    std::string obstacle(const FlowResult &result);
 
     /** @return false, without refining, if the unknowns would become too many. */
     bool refine(const FlowResult &result);
 
-    const FluidParameters &parameters;
-    const GapField        &gap_field;
-    double                 pressure_drop;
-    FlowMesh               flow_mesh;
-    PotentialProblem       pressure_problem;
-    PotentialProblem       stream_problem;
-    dealii::Vector<float>  shares;
+    const FluidParameters      &parameters;
+    const GapField             &gap_field;
+    double                      pressure_drop;
+    FlowMesh                    flow_mesh;
+    PotentialProblem            pressure_problem;
+    PotentialProblem            stream_problem;
+    std::unique_ptr<Enrichment> enrichment; // of solutions of degree 1
+    std::vector<double>         widths;     // of the bracket, on all meshes
+    Bracket                     plain;      // without enrichment; says where to refine
   };
 } // namespace strait
 

@@ -60,7 +60,9 @@ namespace strait
    * The coefficient is the conductivity K = g³/(12 η), or its reciprocal
    * 1/max(K, K_floor) for the lower bound. Cells of at least two grid spacings are
    * looked up in a pyramid of moments, where K was integrated by Gauss quadrature
-   * at the resolution of the grid; smaller ones are integrated directly.
+   * at the resolution of the grid; smaller ones are integrated directly. For rigorous
+   * bounds each such square is divided into 4 × 4, on which K is taken to be as
+   * large, or for the reciprocal as small, as it is anywhere in it.
    */
   class GapField
   {
@@ -115,6 +117,15 @@ namespace strait
   private:
     double coefficient_of(const Coefficient coefficient, const double gap) const;
 
+    /** Coefficient at the n × n Gauss points of the square at (x0, y0), as it is to be
+     *  weighted: point values, or the value that makes the bound rigorous. */
+    void sample(Coefficient       coefficient,
+                const GapStencil &gap,
+                double            x0,
+                double            y0,
+                double            edge,
+                double           *values) const;
+
     /** The stencil of the grid cell at column @p ix of local row @p row. */
     GapStencil stencil(int ix, int row) const;
 
@@ -134,6 +145,7 @@ namespace strait
     MomentSet                    set;
     GapInterpolant               interpolant;
     double                       viscosity;
+    bool                         rigorous;
     double                       floor_value = 0.;
     int                          halvings    = 0;
     std::vector<double>          gap_rows; // one row before, two after the own ones

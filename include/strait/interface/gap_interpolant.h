@@ -44,6 +44,22 @@ namespace strait
                   const double     *y,
                   double           *result) const;
 
+    /** Smallest and largest gap. */
+    struct Range
+    {
+      double lowest  = 0.;
+      double highest = 0.;
+    };
+
+    /**
+     * Bounds, not below zero, of the gap on the square at (x0, y0) of edge @p edge
+     * in the unit cell. Bilinear: attained at the corners. Monotone cubic: between
+     * the grid lines the gap is v1 + (v2 − v1) φ(t), where φ lies between the cubics
+     * from 0 to 1 with slopes (0, 2) and (2, 0), the steepest that harmonic means
+     * of slopes allow; exact on the whole cell.
+     */
+    Range range(const GapStencil &gap, double x0, double y0, double edge) const;
+
   private:
     GapInterpolation kind;
     FlowDirection    direction;

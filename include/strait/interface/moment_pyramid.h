@@ -3,6 +3,7 @@
 #define strait_interface_moment_pyramid_h
 
 #include <strait/interface/moment_set.h>
+#include <strait/spectral/grid_cell.h>
 #include <strait/spectral/slab_field.h>
 
 #include <cstddef>
@@ -11,18 +12,6 @@
 
 namespace strait
 {
-  /**
-   * A square cell of the quadtree over the grid: its edge is 2^exponent grid
-   * spacings (negative: a fraction), and (i, j) counts cells of that size from the
-   * origin.
-   */
-  struct GridCell
-  {
-    int exponent = 0;
-    int i        = 0;
-    int j        = 0;
-  };
-
   /**
    * Moments of a coefficient on every quadtree cell of two grid spacings or more,
    * summed bottom-up, so that any coarse cell is looked up in O(1). A rank holds

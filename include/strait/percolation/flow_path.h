@@ -4,6 +4,7 @@
 
 #include <strait/base/fluid_parameters.h>
 #include <strait/percolation/flow_lattice.h>
+#include <strait/spectral/grid_cell.h>
 #include <strait/spectral/slab_field.h>
 
 #include <vector>
@@ -18,6 +19,10 @@ namespace strait
     GridPoint              bottleneck;           // where the gap is smallest
     double                 bottleneck_gap  = 0.; // there
     double                 path_resistance = 0.; // ∫ ds / gap³ along the path
+
+    /** Of the first path: the cells that are too coarse to begin with, for it and
+     *  for the others (critical_cells.h). */
+    std::vector<GridCell> critical_cells;
   };
 
   /**

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_flow_bracket_h
+#define strait_flow_bracket_h
+
+#include <strait/flow/enrichment.h>
+
+#include <deal.II/lac/vector.h>
+
+namespace strait
+{
+  /** Bounds of the conductance Q/Δp on one mesh. */
+  struct Bracket
+  {
+    double lower = 0.;
+    double upper = 0.;
+
+    /** Of each active cell: its share of upper − lower, over upper. */
+    dealii::Vector<float> shares;
+  };
+
+  /**
+   * The bracket of a pressure p and a stream function ψ. A cell's share of it is
+   * ∫ K |∇p + Q_lower/Δp K⁻¹ curl ψ|², which is zero where the flux of both agrees.
+   */
+  Bracket plain_bracket(const FlowMesh         &mesh,
+                        const PotentialProblem &pressure,
+                        const PotentialProblem &stream_function);
+
+  /**
+   * The same after enrichment of both solutions, which must be of degree 1: closer
+   * bounds, to stop on. Its shares are no guide for refinement: enrichment stops a
+   * short cut through a coarse cell after the fact, when the pressure around has
+   * already adjusted to it. @p enrichment is set up anew. Collective.
+   */
+  Bracket enriched_bracket(const FlowMesh         &mesh,
+                           const GapField         &gap,
+                           const PotentialProblem &pressure,
+                           const PotentialProblem &stream_function,
+                           Enrichment             &enrichment);
+} // namespace strait
+
+#endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_flow_enrichment_h
+#define strait_flow_enrichment_h
+
+#include <strait/flow/potential_problem.h>
+#include <strait/flow/rim_systems.h>
+
+#include <deal.II/fe/fe_q_iso_q1.h>
+
+#include <array>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * Values of a potential at the 3 × 3 nodes of each owned cell, in the order of
+   * FE_Q(2), up to a constant for each cell. Between them the potential is bilinear
+   * on the four children of the cell.
+   */
+  struct EnrichedSolution
+  {
+    using Nodes = std::array<double, 9>;
+
+    std::vector<Nodes>  values;
+    std::vector<double> cell_energies;
+    double              energy = 0.; // of all ranks
+  };
+
+  /**
+   * A solution of degree 1, improved without another mesh: its values are kept, the
+   * nodes that a uniform refinement would add are freed and relaxed by a few steps
+   * of conjugate gradients. What comes out is admissible, so its energy is a bound
+   * like that of the solution it starts from, and never a worse one with the same
+   * coefficient. The centre of a cell is eliminated, which leaves one unknown for
+   * each edge of the mesh and four of them in a cell.
+   */
+  class Enrichment
+  {
+  public:
+    explicit Enrichment(const FlowMesh &mesh);
+
+    /** Number the new nodes of the current mesh, for both problems. Collective. */
+    void set_up();
+
+    /** The children of the owned cells, four after four. */
+    const std::vector<GridCell> &
+    children() const
+    {
+      return child_cells;
+    }
+
+    /**
+     * Relax the solution of @p problem. @p answers hold its coefficient on
+     * children(). Collective.
+     */
+    EnrichedSolution relax(const PotentialProblem &problem,
+                           const CellAnswers      &answers,
+                           unsigned int            n_steps) const;
+
+    /** ∫ ∇u·curl v over an owned cell of two enriched solutions. */
+    double gradient_times_curl(const EnrichedSolution::Nodes &u,
+                               const EnrichedSolution::Nodes &v) const;
+
+  private:
+    using Vector = RimSystems::Vector;
+    using Nodes  = EnrichedSolution::Nodes;
+
+    void                              list_nodes();
+    void                              macro_matrix(std::size_t         cell,
+                                                   const CellAnswers  &answers,
+                                                   RimSystems::Matrix &matrix) const;
+    const FlowMesh                   &mesh;
+    ElementMatrix                     element;
+    dealii::FE_Q_iso_Q1<2>            fe;
+    dealii::DoFHandler<2>             dofs;
+    dealii::AffineConstraints<double> constraints;
+    Vector                            layout;
+    std::vector<GridCell>             cells, child_cells;
+    EnrichmentNodes                   nodes;
+  };
+} // namespace strait
+
+#endif

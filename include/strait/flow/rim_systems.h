@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_flow_rim_systems_h
+#define strait_flow_rim_systems_h
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace strait
+{
+  /** The nodes that an enrichment frees, as the owned cells see them. */
+  struct EnrichmentNodes
+  {
+    /** A node on the rim of a cell depends on this freed one. */
+    struct Dependence
+    {
+      unsigned int node;
+      unsigned int column; // position in the list of the cell's freed nodes
+      double       weight;
+    };
+
+    struct Cell
+    {
+      std::size_t  first_index      = 0;
+      unsigned int n_indices        = 0;
+      std::size_t  first_dependence = 0;
+      unsigned int n_dependences    = 0;
+      unsigned int at_reservoir     = 0; // bit f: face f is at inlet or outlet
+    };
+
+    std::vector<Cell>         cells;
+    std::vector<unsigned int> indices; // positions in this rank's part of a vector
+    std::vector<Dependence>   dependences;
+  };
+
+  /**
+   * The equations of the freed nodes, kept cell by cell: a cell has nine nodes in the
+   * order of FE_Q(2), of which the centre is eliminated and the rest, the rim, depends
+   * on at most a few freed ones.
+   */
+  class RimSystems
+  {
+  public:
+    using Matrix = std::array<std::array<double, 9>, 9>;
+    using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+    explicit RimSystems(const EnrichmentNodes &nodes);
+
+    /**
+     * Append the next cell, and add its share to residual and diagonal. @p base are
+     * the values before enrichment; a closed cell has no share. Nodes at a reservoir
+     * are kept if @p fixed_at_reservoirs.
+     */
+    void append(const Matrix                &matrix,
+                const std::array<double, 9> &base,
+                bool                         closed,
+                bool                         fixed_at_reservoirs,
+                Vector                      &residual,
+                Vector                      &diagonal);
+
+    /** Steps of conjugate gradients with the diagonal as preconditioner. @p x has
+     *  ghost entries and is zero, @p r the residual. Collective. */
+    void conjugate_gradients(unsigned int  n_steps,
+                             Vector       &x,
+                             Vector       &r,
+                             const Vector &diagonal) const;
+
+  private:
+    /** image += A x, for the cells of this rank. */
+    void apply(const Vector &x, Vector &image) const;
+
+    const EnrichmentNodes   &nodes;
+    std::vector<std::size_t> first_entry;
+    std::vector<double>      entries;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/contact/grid_transfer.h>
+#include <strait/driver/error_budget.h>
+#include <strait/percolation/percolating_gap.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace strait
+{
+  namespace
+  {
+    /** The leak rate of a gap as the fluid sees it; 0 if it seals. */
+    double
+    leak_rate_of(const SlabField &seen, const FluidParameters &fluid)
+    {
+      const Clusters clusters = find_clusters(seen, fluid.direction);
+      if (!clusters.percolates)
+        return 0.;
+      const SlabField open  = percolating_gap(seen, clusters, fluid.direction);
+      const auto      paths = find_flow_paths(open, fluid.direction, 3);
+      GapField        field(open.layout_pointer(), fluid);
+      field.update(open, 1e-8 * field.conductivity_of(paths.front().bottleneck_gap));
+      ReynoldsSolver solver(fluid, field, paths);
+      return solver.run().leak_rate;
+    }
+
+    SlabField
+    narrowed(SlabField gap, const double slip_length)
+    {
+      for (double &value : gap)
+        value += 2. * slip_length;
+      return gap;
+    }
+  } // namespace
+
+  ErrorBudget::ErrorBudget(const Scene &scene_, const SlabField &heights)
+    : scene(scene_)
+    , rms_height(rms(heights))
+  {
+    // What a contact remembers, and what a fluid does to it, is not that of a coarser
+    // grid at the same load alone.
+    if (!scene.output.error_budget || !scene.contact.enabled ||
+        scene.contact.adhesion.enabled || scene.fluid.feedback.enabled)
+      return;
+    SlabField grid_heights = heights;
+    while (coarser.size() < 2 && can_be_coarsened(grid_heights.grid()))
+      {
+        grid_heights = restrict_by_injection(grid_heights);
+        coarser.push_back(std::make_unique<ContactSolver>(scene.contact, grid_heights));
+      }
+  }
+
+  double
+  ErrorBudget::leak_on(const int halvings, const Step &step)
+  {
+    SlabField gap = step.gap;
+    if (step.contact)
+      {
+        const bool by_load = scene.contact.control == ContactControl::load;
+        gap                = coarser[halvings - 1]
+                ->solve(by_load ? step.contact->nominal_pressure : step.mean_gap)
+                .gap;
+      }
+    else
+      for (int h = 0; h < halvings; ++h)
+        gap = restrict_by_injection(gap);
+    return leak_rate_of(narrowed(std::move(gap), step.slip_length), scene.fluid);
+  }
+
+  void
+  ErrorBudget::add_contact_grid(const Step &step, StepErrors &errors)
+  {
+    if (step.contact ? coarser.size() < 2 : !can_be_coarsened(step.gap.grid()))
+      return;
+    const double fine  = step.flow->result.leak_rate;
+    const double half  = leak_on(1, step);
+    const double first = (fine - half) / fine;
+    double       error = std::abs(first);
+    const bool   nested =
+      step.contact || std::min(step.gap.grid().nx, step.gap.grid().ny) >= 128;
+    if (const double quarter = nested ? leak_on(2, step) : half; half != 0)
+      {
+        const double second = (half - quarter) / fine;
+        const double order  = std::log2(std::abs(second / first));
+        // One order of magnitude more than that is no convergence but chance.
+        if (second * first > 0 && order > .5 && order < 4.)
+          {
+            errors.grid_order   = order;
+            errors.extrapolated = fine * (1. + first / (std::exp2(order) - 1.));
+            error               = std::abs(*errors.extrapolated / fine - 1.);
+          }
+      }
+    errors.items.push_back({"contact grid", error, "Contact/Grid points"});
+  }
+
+  StepErrors
+  ErrorBudget::assess(const Step &step)
+  {
+    StepErrors        errors;
+    const FlowResult &flow = step.flow->result;
+    errors.items.push_back({"mesh", .5 * flow.relative_width(), "Fluid/Target accuracy"});
+    errors.items.push_back({"linear solver",
+                            ReynoldsSolver::linear_share * scene.fluid.target_accuracy,
+                            "Fluid/Target accuracy"});
+    if (step.contact)
+      errors.items.push_back({"contact tolerance",
+                              3. * step.contact->residual * rms_height /
+                                step.flow->paths.front().bottleneck_gap,
+                              "Contact/Tolerance"});
+    if (step.feedback)
+      errors.items.push_back({"feedback iteration",
+                              scene.fluid.feedback.tolerance,
+                              "Fluid/Wall feedback/Tolerance"});
+    if (scene.output.error_budget)
+      {
+        add_contact_grid(step, errors);
+        FluidParameters other = scene.fluid;
+        other.interpolation =
+          scene.fluid.interpolation == GapInterpolation::monotone_cubic
+            ? GapInterpolation::bilinear
+            : GapInterpolation::monotone_cubic;
+        const double leak = leak_rate_of(narrowed(step.gap, step.slip_length), other);
+        errors.items.push_back({"gap interpolation",
+                                std::abs(leak / flow.leak_rate - 1.),
+                                "Contact/Grid points"});
+      }
+    std::stable_sort(errors.items.begin(),
+                     errors.items.end(),
+                     [](const ErrorItem &a, const ErrorItem &b) {
+                       return a.relative > b.relative;
+                     });
+    return errors;
+  }
+
+  Json
+  to_json(const Step &step)
+  {
+    Json relative = Json::object();
+    for (const ErrorItem &item : step.errors.items)
+      relative.set(item.source, item.relative);
+    Json record = Json::object();
+    record.set("step", step.number).set("relative_errors", relative);
+    const ErrorItem &largest = step.errors.items.front();
+    record.set("largest", largest.source).set("reduced_by", largest.parameter);
+    if (step.errors.extrapolated)
+      record.set("contact_grid_order", *step.errors.grid_order)
+        .set("leak_rate_extrapolated", *step.errors.extrapolated);
+    return record;
+  }
+
+  std::string
+  describe_errors(const StepErrors &errors)
+  {
+    const ErrorItem &largest = errors.items.front();
+    std::string      text = format("  largest error of the leak rate: %s, %.2g %% (%s)",
+                              largest.source.c_str(),
+                              100. * largest.relative,
+                              largest.parameter.c_str());
+    if (errors.extrapolated)
+      text += format("; order in the grid %.2f, extrapolated leak rate %.5g",
+                     *errors.grid_order,
+                     *errors.extrapolated);
+    return text;
+  }
+} // namespace strait

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/flow/enrichment.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <algorithm>
+
+namespace strait
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int n_vertices = 4, n_rim = 8, centre = 8;
+
+    /** Nodes at the corners of the children, deal.II's order throughout. */
+    constexpr std::array<std::array<unsigned int, 4>, 4> corners_of_child = {
+      {{{0, 6, 4, 8}}, {{6, 1, 8, 5}}, {{4, 8, 2, 7}}, {{8, 5, 7, 3}}}};
+
+    std::vector<double>
+    child_values(const EnrichedSolution::Nodes &nodes, const unsigned int child)
+    {
+      std::vector<double> values(n_vertices);
+      for (unsigned int v = 0; v < n_vertices; ++v)
+        values[v] = nodes[corners_of_child[child][v]];
+      return values;
+    }
+
+    /** The bilinear function with the given values at the vertices, less the first. */
+    EnrichedSolution::Nodes
+    interpolate(const std::vector<double> &vertices)
+    {
+      const double a = vertices[1] - vertices[0], b = vertices[2] - vertices[0],
+                   c = vertices[3] - vertices[0];
+      return {
+        {0., a, b, c, .5 * b, .5 * (a + c), .5 * a, .5 * (b + c), .25 * (a + b + c)}};
+    }
+  } // namespace
+
+  Enrichment::Enrichment(const FlowMesh &mesh_)
+    : mesh(mesh_)
+    , element(MomentSet(1))
+    , fe(2)
+    , dofs(mesh.triangulation())
+  {
+  }
+
+  void
+  Enrichment::set_up()
+  {
+    dofs.distribute_dofs(fe);
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+    constraints.clear();
+    constraints.reinit(relevant);
+    DoFTools::make_hanging_node_constraints(dofs, constraints);
+    DoFTools::make_periodicity_constraints(dofs,
+                                           FlowMesh::periodic_first,
+                                           FlowMesh::periodic_last,
+                                           1 - mesh.axis_along(),
+                                           constraints);
+    // The vertices of the mesh keep their values. A vertex that hangs on an edge is
+    // the new node of that edge and follows it.
+    std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          cell->get_dof_indices(local);
+          for (unsigned int v = 0; v < n_vertices; ++v)
+            if (!constraints.is_constrained(local[v]))
+              constraints.add_line(local[v]);
+        }
+    constraints.close();
+    layout.reinit(dofs.locally_owned_dofs(),
+                  relevant,
+                  mesh.triangulation().get_communicator());
+    list_nodes();
+  }
+
+  void
+  Enrichment::list_nodes()
+  {
+    cells = mesh.owned_grid_cells();
+    child_cells.clear();
+    nodes                                            = {};
+    const auto                          &partitioner = *layout.get_partitioner();
+    std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const GridCell parent = cells[nodes.cells.size()];
+          for (int child = 0; child < 4; ++child)
+            child_cells.push_back(
+              {parent.exponent - 1, 2 * parent.i + child % 2, 2 * parent.j + child / 2});
+          EnrichmentNodes::Cell here;
+          here.first_index      = nodes.indices.size();
+          here.first_dependence = nodes.dependences.size();
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary() &&
+                cell->face(f)->boundary_id() <= FlowMesh::outlet)
+              here.at_reservoir |= 1U << f;
+          const auto add = [&](const unsigned int            node,
+                               const types::global_dof_index dof,
+                               const double                  weight) {
+            const unsigned int k      = partitioner.global_to_local(dof);
+            const auto         begin  = nodes.indices.begin() + here.first_index;
+            const auto         found  = std::find(begin, nodes.indices.end(), k);
+            const auto         column = static_cast<unsigned int>(found - begin);
+            if (found == nodes.indices.end())
+              nodes.indices.push_back(k);
+            nodes.dependences.push_back({node, column, weight});
+          };
+          cell->get_dof_indices(local);
+          for (unsigned int node = 0; node < n_rim; ++node)
+            if (!constraints.is_constrained(local[node]))
+              add(node, local[node], 1.);
+            else if (const auto *line = constraints.get_constraint_entries(local[node]))
+              for (const auto &[dof, weight] : *line)
+                add(node, dof, weight);
+          here.n_indices =
+            static_cast<unsigned int>(nodes.indices.size() - here.first_index);
+          here.n_dependences =
+            static_cast<unsigned int>(nodes.dependences.size() - here.first_dependence);
+          nodes.cells.push_back(here);
+        }
+  }
+
+  void
+  Enrichment::macro_matrix(const std::size_t   cell,
+                           const CellAnswers  &answers,
+                           RimSystems::Matrix &matrix) const
+  {
+    FullMatrix<double> small(n_vertices, n_vertices);
+    matrix = {};
+    for (unsigned int child = 0; child < 4; ++child)
+      {
+        element.stiffness(answers[4 * cell + child].moments,
+                          mesh.width(cells[cell]),
+                          mesh.height(cells[cell]),
+                          small);
+        const auto &corner = corners_of_child[child];
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          for (unsigned int j = 0; j < n_vertices; ++j)
+            matrix[corner[i]][corner[j]] += small(i, j);
+      }
+  }
+
+  EnrichedSolution
+  Enrichment::relax(const PotentialProblem &problem,
+                    const CellAnswers      &answers,
+                    const unsigned int      n_steps) const
+  {
+    const bool          is_pressure = problem.kind() == PotentialProblem::Kind::pressure;
+    EnrichedSolution    result;
+    Vector              x(layout), r(layout), diagonal(layout);
+    RimSystems          systems(nodes);
+    RimSystems::Matrix  matrix = {};
+    std::vector<double> vertices;
+    const auto          is_open = [&](const std::size_t c) {
+      for (unsigned int child = 0; child < 4; ++child)
+        if (answers[4 * c + child].moments[0] > 0)
+          return true;
+      return false;
+    };
+    result.values.reserve(cells.size());
+    for (const auto &cell : problem.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const std::size_t c = result.values.size();
+          problem.cell_values(cell, vertices);
+          result.values.push_back(interpolate(vertices));
+          if (is_open(c))
+            macro_matrix(c, answers, matrix);
+          systems.append(
+            matrix, result.values.back(), !is_open(c), is_pressure, r, diagonal);
+        }
+    r.compress(VectorOperation::add);
+    diagonal.compress(VectorOperation::add);
+    systems.conjugate_gradients(n_steps, x, r, diagonal);
+    constraints.distribute(x);
+    x.update_ghost_values();
+
+    result.cell_energies.assign(cells.size(), 0.);
+    std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
+    std::size_t                          c = 0;
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          if (is_open(c))
+            {
+              Nodes &values = result.values[c];
+              cell->get_dof_indices(local);
+              for (unsigned int node = 0; node < n_rim; ++node)
+                values[node] += x(local[node]);
+              macro_matrix(c, answers, matrix);
+              double at_centre = 0;
+              for (unsigned int node = 0; node < n_rim; ++node)
+                at_centre -= matrix[centre][node] * values[node];
+              values[centre] = at_centre / matrix[centre][centre];
+              for (unsigned int i = 0; i < values.size(); ++i)
+                for (unsigned int j = 0; j < values.size(); ++j)
+                  result.cell_energies[c] +=
+                    matrix[i][j] * (values[i] - values[0]) * (values[j] - values[0]);
+              result.energy += result.cell_energies[c];
+            }
+          ++c;
+        }
+    result.energy =
+      Utilities::MPI::sum(result.energy, mesh.triangulation().get_communicator());
+    return result;
+  }
+
+  double
+  Enrichment::gradient_times_curl(const Nodes &u, const Nodes &v) const
+  {
+    double sum = 0;
+    for (unsigned int child = 0; child < 4; ++child)
+      sum += element.gradient_times_curl(child_values(u, child), child_values(v, child));
+    return sum;
+  }
+} // namespace strait

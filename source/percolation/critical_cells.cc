@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/percolation/critical_cells.h>
+#include <strait/percolation/pressure_estimate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    // Shares of the whole at which a cell counts as too coarse. Smaller ones make a
+    // finer start, which costs more than it saves; measured on rough gaps.
+    constexpr double short_cut_share = .05;
+    constexpr double blocking_share  = .1;
+
+    /** What is known of a cell from its grid points. */
+    struct Cell
+    {
+      float lowest       = 2.F; // estimate of the pressure at its open points …
+      float highest      = -1.F;
+      float mean_cubed   = 0.F; // … mean of g³ …
+      float mean_inverse = 0.F; // … and of 1/g³, infinite where a point is closed
+
+      void
+      add_child(const Cell &child)
+      {
+        lowest  = std::min(lowest, child.lowest);
+        highest = std::max(highest, child.highest);
+        mean_cubed += .25F * child.mean_cubed;
+        mean_inverse += .25F * child.mean_inverse;
+      }
+    };
+
+    Cell
+    cell_of_point(const double gap, const float pressure)
+    {
+      Cell cell;
+      cell.mean_inverse = std::numeric_limits<float>::infinity();
+      if (gap > 0)
+        {
+          cell.lowest = cell.highest = pressure;
+          cell.mean_cubed            = static_cast<float>(gap * gap * gap);
+          cell.mean_inverse          = static_cast<float>(1. / (gap * gap * gap));
+        }
+      return cell;
+    }
+
+    /** All cells of one size, fast along the flow. */
+    struct Level
+    {
+      Level(const int along, const int across)
+        : n_along(along)
+        , n_across(across)
+        , cells(static_cast<std::size_t>(along) * across)
+      {
+      }
+
+      Cell &
+      at(const int a, const int b)
+      {
+        return cells[static_cast<std::size_t>((b + n_across) % n_across) * n_along + a];
+      }
+
+      /** Range of the pressure over the cell and its eight neighbours. */
+      double
+      pressure_range(const int a, const int b)
+      {
+        float lowest = at(a, b).lowest, highest = at(a, b).highest;
+        for (int j = b - 1; j <= b + 1; ++j)
+          for (int i = std::max(a - 1, 0); i <= std::min(a + 1, n_along - 1); ++i)
+            {
+              lowest  = std::min(lowest, at(i, j).lowest);
+              highest = std::max(highest, at(i, j).highest);
+            }
+        return highest - lowest;
+      }
+
+      int               n_along;
+      int               n_across;
+      std::vector<Cell> cells;
+    };
+
+    /** ∫ (g/g0)³ dt across the channel at the bottleneck g0, in spacings, where that
+     *  is least of four directions; @p otherwise where the gap is widest in none. */
+    double
+    width_of_bottleneck(const FlowLattice &gap,
+                        const FlowPath    &path,
+                        const double       otherwise)
+    {
+      constexpr double  infinity = std::numeric_limits<double>::infinity();
+      const std::size_t k        = gap.index_of(path.bottleneck);
+      double            best     = infinity;
+      for (const auto &[da, db] : {std::pair(1, 0), {0, 1}, {1, 1}, {1, -1}})
+        {
+          double width = 1.;
+          for (const int side : {-1, 1})
+            for (int s = 1; s < gap.n_across() / 2; ++s)
+              {
+                const int a = gap.along(k) + side * s * da;
+                if (a < 0 || a >= gap.width())
+                  break;
+                const int    b = (gap.across_of(k) + side * s * db) % gap.n_across();
+                const double g = gap[gap.index(a, b)] / path.bottleneck_gap;
+                if (!(g > 0))
+                  break;
+                if (g > 1.001) // this is not the way across
+                  {
+                    width = infinity;
+                    break;
+                  }
+                width += g * g * g;
+              }
+          best = std::min(best, width);
+        }
+      return std::isfinite(best) ? best : otherwise;
+    }
+
+    /** What the path would let through on its own, in units of Δp/(12 η). */
+    double
+    conductance_of(const FlowLattice &gap, const FlowPath &path, const double otherwise)
+    {
+      return width_of_bottleneck(gap, path, otherwise) *
+             std::min(gap.spacing_along(), gap.spacing_across()) / path.path_resistance;
+    }
+
+    /** The search proper, from coarse cells to fine ones. */
+    class CellSearch
+    {
+    public:
+      using Cells = std::set<std::pair<int, int>>; // along, across
+
+      CellSearch(const FlowLattice           &lattice,
+                 const std::vector<double>   &resistance,
+                 const std::vector<FlowPath> &paths_,
+                 const int                    largest_exponent)
+        : gap(lattice)
+        , paths(paths_)
+      {
+        const std::vector<float> pressure =
+          estimate_pressure(gap, resistance, paths.front());
+        const int n_along = gap.width() - 1, n_across = gap.n_across();
+        for (int e = 1; e <= largest_exponent; ++e)
+          levels.emplace_back(n_along >> e, n_across >> e);
+        for (int b = 0; b < n_across; ++b)
+          for (int a = 0; a < n_along; ++a)
+            {
+              const std::size_t k = gap.index(a, b);
+              levels[0].at(a >> 1, b >> 1).add_child(cell_of_point(gap[k], pressure[k]));
+            }
+        for (std::size_t e = 1; e < levels.size(); ++e)
+          for (int b = 0; b < levels[e - 1].n_across; ++b)
+            for (int a = 0; a < levels[e - 1].n_along; ++a)
+              levels[e].at(a >> 1, b >> 1).add_child(levels[e - 1].at(a, b));
+        // If the first path is in no channel, the flow is as wide as the box; another
+        // one may run beside the first in the same channel, and counts for little.
+        for (const FlowPath &path : paths)
+          conductances.push_back(
+            conductance_of(gap, path, conductances.empty() ? n_across : 1.));
+      }
+
+      /** The cells of each exponent, from 1, that are too coarse. */
+      std::vector<Cells>
+      run(const double short_cut)
+      {
+        std::vector<Cells> result(levels.size());
+        for (int e = static_cast<int>(levels.size()); e >= 1; --e)
+          {
+            Cells &here = result[e - 1];
+            if (e == static_cast<int>(levels.size()))
+              for (int b = 0; b < levels.back().n_across; ++b)
+                for (int a = 0; a < levels.back().n_along; ++a)
+                  add_if_short_cut(e, a, b, short_cut, here);
+            else
+              for (const auto &[a, b] : result[e])
+                for (int child = 0; child < 4; ++child)
+                  add_if_short_cut(
+                    e, 2 * a + child % 2, 2 * b + child / 2, short_cut, here);
+            add_blocking(e, here);
+          }
+        return result;
+      }
+
+    private:
+      void
+      add_if_short_cut(const int    e,
+                       const int    a,
+                       const int    b,
+                       const double share,
+                       Cells       &result)
+      {
+        Level       &level = levels[e - 1];
+        const double cubed = level.at(a, b).mean_cubed;
+        if (!(cubed > 0))
+          return;
+        const double range = level.pressure_range(a, b);
+        if (cubed * range * range > share * conductances.front())
+          result.emplace(a, b);
+      }
+
+      void
+      add_blocking(const int e, Cells &result)
+      {
+        Level &level = levels[e - 1];
+        for (std::size_t p = 0; p < paths.size(); ++p)
+          for (const GridPoint &point : paths[p].points)
+            {
+              const std::size_t k = gap.index_of(point);
+              const int         a = std::min(gap.along(k) >> e, level.n_along - 1);
+              const int         b = gap.across_of(k) >> e;
+              if (!(level.at(a, b).mean_inverse * conductances[p] > blocking_share))
+                continue;
+              for (int i = std::max(a - 1, 0); i <= std::min(a + 1, level.n_along - 1);
+                   ++i)
+                for (int j = b - 1; j <= b + 1; ++j)
+                  result.emplace(i, (j + level.n_across) % level.n_across);
+            }
+      }
+
+      const FlowLattice           &gap;
+      const std::vector<FlowPath> &paths;
+      std::vector<Level>           levels; // levels[e − 1] has cells of exponent e
+      std::vector<double>          conductances; // of the paths
+    };
+  } // namespace
+
+  int
+  largest_start_exponent(const PeriodicGrid &grid)
+  {
+    int exponent = std::min(grid.n_halvings(), 6);
+    while (exponent > 0 && std::min(grid.nx, grid.ny) >> exponent < 8)
+      --exponent;
+    return exponent;
+  }
+
+  std::vector<GridCell>
+  find_critical_cells(const FlowLattice           &gap,
+                      const std::vector<double>   &resistance,
+                      const std::vector<FlowPath> &paths,
+                      const FlowDirection          direction,
+                      const int                    largest_exponent)
+  {
+    if (largest_exponent < 1)
+      return {};
+    // At low loads many channels share the flow, and the one path that is known
+    // makes the leak rate's estimate far too small.
+    const std::size_t most  = std::max<std::size_t>(gap.size() / 256, 1000);
+    double            share = short_cut_share;
+    CellSearch        search(gap, resistance, paths, largest_exponent);
+    while (true)
+      {
+        const std::vector<CellSearch::Cells> found = search.run(share);
+        std::vector<GridCell>                cells;
+        for (std::size_t e = 0; e < found.size(); ++e)
+          for (const auto &[a, b] : found[e])
+            cells.push_back(direction == FlowDirection::x
+                              ? GridCell{static_cast<int>(e) + 1, a, b}
+                              : GridCell{static_cast<int>(e) + 1, b, a});
+        if (cells.size() <= most || share > 1e3)
+          {
+            std::sort(cells.begin(), cells.end());
+            return cells;
+          }
+        share *= 4.;
+      }
+  }
+} // namespace strait

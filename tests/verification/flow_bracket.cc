@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The bracket itself: its indicator, its price, and the switch that proves it.
+#include <strait/contact/contact_solver.h>
+#include <strait/flow/bracket.h>
+#include <strait/surface/surface.h>
+
+#include <gtest/gtest.h>
+
+#include "flow_fixture.h"
+
+namespace strait
+{
+  namespace
+  {
+    double
+    channels(const double x, const double y)
+    {
+      return .2 + .3 * std::cos(2 * pi * x) +
+             .3 * std::cos(2 * pi * y) * std::cos(4 * pi * (x + y));
+    }
+
+    /** A gap with contact on 64 × 64 points, and both problems solved on a mesh of
+     *  cells of 4 spacings, refined once more around the middle. */
+    struct Solved
+    {
+      explicit Solved(const FluidParameters &fluid)
+        : given(sample(channels, 64, 64), fluid)
+        , mesh(given.field, fluid.direction)
+        , pressure(PotentialProblem::Kind::pressure, mesh, given.field.moment_set())
+        , stream(PotentialProblem::Kind::stream_function, mesh, given.field.moment_set())
+      {
+        mesh.refine_uniformly(2);
+        for (int round = 0; round < 2; ++round)
+          {
+            for (const auto &cell : mesh.triangulation().active_cell_iterators())
+              if (cell->is_locally_owned() && cell->center()[0] < .6 &&
+                  (cell->center()[1] < .3 || cell->center()[1] > .9))
+                cell->set_refine_flag();
+            mesh.triangulation().execute_coarsening_and_refinement();
+          }
+        for (PotentialProblem *problem : {&pressure, &stream})
+          {
+            problem->set_up();
+            problem->assemble(given.field);
+            EXPECT_TRUE(problem->solve(FlowPreconditioner::boomeramg, 1e-14).converged);
+          }
+      }
+
+      GivenGap         given;
+      FlowMesh         mesh;
+      PotentialProblem pressure, stream;
+    };
+
+    void
+    expect_shares_sum_to_width(const Bracket &bracket, const double tolerance)
+    {
+      const double sum =
+        dealii::Utilities::MPI::sum(bracket.shares.l1_norm(), MPI_COMM_WORLD);
+      EXPECT_GT(bracket.upper, bracket.lower);
+      EXPECT_NEAR(sum, 1. - bracket.lower / bracket.upper, tolerance);
+    }
+
+    // Shares are kept in single precision. That the sum is the width shows as well
+    // that the enriched functions are conforming across hanging and periodic edges.
+    TEST(FlowBracket, SharesSumToTheWidthParallel)
+    {
+      const FluidParameters fluid = plain_fluid();
+      Solved                solved(fluid);
+      const Bracket plain = plain_bracket(solved.mesh, solved.pressure, solved.stream);
+      Enrichment    enrichment(solved.mesh);
+      const Bracket enriched = enriched_bracket(
+        solved.mesh, solved.given.field, solved.pressure, solved.stream, enrichment);
+      expect_shares_sum_to_width(plain, 1e-6);
+      expect_shares_sum_to_width(enriched, 1e-6);
+      // On cells of two spacings or more the coefficient is the same for both.
+      EXPECT_LT(enriched.upper, plain.upper);
+      EXPECT_GT(enriched.lower, plain.lower);
+    }
+
+    SlabField
+    contact_gap(const SurfaceParameters &surface, const int n, const double pressure)
+    {
+      ContactParameters contact;
+      contact.grid_points  = {{n, n}};
+      const auto    layout = make_layout({n, n, 1., 1.}, MPI_COMM_WORLD);
+      ContactSolver solver(contact,
+                           make_surface(surface, MPI_COMM_WORLD)->heights(layout));
+      return solver.solve(pressure).gap;
+    }
+
+    TEST(FlowBracket, SaddleNearClosingNeedsFewUnknowns)
+    {
+      SurfaceParameters surface;
+      surface.kind        = SurfaceKind::square_saddle;
+      const SlabField gap = contact_gap(surface, 1024, .226 * 2 * pi);
+
+      const FlowResult coarse = leak(gap, plain_fluid(1e-2));
+      const FlowResult fine   = leak(gap, plain_fluid(1e-3));
+      EXPECT_EQ(coarse.status, "ok");
+      EXPECT_EQ(fine.status, "ok");
+      EXPECT_LE(coarse.unknowns, 2500U);
+      EXPECT_LE(fine.unknowns, 12000U);
+      EXPECT_LE(coarse.lower, fine.upper);
+      EXPECT_GE(coarse.upper, fine.lower);
+    }
+
+    // At nine tenths of its threshold of 0.2422 E*, eight points to the cut-off.
+    TEST(FlowBracket, RoughGapNearItsThresholdNeedsFewUnknowns)
+    {
+      SurfaceParameters surface;
+      surface.short_cut_off_wavelength = 8. / 1024;
+      const SlabField  gap             = contact_gap(surface, 1024, .218);
+      const FlowResult flow            = leak(gap, plain_fluid(1e-2));
+      EXPECT_EQ(flow.status, "ok");
+      EXPECT_LE(flow.unknowns, 60000U);
+    }
+
+    // Extremes of K in place of quadrature: the bracket contains the asymptotic one.
+    TEST(FlowBracket, RigorousBoundsEncloseTheOthers)
+    {
+      for (const GapInterpolation kind :
+           {GapInterpolation::monotone_cubic, GapInterpolation::bilinear})
+        {
+          FluidParameters fluid       = plain_fluid(1e-2);
+          fluid.interpolation         = kind;
+          const SlabField  gap        = sample(channels, 128, 128);
+          const FlowResult asymptotic = leak(gap, fluid);
+          fluid.bounds                = FlowBounds::rigorous;
+          fluid.target_accuracy       = .15;
+          const FlowResult rigorous   = leak(gap, fluid);
+          EXPECT_EQ(rigorous.status, "ok");
+          EXPECT_LT(rigorous.mesh_lower, asymptotic.lower);
+          EXPECT_GT(rigorous.mesh_upper, asymptotic.upper);
+        }
+    }
+
+    // A plane gap is constant, so nothing is lost.
+    TEST(FlowBracket, RigorousBoundsOfParallelPlatesAreExact)
+    {
+      FluidParameters fluid = plain_fluid();
+      fluid.bounds          = FlowBounds::rigorous;
+      const FlowResult flow =
+        leak(sample([](double, double) { return .3; }, 32, 32), fluid);
+      EXPECT_NEAR(flow.lower, .027, 1e-9);
+      EXPECT_NEAR(flow.upper, .027, 1e-9);
+    }
+  } // namespace
+} // namespace strait
