@@ -245,6 +245,13 @@ namespace strait
   {
     if (largest_exponent < 1)
       return {};
+    // Without contact there is no barrier, and the widest way says nothing about the
+    // pressure: coarse cells do, and the bracket tells where they do not.
+    bool has_contact = false;
+    for (std::size_t k = 0; k < gap.size() && !has_contact; ++k)
+      has_contact = !(gap[k] > 0);
+    if (!has_contact)
+      return {};
     // At low loads many channels share the flow, and the one path that is known
     // makes the leak rate's estimate far too small.
     const std::size_t most  = std::max<std::size_t>(gap.size() / 256, 1000);

@@ -51,7 +51,7 @@ namespace strait
   {
   public:
     /** How much smaller than the target accuracy the linear solver's error is. */
-    static constexpr double linear_share = 1e-8;
+    static constexpr double linear_share = 1e-12;
 
     /** Called after each mesh with what is known so far. */
     using Observer = std::function<void(const FlowResult &)>;
