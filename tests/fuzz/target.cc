@@ -22,10 +22,13 @@ using namespace strait;
 // A reader may accept its input or throw an InputError. All else is a bug: another
 // exception, such as std::bad_alloc, or an error of a sanitizer.
 
+// A signal is left alone, so that the driver can tell a crash in a library from what the
+// sanitizers see in our code.
 extern "C" const char *
 __asan_default_options()
 {
-  return "max_allocation_size_mb=512:allocator_may_return_null=1:detect_leaks=0";
+  return "max_allocation_size_mb=512:allocator_may_return_null=1:detect_leaks=0:"
+         "handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_abort=0:exitcode=23";
 }
 
 // The libraries read and copy out of bounds in damaged files; not ours to mend.

@@ -18,6 +18,7 @@ import shutil
 import subprocess
 import sys
 
+import h5py
 import numpy as np
 
 SIZE = {"x": 1.25, "y": 1.0}
@@ -74,7 +75,7 @@ class Runner:
     def __init__(self, options):
         self.options = options
 
-    def run(self, name, seal, ranks=1):
+    def run(self, name, seal, ranks=1, statuses=(0,)):
         """The rows of leakage.csv, and the folder of the results."""
         folder = os.path.join(self.options.folder, name)
         os.makedirs(folder)
@@ -86,7 +87,7 @@ class Runner:
             command = [self.options.mpirun, "--quiet", "-np", str(ranks)] + command
         done = subprocess.run(command, cwd=folder, text=True, capture_output=True,
                               timeout=120, check=False)
-        if done.returncode != 0:
+        if done.returncode not in statuses:
             raise RuntimeError(f"{name} ended with status {done.returncode}: "
                                f"{done.stderr}")
         output = os.path.join(folder, "output")
@@ -94,7 +95,7 @@ class Runner:
             return list(csv.DictReader(file)), output
 
 
-def differences(reference, rows, rtol, length=1., others=None):
+def differences(reference, rows, rtol, length=1., others=None, leave_out=()):
     """Complaints; lengths of the rows are `length` times those of the reference."""
     others = others or {}
     complaints = []
@@ -102,14 +103,31 @@ def differences(reference, rows, rtol, length=1., others=None):
         return [f"{len(rows)} rows instead of {len(reference)}"]
     for number, (a, b) in enumerate(zip(reference, rows), start=1):
         for name in [*LENGTHS, *SAME]:
+            if name in leave_out:
+                continue
             if a[name] == b[name] == "nan" or name == "status":
                 if a[name] != b[name]:
                     complaints.append(f"row {number}: {name} {a[name]} and {b[name]}")
                 continue
             expected = float(a[name]) * length**LENGTHS.get(name, 0) * others.get(name, 1.)
-            if not abs(float(b[name]) - expected) <= rtol * abs(expected):
+            # A cube root need not be rounded the same.
+            allowed = max(rtol, 4e-16 if name == "effective_gap" else 0.)
+            if not abs(float(b[name]) - expected) <= allowed * abs(expected):
                 complaints.append(f"row {number}: {name} is {b[name]}, expected "
                                   f"{expected!r}")
+    return complaints
+
+
+def differences_moved(reference, rows):
+    """Complaints if the flow is on another mesh: then its brackets must overlap."""
+    complaints = differences(reference, rows, 1e-6, leave_out=[
+        "leak_rate", "leak_rate_lower", "leak_rate_upper", "effective_gap"])
+    for number, (a, b) in enumerate(zip(reference, rows), start=1):
+        low = max(float(row["leak_rate_lower"]) for row in (a, b))
+        high = min(float(row["leak_rate_upper"]) for row in (a, b))
+        if not low <= high * (1 + 1e-6):
+            complaints.append(f"row {number}: the brackets of the leak rate do not "
+                              f"overlap: {low} > {high}")
     return complaints
 
 
@@ -119,7 +137,7 @@ def shifted(runner, base):
     for points in (1, 7, 16, 31):
         seal = Seal(np.roll(rough_map(), points, axis=0))
         rows, _ = runner.run(f"shifted_{points}", seal)
-        complaints += differences(base, rows, 1e-6)
+        complaints += differences_moved(base, rows)
     return complaints
 
 
@@ -130,7 +148,7 @@ def mirrored(runner, base):
         # The grid point at the inlet stays where it is.
         seal = Seal(np.roll(np.flip(rough_map(), axis), 1, axis))
         rows, _ = runner.run(f"mirrored_{axis}", seal)
-        complaints += differences(base, rows, 1e-6)
+        complaints += differences_moved(base, rows)
     return complaints
 
 
@@ -170,8 +188,30 @@ def in_other_units(runner, base):
     return complaints
 
 
-def without_times(name, content):
-    """The content of a result file without times, folders and the date."""
+def content_of(file):
+    """All data sets and attributes of an HDF5 file, which also holds times."""
+    items = {}
+
+    def visit(name, item):
+        if isinstance(item, h5py.Dataset):
+            items[name] = (item.shape, item.dtype.str, item[...].tobytes())
+        items[name + " attributes"] = [(key, repr(value))
+                                       for key, value in sorted(item.attrs.items())]
+
+    with h5py.File(file, "r") as root:
+        root.visititems(visit)
+    return items
+
+
+def without_times(file):
+    """The content of a result file without times and dates."""
+    name = os.path.basename(file)
+    if name.endswith(".h5"):
+        return content_of(file)
+    with open(file, "rb") as stream:
+        content = stream.read()
+    if name.endswith("vtu"):
+        return re.sub(rb"<!--.*?-->", b"", content, flags=re.DOTALL)
     if name.endswith(".csv"):
         rows = list(csv.reader(content.decode().splitlines()))
         kept = [i for i, title in enumerate(rows[0]) if not title.endswith("_seconds")]
@@ -180,7 +220,7 @@ def without_times(name, content):
         def strip(value):
             if isinstance(value, dict):
                 return {key: strip(entry) for key, entry in value.items()
-                        if not re.search("second|time|date|started|finished", key)}
+                        if key != "seconds"}
             return value
         return strip(json.loads(content))
     if name == "log.txt":
@@ -196,7 +236,11 @@ def repeated(runner, _):
         for attempt in ("first", "second"):
             seal = Seal(rough_map())
             seal.output["Fields"] = "all"
-            outputs.append(runner.run(f"{attempt}_of_{ranks}", seal, ranks)[1])
+            _, output = runner.run(f"repeated_on_{ranks}", seal, ranks)
+            # Both ran in the same folder: some files name it.
+            kept = os.path.join(runner.options.folder, f"{attempt}_on_{ranks}")
+            outputs.append(shutil.move(output, kept))
+            shutil.rmtree(os.path.dirname(output))
         names = [sorted(os.path.relpath(os.path.join(path, file), output)
                         for path, _, files in os.walk(output) for file in files)
                  for output in outputs]
@@ -204,11 +248,9 @@ def repeated(runner, _):
             complaints.append(f"{ranks} ranks: other files: {names}")
             continue
         for name in names[0]:
-            contents = []
-            for output in outputs:
-                with open(os.path.join(output, name), "rb") as file:
-                    contents.append(without_times(name, file.read()))
-            if contents[0] != contents[1]:
+            first, second = (without_times(os.path.join(output, name))
+                             for output in outputs)
+            if first != second:
                 complaints.append(f"{ranks} ranks: {name} is not the same twice")
     return complaints
 
@@ -230,13 +272,15 @@ def at_threshold(runner, _):
     upper = float(found["critical_load_upper"])
     seal.pressures = [lower * (1 - 1e-10), *np.linspace(lower, upper, 11).tolist(),
                       upper * (1 + 1e-10)]
-    rows, _ = runner.run("threshold", seal)
+    # Coarse cells may be too coarse for such a throat; then the step says so.
+    rows, _ = runner.run("threshold", seal, statuses=(0, 1))
     is_open = [int(row["percolates"]) for row in rows]
     complaints = []
     if is_open[0] != 1 or is_open[-1] != 0 or is_open != sorted(is_open, reverse=True):
         complaints.append(f"open and sealed from {lower!r} to {upper!r}: {is_open}")
     for row in rows:
-        if not (float(row["leak_rate_lower"]) <= float(row["leak_rate"])
+        if row["status"] != "flow-bracket" and not (
+                float(row["leak_rate_lower"]) <= float(row["leak_rate"])
                 <= float(row["leak_rate_upper"])):
             complaints.append(f"at {row['pressure']} the leak rate is not in its bounds")
         if (float(row["leak_rate"]) > 0) != (row["percolates"] == "1"):
