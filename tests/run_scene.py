@@ -25,15 +25,19 @@ robustness: the exit status and the messages must be as said.
     # STDERR: regex         must be found on standard error; repeatable
     # STDOUT: regex         must be found on standard output; repeatable
     # COLUMN: leak_rate=0   each row of leakage.csv must have this value
+    # RANGE: mean_gap=1..2  or one in this range
     # NOTHING WRITTEN       the output folder must not have been made
     # COMMAND: --frobnicate the whole command line, in place of the scene
 
 SCENE and OUTPUT in ARGS and COMMAND stand for the scene and the output folder.
 A scene with status 1 or 2 must print exactly one line on standard error for its
-user, without a stack of exceptions.
+user, without a stack of exceptions. Every row of leakage.csv must make sense: finite
+numbers, a contact fraction between 0 and 1, a leak rate within its bounds, and none
+where nothing percolates.
 """
 import argparse
 import csv
+import math
 import os
 import re
 import shlex
@@ -50,7 +54,7 @@ DEFAULT_TIMEOUT = 300
 def read_tags(scene):
     """The tags of a scene: a dictionary from name to the list of its values."""
     known = {"MPI", "ARGS", "TIMEOUT", "RTOL", "NOT COMPARED ACROSS RANKS", "STATUS",
-             "STDERR", "STDOUT", "COLUMN", "NOTHING WRITTEN", "COMMAND"}
+             "STDERR", "STDOUT", "COLUMN", "RANGE", "NOTHING WRITTEN", "COMMAND"}
     tags = {}
     with open(scene, encoding="utf-8") as file:
         for line in file:
@@ -112,23 +116,63 @@ def check_messages(tags, status, stdout, stderr):
     return problems
 
 
-def check_columns(tags, table):
+def check_columns(tags, rows):
+    problems = []
     wanted = dict(text.split("=", 1) for text in tags.get("COLUMN", []))
-    if not wanted:
-        return []
+    ranges = dict(text.split("=", 1) for text in tags.get("RANGE", []))
+    for number, row in enumerate(rows, start=1):
+        for name in [*wanted, *ranges]:
+            if name not in row:
+                problems.append(f"column {name} is missing")
+        for name, value in wanted.items():
+            if name in row and compare_tables.cells_differ(value, row[name], 0.):
+                problems.append(f"column {name}, row {number}: expected {value}, "
+                                f"found {row[name]}")
+        for name, interval in ranges.items():
+            low, high = map(float, interval.split(".."))
+            if name in row and not low <= float(row[name]) <= high:
+                problems.append(f"column {name}, row {number}: {row[name]} is not in "
+                                f"{interval}")
+    return problems
+
+
+def check_sense(rows):
+    """What must hold in every row of every scene.
+
+    A sealed step has no worst constriction, and where the walls have lifted off there
+    is neither a gap nor a leak rate.
+    """
+    problems = []
+    for number, row in enumerate(rows, start=1):
+        numbers = {}
+        for name, text in row.items():
+            try:
+                numbers[name] = float(text)
+            except (TypeError, ValueError):
+                continue
+            is_left_out = row.get("status") == "lifted-off" or (
+                row.get("percolates") == "0" and name.startswith("worst_constriction"))
+            if not math.isfinite(numbers[name]) and not is_left_out:
+                problems.append(f"row {number}: {name} is {text}")
+        area, rate = numbers.get("contact_area", 0.), numbers.get("leak_rate", 0.)
+        if not 0. <= area <= 1.:
+            problems.append(f"row {number}: the contact fraction is {area}")
+        if not numbers.get("leak_rate_lower", rate) <= rate <= \
+                numbers.get("leak_rate_upper", rate):
+            problems.append(f"row {number}: the leak rate is not within its bounds")
+        if (rate > 0.) != (numbers.get("percolates", float(rate > 0.)) == 1.):
+            problems.append(f"row {number}: leak rate {rate} and percolates "
+                            f"{numbers['percolates']:g}")
+    return problems
+
+
+def check_table(tags, table):
     if not os.path.exists(table):
-        return [f"{table} was not written"]
+        return [f"{table} was not written"] if {"COLUMN", "RANGE"} & tags.keys() else []
     with open(table, newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file, skipinitialspace=True))
     problems = [] if rows else [f"{table} has no row"]
-    for number, row in enumerate(rows, start=1):
-        for name, value in wanted.items():
-            if name not in row:
-                problems.append(f"column {name} is missing")
-            elif compare_tables.cells_differ(value, row[name], 0.):
-                problems.append(f"column {name}, row {number}: expected {value}, "
-                                f"found {row[name]}")
-    return problems
+    return problems + check_columns(tags, rows) + check_sense(rows)
 
 
 def judge_robustness(options, tags, output, outcome):
@@ -140,7 +184,7 @@ def judge_robustness(options, tags, output, outcome):
     problems += check_messages(tags, expected, stdout, stderr)
     if "NOTHING WRITTEN" in tags and os.listdir(options.folder):
         problems.append(f"expected nothing written, found {os.listdir(options.folder)}")
-    return problems + check_columns(tags, os.path.join(output, "leakage.csv"))
+    return problems + check_table(tags, os.path.join(output, "leakage.csv"))
 
 
 def judge_regression(options, tags, output, outcome):

@@ -46,8 +46,11 @@ namespace strait
         const bool solved = solve_on_mesh(result);
         if (observer)
           observer(result);
+        // Bounds of two meshes contradict each other where cells are too coarse for
+        // their integrals over a throat.
         if (!(result.mesh_lower > 0 &&
-              result.mesh_lower <= result.mesh_upper * (1 + 1e-6)))
+              result.mesh_lower <= result.mesh_upper * (1 + 1e-6) &&
+              result.lower <= result.upper * (1 + 1e-6)))
           {
             result.status = "flow-bracket";
             return result;

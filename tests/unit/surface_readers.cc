@@ -128,6 +128,10 @@ namespace
     EXPECT_TRUE(mentions(complaint(whole.substr(0, 9)), "within its header"));
     EXPECT_TRUE(
       mentions(complaint(npy(dictionary("<f8", "(2, 3)"), data, 7)), "version"));
+    // Where a regular expression would run out of stack.
+    EXPECT_TRUE(
+      mentions(complaint(npy("{'descr': '" + std::string(400000, '<'), data, 2)),
+               "too long a header"));
   }
 
   TEST(NpyReader, NaNIsMissingAndInfinityIsBad)
@@ -231,6 +235,9 @@ namespace
     EXPECT_TRUE(mentions(complaint("h=3 w=2\n1 2\n3 4\n"), "promises 3 rows of 2"));
     EXPECT_TRUE(
       mentions(complaint("h=999999999 w=999999999\n1 2\n"), "holds 1 rows of 2"));
+    for (const char *count : {"1e300", "-1e300", "nan"})
+      EXPECT_TRUE(mentions(complaint("# x-pixels = " + std::string(count) + "\n1 2\n"),
+                           "promises 1 rows of 0"));
     EXPECT_TRUE(mentions(complaint("1 2\n-inf 4\n"), "row 1, column 0"));
     EXPECT_TRUE(mentions(complaint("# Width: 3 furlong\n1 2\n"), "'furlong'"));
     EXPECT_TRUE(mentions(complaint("# Width: -3 m\n1 2\n"), "positive"));

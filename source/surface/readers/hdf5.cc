@@ -4,7 +4,9 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 
 namespace strait
 {
@@ -187,12 +189,17 @@ namespace strait
       map.lateral_unit          = parse_length_unit(lateral);
     }
 
-    /** Bytes that the data set can have at most, for what it takes in the file. */
+    /**
+     * Bytes that the data set can have at most, for what it takes in the file. The
+     * library takes the header's word for that, so the length of the file counts too.
+     */
     std::uint64_t
-    largest_content(const hid_t dataset)
+    largest_content(const hid_t dataset, const std::string &name)
     {
       const Handle        plan(H5Dget_create_plist(dataset), H5Pclose);
-      const std::uint64_t stored = H5Dget_storage_size(dataset);
+      const std::uint64_t stored =
+        std::min<std::uint64_t>(H5Dget_storage_size(dataset),
+                                std::filesystem::file_size(name));
       return H5Pget_nfilters(plan) > 0 ? largest_compression * stored : stored;
     }
   } // namespace
@@ -223,8 +230,11 @@ namespace strait
       H5Sget_simple_extent_dims(space, extents.data(), nullptr);
     }
     const Handle type(H5Dget_type(dataset), H5Tclose);
-    check_claim(
-      source.file, extents[1], extents[0], H5Tget_size(type), largest_content(dataset));
+    check_claim(source.file,
+                extents[1],
+                extents[0],
+                H5Tget_size(type),
+                largest_content(dataset, source.file));
     HeightMap map;
     map.ny = static_cast<int>(extents[0]);
     map.nx = static_cast<int>(extents[1]);

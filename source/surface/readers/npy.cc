@@ -58,6 +58,10 @@ namespace strait
       header.data_begin          = 8 + length_bytes + length;
       if (!stream || header.data_begin > std::filesystem::file_size(file))
         reject_height_map(file, "ends within its header: copy or save it again.");
+      // numpy admits no more, and a regular expression recurses with every letter.
+      constexpr std::uint64_t longest_dictionary = 10000;
+      if (length > longest_dictionary)
+        reject_height_map(file, "has too long a header: save a plain array.");
       std::string dictionary(length, ' ');
       stream.read(dictionary.data(), static_cast<std::streamsize>(length));
       return dictionary;

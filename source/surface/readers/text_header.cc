@@ -64,6 +64,14 @@ namespace strait
       const auto        value    = read_number(position, end);
       return position == end ? value : std::nullopt;
     }
+
+    /** A number of rows or columns; 0, which no map has, for what cannot be one. */
+    int
+    count(const std::string &text)
+    {
+      const double value = whole_number_text(text).value_or(0.);
+      return value >= 0 && value < 1e9 ? static_cast<int>(value) : 0;
+    }
   } // namespace
 
   TextHeader::TextHeader(std::string file_name)
@@ -157,9 +165,9 @@ namespace strait
     else if (is_one_of(key, {"xy unit", "xy units", "x unit", "lateral unit"}))
       coordinate_unit = parse_length_unit(value);
     else if (is_one_of(key, {"x-pixels", "x pixels", "columns"}))
-      n_columns = static_cast<int>(whole_number_text(value).value_or(0.));
+      n_columns = count(value);
     else if (is_one_of(key, {"y-pixels", "y pixels", "rows"}))
-      n_rows = static_cast<int>(whole_number_text(value).value_or(0.));
+      n_rows = count(value);
     else if (key == "bit2nm")
       {
         value_unit = {value + " nm", parse_length(value, "nm").value};

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/base/parameter_table.h>
+#include <strait/base/scene.h>
+#include <strait/base/scene_text.h>
+#include <strait/surface/readers/height_map.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <string>
+
+using namespace strait;
+
+// What libFuzzer calls, or driver.cc where there is none. The environment variable
+// STRAIT_FUZZ_READER says which reader is meant: scene, npy, text, ...; the file
+// fuzz-READER.input in the current folder holds the last input.
+//
+// A reader may accept its input or throw an InputError. All else is a bug: another
+// exception, such as std::bad_alloc, or an error of a sanitizer.
+
+// A signal is left alone, so that the driver can tell a crash in a library from what the
+// sanitizers see in our code.
+extern "C" const char *
+__asan_default_options()
+{
+  return "max_allocation_size_mb=512:allocator_may_return_null=1:detect_leaks=0:"
+         "handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_abort=0:exitcode=23";
+}
+
+// The libraries read and copy out of bounds in damaged files; not ours to mend.
+extern "C" const char *
+__asan_default_suppressions()
+{
+  return "interceptor_via_lib:libhdf5\ninterceptor_via_lib:libnetcdf\n";
+}
+
+namespace
+{
+  const std::map<std::string, MapFormat> formats = {{"npy", MapFormat::npy},
+                                                    {"text", MapFormat::text},
+                                                    {"xyz", MapFormat::xyz},
+                                                    {"netcdf", MapFormat::netcdf},
+                                                    {"hdf5", MapFormat::hdf5},
+                                                    {"x3p", MapFormat::x3p},
+                                                    {"sdf", MapFormat::sdf},
+                                                    {"any", MapFormat::by_content}};
+
+  std::string
+  name_of_reader()
+  {
+    const char *name = std::getenv("STRAIT_FUZZ_READER");
+    return name == nullptr ? "any" : name;
+  }
+
+  /** As read_scene(), without the communication. */
+  void
+  read_scene_text(const std::string &text)
+  {
+    const auto               entries = lex_scene(text, "scene.prm", "/");
+    dealii::ParameterHandler prm;
+    Scene::declare(prm);
+    const ParameterTable table(prm);
+    for (const SceneEntry &entry : entries)
+      table.assign(prm, entry);
+    Scene scene;
+    scene.parse(prm);
+    scene.check();
+    scene.warnings();
+  }
+} // namespace
+
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+{
+  static const std::string reader = name_of_reader();
+  static const std::string file   = "fuzz-" + reader + ".input";
+  const std::string        content(reinterpret_cast<const char *>(data), size);
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
+  try
+    {
+      if (reader == "scene")
+        read_scene_text(content);
+      else
+        read_height_map({file, formats.at(reader)});
+    }
+  catch (const InputError &)
+    {
+    }
+  return 0;
+}
