@@ -38,6 +38,13 @@ namespace strait
       Bool(),
       "Draw a picture of each step and of the leak rate against the load.");
     prm.declare_entry(
+      "Checkpoint",
+      "true",
+      Bool(),
+      "Keep after every step what --resume needs to continue the run: 12 bytes a "
+      "grid point on the disk for a dry contact, up to 28 with several slip lengths or "
+      "adhesion, and the time to write that.");
+    prm.declare_entry(
       "Surface map",
       "false",
       Bool(),
@@ -63,6 +70,7 @@ namespace strait
     directory        = prm.get("Directory");
     fields           = field_outputs.value(prm.get("Fields"));
     pictures         = prm.get_bool("Pictures");
+    checkpoint       = prm.get_bool("Checkpoint");
     surface_map      = prm.get_bool("Surface map");
     surface_spectrum = prm.get_bool("Surface spectrum");
     leak_rate_units.clear();

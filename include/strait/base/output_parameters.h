@@ -25,6 +25,7 @@ namespace strait
     std::string              directory        = "output";
     FieldOutput              fields           = FieldOutput::none;
     bool                     pictures         = true;
+    bool                     checkpoint       = true;
     bool                     surface_map      = false; // surface.nc
     bool                     surface_spectrum = false; // spectrum.csv
     std::vector<std::string> leak_rate_units;
