@@ -150,6 +150,18 @@ class Survival(unittest.TestCase):
         while n_rows(output) < number and process.poll() is None:
             time.sleep(0.002)
 
+    def wait_for_checkpoint(self, process, output, number):
+        """Until the step of that row is complete and the next one has begun."""
+        paths = [os.path.join(output, name) for name in ("leakage.csv", "checkpoint")]
+        while process.poll() is None:
+            try:
+                row, checkpoint = (os.stat(path).st_mtime_ns for path in paths)
+                if n_rows(output) >= number and checkpoint > row:
+                    return
+            except FileNotFoundError:
+                pass
+            time.sleep(0.002)
+
     def assert_same(self, reference, output):
         for path in sorted(glob.glob(os.path.join(reference, "*.csv"))):
             name = os.path.basename(path)
@@ -293,17 +305,22 @@ end
         self.assert_refused("is not a whole checkpoint", scene, output, ranks=2)
 
     def test_full_disk(self):
-        """A file may not grow beyond a limit, here that of the checkpoint."""
+        """A file may not grow beyond a limit: of the checkpoint, then of the fields."""
         scene = self.scene(DRY)
         reference = self.reference(scene)
         output = self.path("full")
-        with self.start(scene, output) as process:
-            self.wait_for_rows(process, output, 3)
-            resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (20000, 20000))
-            message = process.communicate(timeout=60)[1]
-        self.assertEqual(process.returncode, 1, message)
-        self.assertRegex(message, "^strait: error: .*could not be written.*\n$")
-        self.assertGreaterEqual(n_rows(output), 3)
+        options = []
+        for rows, limit in ((1, 20000), (2, 60000), (3, 150000)):
+            with self.start(scene, output, "--set", "Output/Fields=all",
+                            *options) as process:
+                self.wait_for_checkpoint(process, output, rows)
+                resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (limit, limit))
+                message = process.communicate(timeout=60)[1]
+            self.assertEqual(process.returncode, 1, message)
+            self.assertRegex(message, "^strait: error: .*could not be written.*\n$")
+            self.assertGreaterEqual(n_rows(output), rows)
+            self.assertEqual(glob.glob(os.path.join(output, "*.new")), [])
+            options = ["--resume"]
         self.run_to_end(scene, output, "--resume")
         self.assert_same(reference, output)
 

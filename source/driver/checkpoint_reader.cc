@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
-#include <strait/driver/checkpoint.h>
 #include <strait/driver/checkpoint_format.h>
+#include <strait/driver/checkpoint_reader.h>
 
 #include <algorithm>
 #include <cstring>

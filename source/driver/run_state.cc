@@ -2,7 +2,8 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/scene_text.h>
 #include <strait/base/text.h>
-#include <strait/driver/checkpoint.h>
+#include <strait/driver/checkpoint_reader.h>
+#include <strait/driver/checkpoint_writer.h>
 #include <strait/driver/run_state.h>
 #include <strait/spectral/fourier_transform.h>
 

@@ -160,8 +160,8 @@ namespace strait
       }
     else
       {
-        state.save(sweep, output, log);
         write_surface(scene, shown);
+        state.save(sweep, output, log);
       }
     RunSummary summary;
     find_seals(scene, sweep, output, state, log);
