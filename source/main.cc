@@ -5,6 +5,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
+#include <strait/base/signals.h>
 #include <strait/driver/ensemble.h>
 #include <strait/driver/simulation.h>
 
@@ -32,9 +33,11 @@ namespace
       }
     const Scene scene = read_scene(command.scene, command.overrides);
     Log         log(MPI_COMM_WORLD, command.quiet);
+    catch_signals();
     if (command.dry_run)
       describe(scene, log);
-    else if (!run_all_realisations(command.scene, command.overrides, scene, log))
+    else if (!run_all_realisations(
+               command.scene, command.overrides, scene, log, command.resume))
       throw ComputationError(
         "Some steps did not reach what was asked; the column status of "
         "the table in '" +

@@ -9,6 +9,7 @@ namespace strait
   {
     const std::vector<std::string> options = {"--set",
                                               "--output",
+                                              "--resume",
                                               "--dry-run",
                                               "--parameters",
                                               "--quiet",
@@ -104,6 +105,8 @@ namespace strait
     {
       if (arguments.name == "--dry-run")
         command.dry_run = true;
+      else if (arguments.name == "--resume")
+        command.resume = true;
       else if (arguments.name == "--quiet")
         command.quiet = true;
       else if (arguments.name == "--version")
@@ -157,6 +160,8 @@ namespace strait
 
   --set "Section/Parameter=value"   override a parameter of the scene; repeatable
   --output DIR                      folder of the results, overrides Output/Directory
+  --resume                          continue the run in the folder of the results from
+                                    its last complete step, on any number of ranks
   --dry-run                         check the scene, print sizes, memory, warnings and
                                     active effects; compute nothing
   --parameters [prm|md]             print all parameters with defaults, units and
@@ -166,7 +171,9 @@ namespace strait
   --help
 
 Exit status: 0 all steps done and converged; 1 some step did not converge (the
-results so far are kept and marked); 2 bad scene, input file or usage.
+results so far are kept and marked); 2 bad scene, input file or usage; 3 stopped
+after a complete step by SIGTERM, SIGINT or SIGUSR1, --resume continues. To stop a
+run under mpirun, send SIGUSR1 to mpirun: on the others it kills within a second.
 )";
   }
 } // namespace strait

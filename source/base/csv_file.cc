@@ -4,6 +4,8 @@
 #include <strait/base/text.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 namespace strait
 {
@@ -30,11 +32,33 @@ namespace strait
   }
 
   void
+  CsvFile::reopen(const std::string &path)
+  {
+    file_name = path;
+    file.open(path, std::ios::app);
+    if (!file)
+      fail();
+  }
+
+  void
   CsvFile::write(const std::vector<std::string> &values)
   {
+    std::error_code no_size;
+    const auto      size = std::filesystem::file_size(file_name, no_size);
     file << join(values, ",") << std::endl;
-    if (!file)
-      throw ComputationError("The table '" + file_name +
-                             "' could not be written; is the disk full?");
+    if (file)
+      return;
+    // Half a row would be worse than none.
+    file.close();
+    if (!no_size)
+      std::filesystem::resize_file(file_name, size, no_size);
+    fail();
+  }
+
+  void
+  CsvFile::fail() const
+  {
+    throw ComputationError("The table '" + file_name +
+                           "' could not be written; is the disk full?");
   }
 } // namespace strait

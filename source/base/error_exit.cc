@@ -37,7 +37,7 @@ namespace strait
       MPI_Comm_size(comm, &n_ranks);
       const bool together = n_ranks == 1 || all_ranks_failed(comm);
       if (!together || rank == 0)
-        std::cerr << "strait: " << (status == 2 ? "" : "error: ") << message
+        std::cerr << "strait: " << (status == 1 ? "error: " : "") << message
                   << (together ? "" : " (on rank " + std::to_string(rank) + ")")
                   << std::endl;
       if (!together)
@@ -56,6 +56,10 @@ namespace strait
     catch (const InputError &error)
       {
         return report(comm, 2, error.what());
+      }
+    catch (const Interruption &stop)
+      {
+        return report(comm, 3, stop.what());
       }
     catch (const std::bad_alloc &)
       {

@@ -86,16 +86,26 @@ namespace strait
   }
 
   void
-  Log::attach_file(const std::string &path)
+  Log::attach_file(const std::string &path, const bool append)
   {
     run_on_root(comm, [&]() {
-      file.open(path);
+      file.open(path, append ? std::ios::app : std::ios::out);
       file << early_lines << std::flush;
       if (!file)
         throw InputError("Cannot write the log file '" + path +
                          "'; choose another Output/Directory.");
       early_lines.clear();
     });
+  }
+
+  void
+  Log::keep_warnings(const std::vector<std::string> &earlier)
+  {
+    std::vector<std::string> all = earlier;
+    for (const std::string &text : all_warnings)
+      if (std::find(earlier.begin(), earlier.end(), text) == earlier.end())
+        all.push_back(text);
+    all_warnings = std::move(all);
   }
 
   void

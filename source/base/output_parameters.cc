@@ -44,6 +44,13 @@ namespace strait
       "Estimate the leak rate's errors from contact grid and gap interpolation as "
       "well, from solutions on coarser grids; about doubles the time of a step.");
     prm.declare_entry(
+      "Checkpoint",
+      "true",
+      Bool(),
+      "Keep after every step what --resume needs to continue the run: 12 bytes a "
+      "grid point on the disk for a dry contact, up to 28 with several slip lengths or "
+      "adhesion, and the time to write that.");
+    prm.declare_entry(
       "Surface map",
       "false",
       Bool(),
@@ -70,6 +77,7 @@ namespace strait
     fields           = field_outputs.value(prm.get("Fields"));
     pictures         = prm.get_bool("Pictures");
     error_budget     = prm.get_bool("Error budget");
+    checkpoint       = prm.get_bool("Checkpoint");
     surface_map      = prm.get_bool("Surface map");
     surface_spectrum = prm.get_bool("Surface spectrum");
     leak_rate_units.clear();

@@ -250,6 +250,17 @@ namespace strait
     earlier_gap = std::vector<float>();
   }
 
+  void
+  AdhesiveContactSolver::transfer(StateArchive &archive)
+  {
+    const SlabLayoutPtr &grid = heights.layout_pointer();
+    archive.field(gap, grid);
+    archive.value(last_target);
+    archive.field(earlier_gap, *grid);
+    archive.value(earlier_target);
+    archive.field(stability.direction(), *grid);
+  }
+
   std::size_t
   AdhesiveContactSolver::memory_consumption() const
   {

@@ -105,6 +105,17 @@ namespace strait
   }
 
   void
+  ContactSolver::transfer(StateArchive &archive)
+  {
+    const SlabLayoutPtr &grid = heights.layout_pointer();
+    archive.field(pressure, grid);
+    archive.value(last_target);
+    archive.field(earlier_pressure, *grid);
+    archive.value(earlier_scale);
+    archive.value(earlier_target);
+  }
+
+  void
   ContactSolver::check(const double target) const
   {
     const bool         by_load = parameters.control == ContactControl::load;

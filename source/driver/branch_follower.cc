@@ -36,6 +36,16 @@ namespace strait
               state.contact_area,
               state.adhesion->total_energy};
     }
+
+    void
+    transfer_point(StateArchive &archive, PathPoint &point)
+    {
+      archive.value(point.target);
+      archive.value(point.pressure);
+      archive.value(point.mean_gap);
+      archive.value(point.contact_area);
+      archive.value(point.energy);
+    }
   } // namespace
 
   BranchFollower::BranchFollower(ContactModel        &model_,
@@ -104,6 +114,38 @@ namespace strait
     arrival.state->fft_pairs  = pairs;
     arrival.state->iterations = iterations;
     return arrival;
+  }
+
+  void
+  BranchFollower::transfer(StateArchive &archive)
+  {
+    model.transfer(archive);
+    bool has_last = last.has_value(), has_trend = trend.has_value();
+    archive.value(has_last);
+    archive.value(has_trend);
+    if (archive.is_reading())
+      {
+        last  = has_last ? std::make_optional<PathPoint>() : std::nullopt;
+        trend = has_trend ? std::make_optional<Trend>() : std::nullopt;
+      }
+    if (last)
+      transfer_point(archive, *last);
+    if (trend)
+      {
+        archive.value(trend->area);
+        archive.value(trend->slope);
+      }
+    archive.value(largest_slope);
+    auto n_jumps = static_cast<long>(all_jumps.size());
+    archive.value(n_jumps);
+    all_jumps.resize(n_jumps);
+    for (Jump &jump : all_jumps)
+      {
+        transfer_point(archive, jump.before);
+        transfer_point(archive, jump.after);
+        archive.value(jump.dissipated);
+        archive.value(jump.is_pull_off);
+      }
   }
 
   /** dH/dp. */

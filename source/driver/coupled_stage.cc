@@ -66,6 +66,13 @@ namespace strait
       }
   }
 
+  void
+  CoupledStage::transfer(StateArchive &archive)
+  {
+    archive.field(feedback.pressure(), contact.layout());
+    archive.value(has_continued);
+  }
+
   double
   CoupledStage::largest_pressure() const
   {

@@ -2,11 +2,14 @@
 #include <strait/base/collective.h>
 #include <strait/base/csv_file.h>
 #include <strait/base/exceptions.h>
+#include <strait/base/signals.h>
 #include <strait/driver/ensemble.h>
 #include <strait/driver/output_directory.h>
+#include <strait/driver/run_state.h>
 #include <strait/driver/simulation.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <vector>
 
@@ -142,21 +145,51 @@ namespace strait
         }
       return row;
     }
+    /** The same on all ranks. */
+    bool
+    has_checkpoint(const Scene &scene)
+    {
+      std::string found;
+      run_on_root(MPI_COMM_WORLD, [&]() {
+        if (std::filesystem::exists(scene.output.directory + "/checkpoint"))
+          found = "yes";
+      });
+      return !broadcast(MPI_COMM_WORLD, found).empty();
+    }
+
+    [[noreturn]] void
+    throw_interruption(const Scene &scene)
+    {
+      throw Interruption(
+        "Stopped by " + name_of_stop_signal() + " after a complete step; " +
+        (scene.output.checkpoint
+           ? "the same command with --resume continues."
+           : "with Output/Checkpoint = true it could have been resumed."));
+    }
   } // namespace
 
   bool
   run_all_realisations(const std::string &path,
                        const Overrides   &overrides,
                        const Scene       &scene,
-                       Log               &log)
+                       Log               &log,
+                       const bool         resume)
   {
     if (!scene.realisations.enabled())
-      return simulate(scene, log).converged;
+      {
+        const RunSummary run = simulate(scene, log, resume);
+        if (run.stopped)
+          throw_interruption(scene);
+        return run.converged;
+      }
 
     const std::vector<Realisation> realisations = list_realisations(scene);
     const std::string              folder       = scene.output.directory;
-    prepare_directory(folder, MPI_COMM_WORLD);
-    log.attach_file(folder + "/log.txt");
+    const RunState                 state(scene, MPI_COMM_WORLD, resume);
+    if (!resume)
+      prepare_directory(folder, MPI_COMM_WORLD);
+    log.attach_file(folder + "/log.txt", resume);
+    state.save_end({}); // that it is these realisations
     std::vector<std::string> columns = ensemble_columns;
     if (scene.theory.enabled)
       columns.insert(columns.end() - 1, theory_column);
@@ -186,7 +219,7 @@ namespace strait
         std::string status = "ok";
         try
           {
-            run = simulate(alone, own_log);
+            run = simulate(alone, own_log, resume && has_checkpoint(alone));
             if (!run.converged)
               status = "not-converged";
           }
@@ -196,6 +229,8 @@ namespace strait
             log.warn(error.what());
             status = "failed";
           }
+        if (run.stopped)
+          throw_interruption(scene);
         all_converged  = all_converged && status == "ok";
         const auto row = ensemble_row(
           number, realisations[k], scene.theory.enabled, run, status, scatter);

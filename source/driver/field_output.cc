@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/driver/disk_space.h>
 #include <strait/driver/field_output.h>
 
 #include <deal.II/base/hdf5.h>
@@ -47,7 +48,12 @@ namespace strait
   {
     const SlabLayout   &layout = step.gap.layout();
     const PeriodicGrid &grid   = layout.grid();
-    dealii::HDF5::File  file(numbered(directory, "fields", step.number) + ".h5",
+    const std::string   name   = numbered(directory, "fields", step.number) + ".h5";
+    require_space(name,
+                  hdf5_overhead + static_cast<std::uintmax_t>(grid.n_points()) *
+                                    (2 * sizeof(double) + sizeof(int)),
+                  layout.communicator());
+    dealii::HDF5::File file(name,
                             dealii::HDF5::File::FileAccessMode::create,
                             layout.communicator());
     write_slabs(file, "gap", layout, local_values(step.gap));
@@ -111,10 +117,17 @@ namespace strait
     out.add_data_vector(leaks, "leaks");
     out.build_patches(dofs.get_fe().degree);
     const std::string name = numbered(directory, "flow", step.number);
-    out.write_vtu_in_parallel(name + ".vtu", step.gap.layout().communicator());
-    run_on_root(step.gap.layout().communicator(), [&]() {
+    MPI_Comm          comm = step.gap.layout().communicator();
+    // About what it takes, compressed; the library would print errors of its own.
+    const std::uintmax_t bytes_per_cell =
+      30 * dofs.get_fe().degree * dofs.get_fe().degree;
+    require_space(name + ".vtu", bytes_per_cell * tria.n_global_active_cells(), comm);
+    out.write_vtu_in_parallel(name + ".vtu", comm);
+    require_end(name + ".vtu", "</VTKFile>", comm);
+    run_on_root(comm, [&]() {
       std::ofstream record(name + ".pvtu");
       out.write_pvtu_record(record, {"flow-" + std::to_string(step.number) + ".vtu"});
     });
+    require_end(name + ".pvtu", "</VTKFile>", comm);
   }
 } // namespace strait

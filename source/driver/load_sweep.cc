@@ -22,6 +22,7 @@ namespace strait
     : scene(scene_)
     , log(log_)
     , timers(timers_)
+    , layout(heights.layout_pointer())
     , first_guess(0.)
   {
     if (scene.fluid.enabled)
@@ -90,19 +91,18 @@ namespace strait
   bool
   LoadSweep::run(const Consumer &consume)
   {
-    const std::vector<LoadStop> stops     = plan_stops(scene, thresholds);
-    bool                        converged = true;
-    Step                        step;
-    for (std::size_t k = 0; k < stops.size(); ++k)
+    const std::vector<LoadStop> stops = plan_stops(scene, thresholds);
+    while (next_stop < stops.size())
       {
-        step.number      = static_cast<int>(k) + 1;
-        step.branch      = branch_of(scene, stops, k);
-        step.slip_length = stops[k].slip_length;
+        const std::size_t k = next_stop;
+        step.number         = static_cast<int>(k) + 1;
+        step.branch         = branch_of(scene, stops, k);
+        step.slip_length    = stops[k].slip_length;
         if (coupling)
           press_with_fluid(step, stops[k].target);
         else
           {
-            if (k > 0 && stops[k].target == stops[k - 1].target)
+            if (is_pressed(stops))
               step.contact_seconds = step.dissipated_energy = 0.; // another slip length
             else if (!press(step, stops[k]))
               {
@@ -121,9 +121,44 @@ namespace strait
           step.flow && step.flow->solver ? error_budget->assess(step) : StepErrors();
         converged = converged && step.converged();
         report_step(step, static_cast<int>(stops.size()), timers.total(), log);
-        consume(step);
+        ++next_stop;
+        if (!consume(step))
+          break;
       }
     return converged;
+  }
+
+  /** Whether the next step differs from the last in the slip length only. */
+  bool
+  LoadSweep::is_pressed(const std::vector<LoadStop> &stops) const
+  {
+    return next_stop > 0 && next_stop < stops.size() && !step.gap.empty() &&
+           stops[next_stop].target == stops[next_stop - 1].target;
+  }
+
+  void
+  LoadSweep::transfer(StateArchive &archive)
+  {
+    transfer_thresholds(archive, thresholds);
+    auto n_steps_done = static_cast<long>(next_stop);
+    archive.value(n_steps_done);
+    next_stop = n_steps_done;
+    archive.value(converged);
+    if (contact)
+      contact->transfer(archive);
+    if (adhesive)
+      adhesive->path().transfer(archive);
+    if (coupling)
+      coupling->transfer(archive);
+    bool goes_on = step.contact && !coupling && is_pressed(plan_stops(scene, thresholds));
+    archive.value(goes_on);
+    if (!goes_on)
+      return;
+    if (archive.is_reading())
+      step.contact.emplace();
+    strait::transfer(archive, *step.contact, layout);
+    step.gap      = step.contact->gap;
+    step.mean_gap = step.contact->mean_gap;
   }
 
   /** Set what the step has of contact. Return whether there is any. */

@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <sstream>
 #include <vector>
 
 namespace strait
@@ -43,6 +44,8 @@ namespace strait
                                 "spectrum.png",
                                 "jumps.csv",
                                 "run.json",
+                                "checkpoint",
+                                "checkpoint.new",
                                 "log.txt",
                                 "parameters.prm"})
         if (name == exact)
@@ -50,6 +53,17 @@ namespace strait
       static const std::regex numbered_file(
         "(fields|flow|picture)-[0-9]+\\.(h5|vtu|pvtu|png)|relaxation-[0-9]+\\.csv");
       return std::regex_match(name, numbered_file);
+    }
+
+    /** What is in a file; nothing if there is none. */
+    std::string
+    text_of(const std::string &path)
+    {
+      std::ifstream      file(path, std::ios::binary);
+      std::ostringstream text;
+      if (file.peek() != std::ifstream::traits_type::eof())
+        text << file.rdbuf();
+      return text.str();
     }
 
     /** The quantities whose unit the plotting scripts ask for. */
@@ -88,11 +102,17 @@ namespace strait
   void
   write_text(const std::string &path, const std::string &text)
   {
-    std::ofstream file(path);
+    const std::string fresh = path + ".new";
+    std::ofstream     file(fresh);
     file << text << std::flush;
-    if (!file)
-      throw ComputationError("The file '" + path +
-                             "' could not be written; is the disk full?");
+    std::error_code error;
+    if (file)
+      fs::rename(fresh, path, error);
+    if (file && !error)
+      return;
+    fs::remove(fresh, error);
+    throw ComputationError("The file '" + path +
+                           "' could not be written; is the disk full?");
   }
 
   void
@@ -131,7 +151,11 @@ namespace strait
     if (std::system(command.c_str()) != 0) // NOLINT(cert-env33-c,concurrency-mt-unsafe)
       log.warn("the pictures could not be drawn; try again with: " + script + " " + path);
   }
-  OutputDirectory::OutputDirectory(const Scene &scene_, MPI_Comm comm_, Log &log_)
+
+  OutputDirectory::OutputDirectory(const Scene &scene_,
+                                   MPI_Comm     comm_,
+                                   Log         &log_,
+                                   const bool   resumed)
     : scene(scene_)
     , comm(comm_)
     , log(log_)
@@ -139,14 +163,45 @@ namespace strait
     , table(scene)
     , scaling(scene.programme.largest_fitted)
   {
-    prepare_directory(path, comm);
-    log.attach_file(path + "/log.txt");
-    run_on_root(comm, [this]() {
+    if (!resumed)
+      prepare_directory(path, comm);
+    log.attach_file(path + "/log.txt", resumed);
+    run_on_root(comm, [&]() {
       write_text(path + "/parameters.prm", scene.resolved);
+      if (resumed)
+        return;
       table.open(path + "/leakage.csv");
       if (scene.programme.find_threshold)
         constrictions.open(path + "/constrictions.csv");
     });
+  }
+
+  void
+  OutputDirectory::transfer(StateArchive &archive)
+  {
+    for (const char *name : {"leakage.csv",
+                             "constrictions.csv",
+                             "threshold.csv",
+                             "blow_out.csv",
+                             "jumps.csv"})
+      {
+        std::string text;
+        if (!archive.is_reading())
+          run_on_root(comm, [&]() { text = text_of(path + "/" + name); });
+        archive.value(text);
+        if (archive.is_reading() && !text.empty())
+          run_on_root(comm, [&]() { write_text(path + "/" + name, text); });
+      }
+    scaling.transfer(archive);
+    auto n_jumps_written = static_cast<long>(n_jumps);
+    archive.value(n_jumps_written);
+    n_jumps = n_jumps_written;
+    if (archive.is_reading())
+      run_on_root(comm, [&]() {
+        table.reopen(path + "/leakage.csv");
+        if (scene.programme.find_threshold)
+          constrictions.reopen(path + "/constrictions.csv");
+      });
   }
 
   void

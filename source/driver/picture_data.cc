@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/driver/disk_space.h>
 #include <strait/driver/picture_data.h>
 #include <strait/flow/grid_points.h>
 
@@ -221,10 +222,15 @@ namespace strait
   {
     const Raster        raster(step.gap.grid());
     const PictureFields fields = collect(step, fluid, raster);
-    run_on_root(step.gap.layout().communicator(), [&]() {
-      dealii::HDF5::File file(directory + "/picture-" + std::to_string(step.number) +
-                                ".h5",
-                              dealii::HDF5::File::FileAccessMode::create);
+    MPI_Comm            comm   = step.gap.layout().communicator();
+    const std::string   path =
+      directory + "/picture-" + std::to_string(step.number) + ".h5";
+    constexpr std::size_t n_fields = 5;
+    require_space(path,
+                  hdf5_overhead + n_fields * raster.n_points() * sizeof(float),
+                  comm);
+    run_on_root(comm, [&]() {
+      dealii::HDF5::File file(path, dealii::HDF5::File::FileAccessMode::create);
       write_dataset(file, "gap", raster, fields.gap);
       write_dataset(file, "open", raster, fields.open);
       write_dataset(file, "pressure", raster, fields.contact_pressure);

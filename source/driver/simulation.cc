@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/signals.h>
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/output_directory.h>
+#include <strait/driver/run_state.h>
 #include <strait/driver/simulation.h>
 #include <strait/driver/surface_output.h>
 #include <strait/driver/theory_run.h>
@@ -92,6 +94,25 @@ namespace strait
                law.range,
                AdhesionScale(contact, heights).resolution(law)));
     }
+
+    /** The searches that come before the steps, unless they were made before. */
+    void
+    find_seals(const Scene     &scene,
+               LoadSweep       &sweep,
+               OutputDirectory &output,
+               RunState        &state,
+               Log             &log)
+    {
+      if (state.has_searched())
+        return;
+      if (scene.programme.find_threshold)
+        output.write(sweep.find_thresholds());
+      if (scene.programme.find_blow_out)
+        output.write(sweep.find_blow_outs());
+      state.note_searched();
+      if (scene.programme.find_threshold || scene.programme.find_blow_out)
+        state.save(sweep, output, log);
+    }
   } // namespace
 
   PeriodicGrid
@@ -104,19 +125,26 @@ namespace strait
   }
 
   RunSummary
-  simulate(const Scene &scene, Log &log)
+  simulate(const Scene &scene, Log &log, const bool resume)
   {
-    if (is_theory_only(scene))
+    if (is_theory_only(scene)) // so quick that it begins anew
       {
         run_theory(scene, log);
         return {};
       }
     Timers timers;
     load_wisdom(MPI_COMM_WORLD);
+    RunState state(scene, MPI_COMM_WORLD, resume);
+    if (state.is_finished())
+      {
+        log.line("nothing is left to do in " + scene.output.directory);
+        return state.summary();
+      }
     SlabField heights = [&]() {
       const auto scope = timers.scope("surface");
       return make_heights(scene, log);
     }();
+    state.check_surface(heights);
     const auto n_points = static_cast<double>(heights.grid().n_points());
 
     // The sweep takes the heights.
@@ -124,22 +152,40 @@ namespace strait
     const SlabField shown    = is_shown ? heights : SlabField();
     LoadSweep       sweep(scene, std::move(heights), log, timers);
     // The first thing that is written, after the last check of the input.
-    OutputDirectory output(scene, MPI_COMM_WORLD, log);
-    write_surface(scene, shown);
-    RunSummary summary;
-    if (scene.programme.find_threshold)
+    OutputDirectory output(scene, MPI_COMM_WORLD, log, resume);
+    if (resume)
       {
-        summary.thresholds = sweep.find_thresholds();
-        output.write(summary.thresholds);
+        state.restore(sweep, output, log);
+        log.line(format("resumed after step %d", sweep.n_done()));
       }
-    if (scene.programme.find_blow_out)
-      output.write(sweep.find_blow_outs());
-    const int n_steps = sweep.n_steps();
-    summary.converged = sweep.run([&](const Step &step) {
-      const auto scope = timers.scope("output");
-      output.write(step, step.number == n_steps);
-      output.write(sweep.jumps());
-    });
+    else
+      {
+        write_surface(scene, shown);
+        state.save(sweep, output, log);
+      }
+    RunSummary summary;
+    find_seals(scene, sweep, output, state, log);
+    const auto save = [&]() {
+      const auto scope = timers.scope("checkpoint");
+      state.save(sweep, output, log);
+    };
+    const int  n_steps          = sweep.n_steps();
+    const auto is_asked_to_stop = [&]() {
+      return sweep.n_done() < n_steps && stop_requested(MPI_COMM_WORLD);
+    };
+    summary.stopped = is_asked_to_stop();
+    if (!summary.stopped)
+      summary.converged = sweep.run([&](const Step &step) {
+        {
+          const auto scope = timers.scope("output");
+          output.write(step, step.number == n_steps);
+          output.write(sweep.jumps());
+        }
+        save();
+        summary.stopped = is_asked_to_stop();
+        return !summary.stopped;
+      });
+    summary.thresholds = sweep.known_thresholds();
     output.write(sweep.jumps());
     save_wisdom(MPI_COMM_WORLD);
     const double bytes =
@@ -150,6 +196,8 @@ namespace strait
     summary.exponent         = output.exponents().leak_rate_fit();
     summary.crossover        = output.exponents().crossover();
     summary.theory_crossover = output.exponents().theory_crossover();
+    if (!summary.stopped)
+      state.save_end(summary);
     return summary;
   }
 

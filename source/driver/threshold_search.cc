@@ -157,4 +157,23 @@ namespace strait
             static_cast<int>(probed.size() - n_before),
             pairs};
   }
+
+  void
+  transfer_thresholds(StateArchive &archive, std::vector<Threshold> &thresholds)
+  {
+    auto n_thresholds = static_cast<long>(thresholds.size());
+    archive.value(n_thresholds);
+    thresholds.resize(n_thresholds);
+    for (Threshold &threshold : thresholds)
+      {
+        archive.value(threshold.slip_length);
+        archive.value(threshold.lower);
+        archive.value(threshold.upper);
+        archive.value(threshold.contact_area);
+        archive.value(threshold.last_constriction.ix);
+        archive.value(threshold.last_constriction.iy);
+        archive.value(threshold.n_solves);
+        archive.value(threshold.fft_pairs);
+      }
+  }
 } // namespace strait

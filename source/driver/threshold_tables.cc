@@ -124,6 +124,43 @@ namespace strait
     add("throat_width", throat.width);
   }
 
+  namespace
+  {
+    /** The keys of @p map, then what @p transfer_value makes of each value. */
+    template <typename Key, typename Value, typename Transfer>
+    void
+    transfer_map(StateArchive         &archive,
+                 std::map<Key, Value> &map,
+                 const Transfer       &transfer_value)
+    {
+      std::vector<Key> keys;
+      for (const auto &[key, value] : map)
+        keys.push_back(key);
+      archive.value(keys);
+      for (const Key &key : keys)
+        transfer_value(map[key]);
+    }
+  } // namespace
+
+  void
+  ScalingTable::transfer(StateArchive &archive)
+  {
+    const auto transfer_series = [&](Series &series) {
+      std::vector<double> flat;
+      for (const auto &[reduced_load, value] : series)
+        flat.insert(flat.end(), {reduced_load, value});
+      archive.value(flat);
+      series.clear();
+      for (std::size_t k = 0; k + 1 < flat.size(); k += 2)
+        series.push_back({flat[k], flat[k + 1]});
+    };
+    transfer_map(archive, by_slip_length, [&](Quantities &quantities) {
+      transfer_map(archive, quantities.all, transfer_series);
+      transfer_map(archive, quantities.trusted, transfer_series);
+    });
+    transfer_map(archive, theory, transfer_series);
+  }
+
   const ScalingTable::Series *
   ScalingTable::leak_rates(std::map<std::string, Series> Quantities::*which) const
   {

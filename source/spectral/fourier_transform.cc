@@ -152,4 +152,21 @@ namespace strait
     if (fftw_export_wisdom_to_filename(mine.c_str()) != 0)
       std::filesystem::rename(mine, file, ignored);
   }
+
+  std::string
+  export_wisdom(MPI_Comm communicator)
+  {
+    fftw_mpi_gather_wisdom(communicator);
+    char             *text   = fftw_export_wisdom_to_string();
+    const std::string wisdom = text == nullptr ? "" : text;
+    std::free(text); // NOLINT(cppcoreguidelines-no-malloc)
+    return wisdom;
+  }
+
+  void
+  import_wisdom(MPI_Comm communicator, const std::string &wisdom)
+  {
+    fftw_import_wisdom_from_string(wisdom.c_str());
+    fftw_mpi_broadcast_wisdom(communicator);
+  }
 } // namespace strait

@@ -41,6 +41,8 @@ TEST(CommandLine, SceneAndOptionsInAnyOrder)
   EXPECT_FALSE(command.dry_run);
   EXPECT_FALSE(command.help);
   EXPECT_TRUE(parse({"a.prm", "--dry-run"}).dry_run);
+  EXPECT_TRUE(parse({"a.prm", "--resume"}).resume);
+  EXPECT_FALSE(parse({"a.prm"}).resume);
   EXPECT_EQ(parse({"a.prm", "--output=x"}).overrides.back(), "Output/Directory=x");
 }
 
@@ -67,6 +69,6 @@ TEST(CommandLine, WrongUse)
                                                  {"a.prm", "--output"},
                                                  {"a.prm", "--output="},
                                                  {"a.prm", "--quiet=yes"},
-                                                 {"a.prm", "--resume"}})
+                                                 {"a.prm", "--resume=yes"}})
     EXPECT_NE(error_of(wrong), "none");
 }

@@ -22,11 +22,18 @@ namespace strait
      *  written. */
     void open(const std::string &path, const std::vector<std::string> &column_names);
 
-    /** Throws ComputationError if the row could not be written. */
+    /** Continue the table in the file @p path. Throws ComputationError if it cannot be
+     *  written. */
+    void reopen(const std::string &path);
+
+    /** Throws ComputationError if the row could not be written; then the table ends
+     *  with the row before. */
     void append(const std::vector<std::string> &values);
 
   private:
     void write(const std::vector<std::string> &values);
+
+    [[noreturn]] void fail() const;
 
     std::string   file_name;
     std::ofstream file;

@@ -27,6 +27,16 @@ namespace strait
   public:
     using std::runtime_error::runtime_error;
   };
+
+  /**
+   * The run was asked to stop and did, after a step; it can be resumed. The program
+   * prints the message once and ends with status 3.
+   */
+  class Interruption : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
 } // namespace strait
 
 #endif

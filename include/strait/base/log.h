@@ -54,9 +54,10 @@ namespace strait
 
     /**
      * Collective. From now on write to the file @p path as well, beginning with
-     * the lines so far. Throws InputError on all ranks if it cannot be written.
+     * the lines so far; with @p append after what is in it. Throws InputError on all
+     * ranks if it cannot be written.
      */
-    void attach_file(const std::string &path);
+    void attach_file(const std::string &path, bool append = false);
 
     /** Whether nothing is shown on the screen. */
     bool
@@ -71,6 +72,9 @@ namespace strait
     {
       return all_warnings;
     }
+
+    /** Warnings that an earlier part of the run gave, as if given here. */
+    void keep_warnings(const std::vector<std::string> &earlier);
 
   private:
     void clear_progress();

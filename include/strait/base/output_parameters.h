@@ -26,6 +26,7 @@ namespace strait
     FieldOutput              fields           = FieldOutput::none;
     bool                     pictures         = true;
     bool                     error_budget     = false; // with what costs more solves
+    bool                     checkpoint       = true;
     bool                     surface_map      = false; // surface.nc
     bool                     surface_spectrum = false; // spectrum.csv
     std::vector<std::string> leak_rate_units;

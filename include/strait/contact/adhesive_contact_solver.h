@@ -47,6 +47,7 @@ namespace strait
     void          forget() override;
     ContactMemory memory() const override;
     void          recall(const ContactMemory &memory) override;
+    void          transfer(StateArchive &archive) override;
     std::size_t   memory_consumption() const override;
 
   private:

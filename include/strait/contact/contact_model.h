@@ -43,6 +43,12 @@ namespace strait
     {
     }
 
+    /** All that later solves depend on, be it within the tolerance only. Collective. */
+    virtual void
+    transfer(StateArchive &)
+    {
+    }
+
     /** Largest number of bytes held on this rank during a solve so far. */
     virtual std::size_t memory_consumption() const = 0;
   };

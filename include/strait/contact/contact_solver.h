@@ -60,6 +60,9 @@ namespace strait
     /** Start the next solve anew, without the states before. */
     void forget() override;
 
+    /** The states before; a fluid must be set again. */
+    void transfer(StateArchive &archive) override;
+
     const SlabLayoutPtr &
     layout() const
     {

@@ -3,6 +3,7 @@
 #define strait_contact_contact_state_h
 
 #include <strait/spectral/slab_field.h>
+#include <strait/spectral/state_archive.h>
 
 #include <optional>
 #include <vector>
@@ -59,6 +60,9 @@ namespace strait
 
     std::optional<AdhesiveState> adhesion;
   };
+
+  /** Put @p state in an archive, or take it out. Collective. */
+  void transfer(StateArchive &archive, ContactState &state, const SlabLayoutPtr &layout);
 } // namespace strait
 
 #endif

@@ -35,6 +35,11 @@ namespace strait
     {
       return vectors[0];
     }
+    std::vector<double> &
+    direction()
+    {
+      return vectors[0];
+    }
 
     std::size_t memory_consumption() const;
 

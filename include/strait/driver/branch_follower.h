@@ -66,6 +66,9 @@ namespace strait
     /** The next step begins a new path. */
     void begin_anew();
 
+    /** The path so far, and that of the model. Collective. */
+    void transfer(StateArchive &archive);
+
     /** All jumps so far, on all paths. */
     const std::vector<Jump> &
     jumps() const

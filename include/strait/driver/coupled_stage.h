@@ -43,6 +43,9 @@ namespace strait
       return feedback.pressure();
     }
 
+    /** What the next solve starts from. Collective. */
+    void transfer(StateArchive &archive);
+
     /** Bytes on this rank. */
     std::size_t
     memory_consumption() const

@@ -19,12 +19,17 @@ namespace strait
    * ensemble_summary.csv the mean and the scatter. A realisation whose threshold is
    * not found says so in its row and does not stop the others. Collective.
    *
-   * @return whether all steps of all realisations converged.
+   * With @p resume, realisations that are done are not run again, and one that was
+   * interrupted is continued.
+   *
+   * @return whether all steps of all realisations converged. Throws Interruption if a
+   * signal stopped them.
    */
   bool run_all_realisations(const std::string &path,
                             const Overrides   &overrides,
                             const Scene       &scene,
-                            Log               &log);
+                            Log               &log,
+                            bool               resume = false);
 } // namespace strait
 
 #endif

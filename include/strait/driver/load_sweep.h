@@ -31,8 +31,8 @@ namespace strait
   class LoadSweep
   {
   public:
-    /** Receives each step as soon as it is done. */
-    using Consumer = std::function<void(const Step &)>;
+    /** Receives each step as soon as it is done. Says whether to go on. */
+    using Consumer = std::function<bool(const Step &)>;
 
     /** @p scene, @p log and @p timers must outlive the sweep. */
     LoadSweep(const Scene &scene, SlabField heights, Log &log, Timers &timers);
@@ -46,6 +46,12 @@ namespace strait
     /** Enclose the blow-out pressure of every load of the programme. Collective. */
     std::vector<BlowOut> find_blow_outs();
 
+    const std::vector<Threshold> &
+    known_thresholds() const
+    {
+      return thresholds;
+    }
+
     /** Number of steps that run() will make. */
     int
     n_steps() const
@@ -54,10 +60,22 @@ namespace strait
     }
 
     /**
-     * Run all steps, or those before the surfaces part under tension. Collective.
+     * Run all steps that are not done, or those before the surfaces part under tension.
+     * Collective.
      * @return whether all of them converged.
      */
     bool run(const Consumer &consume);
+
+    /** All that the steps to come depend on; may be called by the consumer. Collective.
+     */
+    void transfer(StateArchive &archive);
+
+    /** How many steps are done. */
+    int
+    n_done() const
+    {
+      return static_cast<int>(next_stop);
+    }
 
     /** Where the state of an adhesive contact jumped, so far. */
     const std::vector<Jump> &jumps() const;
@@ -66,6 +84,7 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
+    bool             is_pressed(const std::vector<LoadStop> &stops) const;
     bool             press(Step &step, const LoadStop &stop);
     void             leak(Step &step);
     void             press_with_fluid(Step &step, double target);
@@ -76,6 +95,7 @@ namespace strait
     const Scene                      &scene;
     Log                              &log;
     Timers                           &timers;
+    const SlabLayoutPtr               layout;
     double                            first_guess; // of the critical load
     SlabField                         given_gap;   // if there is no contact to solve
     std::unique_ptr<ContactSolver>    contact;     // without adhesion
@@ -85,6 +105,9 @@ namespace strait
     std::unique_ptr<TheoryPrediction> theory;
     std::unique_ptr<ErrorBudget>      error_budget; // if there is a fluid
     std::vector<Threshold>            thresholds;
+    Step                              step; // the last that was done
+    std::size_t                       next_stop = 0;
+    bool                              converged = true; // so far
   };
 } // namespace strait
 

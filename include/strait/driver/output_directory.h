@@ -22,7 +22,8 @@ namespace strait
    */
   void prepare_directory(const std::string &path, MPI_Comm comm);
 
-  /** Write a whole file. Throws ComputationError if that fails. */
+  /** Write a whole file in the place of the one before. Throws ComputationError if that
+   *  fails; then the one before stays. */
   void write_text(const std::string &path, const std::string &text);
 
   /** Let the plotting script draw the results in @p path; a failure is a warning.
@@ -36,8 +37,13 @@ namespace strait
   {
   public:
     /** Collective. Throws InputError on all ranks if the folder cannot be made or
-     *  written to. @p scene must outlive this object. */
-    OutputDirectory(const Scene &scene, MPI_Comm comm, Log &log);
+     *  written to. With @p resumed the folder stays as it is until transfer() restores
+     *  the tables. @p scene must outlive this object. */
+    OutputDirectory(const Scene &scene, MPI_Comm comm, Log &log, bool resumed = false);
+
+    /** The tables so far; those on the disk may have rows of steps that were not
+     *  completed. Collective. */
+    void transfer(StateArchive &archive);
 
     /** Write threshold.csv. Collective. */
     void write(const std::vector<Threshold> &thresholds);

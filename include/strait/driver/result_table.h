@@ -25,6 +25,13 @@ namespace strait
      *  ComputationError if the file cannot be written. */
     void open(const std::string &path);
 
+    /** Continue the table in the file @p path; likewise. */
+    void
+    reopen(const std::string &path)
+    {
+      file.reopen(path);
+    }
+
     /** Write and flush the row of @p step. Call on rank 0 only. */
     void append(const Step &step);
 

@@ -3,6 +3,7 @@
 #define strait_driver_threshold_search_h
 
 #include <strait/percolation/bottleneck.h>
+#include <strait/spectral/state_archive.h>
 
 #include <functional>
 #include <map>
@@ -41,6 +42,9 @@ namespace strait
       return (upper - lower) / upper;
     }
   };
+
+  /** All of them, in either direction. Collective. */
+  void transfer_thresholds(StateArchive &archive, std::vector<Threshold> &thresholds);
 
   /**
    * Encloses the largest load at which a channel percolates.

@@ -9,6 +9,7 @@
 #include <strait/driver/step.h>
 #include <strait/driver/threshold_search.h>
 #include <strait/spectral/periodic_grid.h>
+#include <strait/spectral/state_archive.h>
 
 #include <map>
 #include <string>
@@ -33,6 +34,13 @@ namespace strait
     /** For rank 0 only, as append(). */
     void open(const std::string &path);
 
+    /** Continue the table in the file @p path. */
+    void
+    reopen(const std::string &path)
+    {
+      file.reopen(path);
+    }
+
     /** Writes a row if something leaks at @p step. */
     void append(const Step &step);
 
@@ -55,6 +63,9 @@ namespace strait
     }
 
     void collect(const Step &step);
+
+    /** All that was collected. Collective. */
+    void transfer(StateArchive &archive);
 
     /** The fit of the leak rate at the smallest slip, and its crossover. */
     ExponentFit leak_rate_fit() const;

@@ -263,6 +263,13 @@ namespace strait
    */
   void load_wisdom(MPI_Comm communicator);
   void save_wisdom(MPI_Comm communicator);
+
+  /**
+   * The same as text, that of all ranks on rank 0: which plan was found the fastest
+   * decides about the last digits. Collective.
+   */
+  std::string export_wisdom(MPI_Comm communicator);
+  void        import_wisdom(MPI_Comm communicator, const std::string &wisdom);
 } // namespace strait
 
 #endif

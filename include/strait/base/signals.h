@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_signals_h
+#define strait_base_signals_h
+
+#include <mpi.h>
+
+#include <string>
+
+namespace strait
+{
+  /**
+   * From now on SIGTERM, SIGINT and SIGUSR1 do not end the program but are noted for
+   * stop_requested(); a second one ends it at once. A file that grows beyond what the
+   * system allows makes its writing fail rather than end the program.
+   */
+  void catch_signals();
+
+  /** Whether a rank was asked to stop. The same on all ranks; collective. */
+  bool stop_requested(MPI_Comm comm);
+
+  /** The name of the signal that this rank got, "a signal" if it was another rank. */
+  std::string name_of_stop_signal();
+} // namespace strait
+
+#endif

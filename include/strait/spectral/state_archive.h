@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_spectral_state_archive_h
+#define strait_spectral_state_archive_h
+
+#include <strait/spectral/slab_field.h>
+
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * Where a run's state is put to continue it later, or taken from.
+   *
+   * A class with such a state has one function `transfer(StateArchive &)` that names
+   * its members one after the other, for both directions. All functions are collective.
+   * Scalars, texts and lists are those of rank 0 when they are put and the same on all
+   * ranks when they are taken. Fields do not depend on the number of ranks.
+   */
+  class StateArchive
+  {
+  public:
+    virtual ~StateArchive() = default;
+
+    /** Whether members are taken from the archive rather than put there. */
+    virtual bool is_reading() const = 0;
+
+    virtual void value(double &number)               = 0;
+    virtual void value(std::string &text)            = 0;
+    virtual void value(std::vector<double> &numbers) = 0;
+    void         value(std::vector<std::string> &texts);
+
+    /** Whole numbers that a double holds exactly. */
+    void value(int &number);
+    void value(long &number);
+    void value(bool &flag);
+
+    /** A field, which may be empty(). */
+    void field(SlabField &values, const SlabLayoutPtr &layout);
+
+    /** One value per grid point, in slabs like @p layout, or none on any rank. */
+    void field(std::vector<double> &values, const SlabLayout &layout);
+    void field(std::vector<float> &values, const SlabLayout &layout);
+
+  protected:
+    /** All points of this rank, each of @p point_size bytes. */
+    virtual void rows(void *local, std::size_t point_size, const SlabLayout &layout) = 0;
+
+  private:
+    template <typename Number>
+    void field_of(std::vector<Number> &values, const SlabLayout &layout);
+  };
+} // namespace strait
+
+#endif
