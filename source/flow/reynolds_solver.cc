@@ -128,10 +128,12 @@ namespace strait
     // or two before it narrows again.
     constexpr std::size_t patience = 4;
     constexpr double      progress = .97;
+    // Below this the next meshes cost next to nothing, and may yet find the channel.
+    constexpr unsigned long long many_unknowns = 50000;
     widths.push_back(result.relative_width());
     if (result.refinements == max_refinements)
       return "the mesh was refined " + std::to_string(max_refinements) + " times";
-    if (widths.size() > patience &&
+    if (result.unknowns > many_unknowns && widths.size() > patience &&
         widths.back() > progress * widths[widths.size() - 1 - patience])
       return "the bracket no longer narrows: the grid of the contact does not resolve "
              "the narrowest constriction";
