@@ -9,6 +9,7 @@ because they decide about the last digits.
 """
 import argparse
 import glob
+import json
 import os
 import random
 import resource
@@ -168,6 +169,14 @@ class Survival(unittest.TestCase):
             problems = compare_tables.compare(path, os.path.join(output, name),
                                               default_rtol=SAME)
             self.assertEqual(problems, [], name)
+        # The record tells of all steps, those before a stop too.
+        n_errors = []
+        for folder in (reference, output):
+            path = os.path.join(folder, "run.json")
+            if os.path.exists(path):  # an ensemble has none of its own
+                with open(path, encoding="utf-8") as file:
+                    n_errors.append(len(json.load(file)["error_budget"]))
+        self.assertEqual(n_errors[:1], n_errors[1:])
         # Nothing of what was written aside is left.
         self.assertEqual(glob.glob(os.path.join(output, "*.new")), [])
 

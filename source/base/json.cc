@@ -85,6 +85,14 @@ namespace strait
   }
 
   Json
+  Json::verbatim(const std::string &text)
+  {
+    Json json;
+    json.scalar = text;
+    return json;
+  }
+
+  Json
   Json::object()
   {
     Json json;

@@ -193,6 +193,7 @@ namespace strait
           run_on_root(comm, [&]() { write_text(path + "/" + name, text); });
       }
     scaling.transfer(archive);
+    archive.value(error_budget);
     auto n_jumps_written = static_cast<long>(n_jumps);
     archive.value(n_jumps_written);
     n_jumps = n_jumps_written;
@@ -232,7 +233,7 @@ namespace strait
   OutputDirectory::write(const Step &step, const bool is_last)
   {
     if (!step.errors.items.empty())
-      error_budget.append(to_json(step));
+      error_budget.push_back(to_json(step).text());
     run_on_root(comm, [&]() {
       table.append(step);
       if (step.contact && step.contact->adhesion &&
@@ -282,6 +283,9 @@ namespace strait
     Json grid = Json::object();
     grid.set("nx", scene.contact.grid_points[0]).set("ny", scene.contact.grid_points[1]);
     grid.set("lx", scene.surface.size[0]).set("ly", scene.surface.size[1]);
+    Json errors = Json::array(); // of the steps
+    for (const std::string &text : error_budget)
+      errors.append(Json::verbatim(text));
     Json record = Json::object();
     record.set("program", "strait")
       .set("version", version())
@@ -289,7 +293,7 @@ namespace strait
       .set("grid", grid)
       .set("bytes_per_grid_point", bytes_per_point)
       .set("seconds", seconds)
-      .set("error_budget", error_budget)
+      .set("error_budget", errors)
       .set("warnings", Json(log.warnings()))
       .set("parameters", scene.resolved);
     if (scene.units.are_complete())

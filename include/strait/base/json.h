@@ -37,6 +37,8 @@ namespace strait
         elements.emplace_back(value);
     }
 
+    /** A value that is JSON text already. */
+    static Json verbatim(const std::string &text);
     static Json object();
     static Json array();
 

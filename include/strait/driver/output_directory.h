@@ -2,7 +2,6 @@
 #ifndef strait_driver_output_directory_h
 #define strait_driver_output_directory_h
 
-#include <strait/base/json.h>
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
@@ -12,6 +11,7 @@
 #include <strait/driver/threshold_tables.h>
 
 #include <string>
+#include <vector>
 
 namespace strait
 {
@@ -80,8 +80,9 @@ namespace strait
     ResultTable       table;
     ConstrictionTable constrictions;
     ScalingTable      scaling;
-    std::size_t       n_jumps      = 0;             // written
-    Json              error_budget = Json::array(); // of the steps so far
+    std::size_t       n_jumps = 0; // written
+
+    std::vector<std::string> error_budget; // JSON, of the steps so far
   };
 } // namespace strait
 
