@@ -56,6 +56,7 @@ namespace strait
         last.feedback     = step.feedback;
         last.flow         = StepFlow();
         last.flow->result = step.flow->result;
+        return true;
       }));
       return last;
     }
@@ -229,6 +230,7 @@ namespace strait
         EXPECT_EQ(step.status(), "lifted-off");
         EXPECT_TRUE(step.flow->clusters.percolates);
         EXPECT_TRUE(std::isinf(step.flow->result.leak_rate));
+        return true;
       }));
     }
 
@@ -263,6 +265,7 @@ namespace strait
                       1. / 128);
           EXPECT_TRUE(loads.run([&rounds](const Step &step) {
             rounds.push_back(step.feedback->iterations);
+            return true;
           }));
           EXPECT_LE(rounds[0], 8);
           // The stronger pressure takes more.

@@ -55,6 +55,7 @@ namespace strait
          step.slip_length,
          step.reduced_load.value_or(0.),
          step.flow->constrictions ? step.flow->constrictions->throat : Throat()});
+      return true;
     }));
     return result;
   }
