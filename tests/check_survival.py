@@ -319,7 +319,7 @@ end
         reference = self.reference(scene)
         output = self.path("full")
         options = []
-        for rows, limit in ((1, 20000), (2, 60000), (3, 150000)):
+        for rows, limit in ((1, 20000), (2, 60000)):
             with self.start(scene, output, "--set", "Output/Fields=all",
                             *options) as process:
                 self.wait_for_checkpoint(process, output, rows)
