@@ -33,6 +33,7 @@ main(int argc, char **argv)
     const strait::FlowResult &flow = step.flow->result;
     std::cout << "leak rate " << flow.leak_rate << ", between " << flow.lower << " and "
               << flow.upper << std::endl;
+    return true; // go on to the next step, if there is one
   });
   std::cout << "exact     " << std::pow(0.75, 2.5) / 1.125 << std::endl;
   return 0;
