@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace strait
 {
@@ -47,7 +48,11 @@ namespace strait
         if (observer)
           observer(result);
         // Bounds of two meshes contradict each other where cells are too coarse for
-        // their integrals over a throat.
+        // their integrals over a throat. By less than was asked for that is an error
+        // of the integrals within the bracket.
+        if (result.lower > result.upper &&
+            result.lower <= result.upper * (1 + parameters.target_accuracy))
+          std::swap(result.lower, result.upper);
         if (!(result.mesh_lower > 0 &&
               result.mesh_lower <= result.mesh_upper * (1 + 1e-6) &&
               result.lower <= result.upper * (1 + 1e-6)))

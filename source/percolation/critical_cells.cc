@@ -22,8 +22,8 @@ namespace strait
     {
       float lowest       = 2.F; // estimate of the pressure at its open points …
       float highest      = -1.F;
-      float mean_cubed   = 0.F; // … mean of g³ …
-      float mean_inverse = 0.F; // … and of 1/g³, infinite where a point is closed
+      float mean_cubed   = 0.F; // … mean of (g/g0)³ with the first bottleneck g0 …
+      float mean_inverse = 0.F; // … and of its inverse, infinite at a closed point
 
       void
       add_child(const Cell &child)
@@ -36,15 +36,16 @@ namespace strait
     };
 
     Cell
-    cell_of_point(const double gap, const float pressure)
+    cell_of_point(const double gap_in_bottlenecks, const float pressure)
     {
       Cell cell;
-      cell.mean_inverse = std::numeric_limits<float>::infinity();
-      if (gap > 0)
+      cell.mean_inverse  = std::numeric_limits<float>::infinity();
+      const double cubed = std::pow(gap_in_bottlenecks, 3);
+      if (gap_in_bottlenecks > 0)
         {
           cell.lowest = cell.highest = pressure;
-          cell.mean_cubed            = static_cast<float>(gap * gap * gap);
-          cell.mean_inverse          = static_cast<float>(1. / (gap * gap * gap));
+          cell.mean_cubed            = static_cast<float>(cubed);
+          cell.mean_inverse          = static_cast<float>(1. / cubed);
         }
       return cell;
     }
@@ -142,14 +143,17 @@ namespace strait
       {
         const std::vector<float> pressure =
           estimate_pressure(gap, resistance, paths.front());
-        const int n_along = gap.width() - 1, n_across = gap.n_across();
+        const double bottleneck = paths.front().bottleneck_gap;
+        const int    n_along = gap.width() - 1, n_across = gap.n_across();
         for (int e = 1; e <= largest_exponent; ++e)
           levels.emplace_back(n_along >> e, n_across >> e);
         for (int b = 0; b < n_across; ++b)
           for (int a = 0; a < n_along; ++a)
             {
               const std::size_t k = gap.index(a, b);
-              levels[0].at(a >> 1, b >> 1).add_child(cell_of_point(gap[k], pressure[k]));
+              levels[0]
+                .at(a >> 1, b >> 1)
+                .add_child(cell_of_point(gap[k] / bottleneck, pressure[k]));
             }
         for (std::size_t e = 1; e < levels.size(); ++e)
           for (int b = 0; b < levels[e - 1].n_across; ++b)
@@ -159,7 +163,8 @@ namespace strait
         // one may run beside the first in the same channel, and counts for little.
         for (const FlowPath &path : paths)
           conductances.push_back(
-            conductance_of(gap, path, conductances.empty() ? n_across : 1.));
+            conductance_of(gap, path, conductances.empty() ? n_across : 1.) /
+            std::pow(bottleneck, 3));
       }
 
       /** The cells of each exponent, from 1, that are too coarse. */
