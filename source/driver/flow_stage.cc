@@ -52,13 +52,19 @@ namespace strait
     const SlabField seen = seen_gap(gap, slip_length);
     const SlabField open = find_channel(flow, seen);
     if (!open.empty())
-      {
-        find_paths(flow, open);
-        update_bridge(open, flow.paths.front(), true);
-        make_mesh(flow);
-        bracket(flow, seen);
-      }
+      mesh_and_bracket(flow, seen, open);
     return flow;
+  }
+
+  void
+  FlowStage::mesh_and_bracket(StepFlow        &flow,
+                              const SlabField &seen,
+                              const SlabField &open)
+  {
+    find_paths(flow, open);
+    update_bridge(open, flow.paths.front(), true);
+    make_mesh(flow);
+    bracket(flow, seen);
   }
 
   void
@@ -77,13 +83,14 @@ namespace strait
     std::vector<FlowPath> paths   = find_flow_paths(open, parameters.direction, 1);
     const bool            on_mesh = flow.solver && value_at(open, meshed_bottleneck) <
                                           outdone * paths.front().bottleneck_gap;
-    if (on_mesh)
-      flow.paths = std::move(paths);
-    else
-      find_paths(flow, open);
-    update_bridge(open, flow.paths.front(), false);
     if (!on_mesh)
-      make_mesh(flow);
+      {
+        // Refined as for a bracket: on the first mesh the pressure is too coarse.
+        mesh_and_bracket(flow, seen, open);
+        return;
+      }
+    flow.paths = std::move(paths);
+    update_bridge(open, flow.paths.front(), false);
     const auto scope  = timers.scope("mesh and solver");
     flow.result.upper = flow.solver->solve_pressure();
   }

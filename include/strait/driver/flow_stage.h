@@ -67,6 +67,7 @@ namespace strait
     SlabField find_channel(StepFlow &flow, const SlabField &seen) const;
 
     void update_bridge(const SlabField &open, const FlowPath &path, bool with_bounds);
+    void mesh_and_bracket(StepFlow &flow, const SlabField &seen, const SlabField &open);
     void find_paths(StepFlow &flow, const SlabField &open);
     void make_mesh(StepFlow &flow);
     void bracket(StepFlow &flow, const SlabField &seen);
