@@ -215,6 +215,10 @@ class Survival(unittest.TestCase):
         output = self.path("stopped")
         options = []
         for n in rows:
+            # A row of its own shows that the process is ready for a signal.
+            n = max(n, n_rows(output) + 1)
+            if options and n >= n_rows(reference):
+                break
             with self.start(scene, output, *options) as process:
                 self.wait_for_rows(process, output, n)
                 process.send_signal(number)
