@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace strait
 {
@@ -23,52 +24,38 @@ namespace strait
     constexpr double slack = 3e-13; // of the energy, for rounding
   }                                 // namespace
 
-  GapConjugateGradients::GapConjugateGradients(GapProblem          &problem_,
+  GapConjugateGradients::GapConjugateGradients(GapProblem          &problem,
                                                const GapConstraint &constraint,
-                                               const GapTolerance  &tolerance_,
-                                               RelaxationObserver   observer_)
-    : problem(problem_)
-    , tolerance(tolerance_)
-    , observer(std::move(observer_))
-    , iterate(problem_, constraint)
-    , trial(problem_.size())
-    , step(problem_.size())
-    , response(problem_.size())
+                                               const GapTolerance  &tolerance,
+                                               RelaxationObserver   observer)
+    : GapDescent(problem, constraint, tolerance, std::move(observer))
+    , trial(problem.size())
+    , step(problem.size())
+    , response(problem.size())
   {
   }
 
-  GapSolution
-  GapConjugateGradients::solve(double *gap)
+  void
+  GapConjugateGradients::begin()
   {
     std::fill(step.begin(), step.end(), 0.);
     std::fill(response.begin(), response.end(), 0.);
     restarts = true;
-    iterate.start(gap);
+  }
 
-    GapSolution solution;
-    while (true)
+  GapDescent::Outcome
+  GapConjugateGradients::descend(double)
+  {
+    precondition();
+    if (go(choose_direction()))
       {
-        solution.residual  = iterate.violation() / tolerance.traction;
-        solution.converged = solution.residual <= tolerance.residual;
-        if (observer)
-          observer(
-            {solution.iterations, iterate.energy(), solution.residual, last_length});
-        if (solution.converged || solution.iterations >= tolerance.max_iterations ||
-            !std::isfinite(solution.residual) || iterate.is_detached())
-          break;
-        precondition();
-        if (!go(choose_direction()))
-          {
-            if (restarts) // rounding is all that is left
-              break;
-            restarts = true;
-            continue;
-          }
         restarts = false;
-        ++solution.iterations;
+        return Outcome::moved;
       }
-    iterate.describe(solution);
-    return solution;
+    if (restarts) // rounding is all that is left
+      return Outcome::stuck;
+    restarts = true;
+    return Outcome::again;
   }
 
   /** z = M r on the free points. */
@@ -207,19 +194,13 @@ namespace strait
         gone = length;
         if (iterate.energy() <= before + 1e-4 * length * d_r + slack * std::abs(before))
           {
-            last_length = length;
+            step_length = length;
             return true;
           }
         length *= .4;
       }
     iterate.move(d, response.data(), work, -gone);
     return false;
-  }
-
-  const double *
-  GapConjugateGradients::reaction() const
-  {
-    return iterate.derivative.data();
   }
 
   std::size_t

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace strait
 {
@@ -16,45 +17,32 @@ namespace strait
     constexpr int    steps_until_faster = 5;
   } // namespace
 
-  GapDynamics::GapDynamics(GapProblem          &problem_,
+  GapDynamics::GapDynamics(GapProblem          &problem,
                            const GapConstraint &constraint,
-                           const GapTolerance  &tolerance_,
-                           RelaxationObserver   observer_)
-    : problem(problem_)
-    , tolerance(tolerance_)
-    , observer(std::move(observer_))
-    , iterate(problem_, constraint)
-    , velocity(problem_.size())
-    , acceleration(problem_.size())
+                           const GapTolerance  &tolerance,
+                           RelaxationObserver   observer)
+    : GapDescent(problem, constraint, tolerance, std::move(observer))
+    , velocity(problem.size())
+    , acceleration(problem.size())
   {
   }
 
-  GapSolution
-  GapDynamics::solve(double *gap)
+  void
+  GapDynamics::begin()
   {
     std::fill(velocity.begin(), velocity.end(), 0.);
-    time_step     = first_time_step;
+    step_length   = first_time_step;
     mixing        = first_mixing;
     steps_forward = 0;
-    iterate.start(gap);
+  }
 
-    GapSolution solution;
-    while (true)
-      {
-        solution.residual  = iterate.violation() / tolerance.traction;
-        solution.converged = solution.residual <= tolerance.residual;
-        if (observer)
-          observer({solution.iterations, iterate.energy(), solution.residual, time_step});
-        if (solution.converged || solution.iterations >= tolerance.max_iterations ||
-            !std::isfinite(solution.residual) || iterate.is_detached())
-          break;
-        accelerate();
-        steer();
-        advance();
-        ++solution.iterations;
-      }
-    iterate.describe(solution);
-    return solution;
+  GapDescent::Outcome
+  GapDynamics::descend(double)
+  {
+    accelerate();
+    steer();
+    advance();
+    return Outcome::moved;
   }
 
   /** Forces over masses; a point that the wall holds stays where it is. */
@@ -90,13 +78,13 @@ namespace strait
           velocity[i] = (1 - mixing) * velocity[i] + pull * acceleration[i];
         if (++steps_forward > steps_until_faster)
           {
-            time_step = std::min(time_step * speed_up, longest_time_step);
+            step_length = std::min(step_length * speed_up, longest_time_step);
             mixing *= mixing_decay;
           }
         return;
       }
     std::fill(velocity.begin(), velocity.end(), 0.);
-    time_step     = std::max(time_step * slow_down, shortest_time_step);
+    step_length   = std::max(step_length * slow_down, shortest_time_step);
     mixing        = first_mixing;
     steps_forward = 0;
   }
@@ -107,19 +95,13 @@ namespace strait
     double *g = iterate.gap;
     for (std::size_t i = 0; i < problem.size(); ++i)
       {
-        velocity[i] += time_step * acceleration[i];
-        g[i] += time_step * velocity[i];
+        velocity[i] += step_length * acceleration[i];
+        g[i] += step_length * velocity[i];
         if (g[i] < 0)
           velocity[i] = 0;
       }
     iterate.make_admissible(g);
     iterate.refresh();
-  }
-
-  const double *
-  GapDynamics::reaction() const
-  {
-    return iterate.derivative.data();
   }
 
   std::size_t

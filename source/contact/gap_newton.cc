@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace strait
 {
@@ -14,44 +15,24 @@ namespace strait
     constexpr double longest_escape       = 2.; // along negative curvature, in ranges z0
   }                                             // namespace
 
-  GapNewton::GapNewton(GapProblem          &problem_,
+  GapNewton::GapNewton(GapProblem          &problem,
                        const GapConstraint &constraint,
-                       const GapTolerance  &tolerance_,
-                       RelaxationObserver   observer_)
-    : problem(problem_)
-    , tolerance(tolerance_)
-    , observer(std::move(observer_))
-    , iterate(problem_, constraint)
-    , step(problem_.size())
-    , remainder(problem_.size())
-    , z(problem_.size())
-    , direction(problem_.size())
-    , response(problem_.size())
+                       const GapTolerance  &tolerance,
+                       RelaxationObserver   observer)
+    : GapDescent(problem, constraint, tolerance, std::move(observer))
+    , step(problem.size())
+    , remainder(problem.size())
+    , z(problem.size())
+    , direction(problem.size())
+    , response(problem.size())
   {
   }
 
-  GapSolution
-  GapNewton::solve(double *gap)
+  GapDescent::Outcome
+  GapNewton::descend(const double residual)
   {
-    iterate.start(gap);
-    GapSolution solution;
-    while (true)
-      {
-        solution.residual  = iterate.violation() / tolerance.traction;
-        solution.converged = solution.residual <= tolerance.residual;
-        if (observer)
-          observer(
-            {solution.iterations, iterate.energy(), solution.residual, last_length});
-        if (solution.converged || solution.iterations >= tolerance.max_iterations ||
-            !std::isfinite(solution.residual) || iterate.is_detached())
-          break;
-        solve_model(solution.residual);
-        if (!search())
-          break;
-        ++solution.iterations;
-      }
-    iterate.describe(solution);
-    return solution;
+    solve_model(residual);
+    return search() ? Outcome::moved : Outcome::stuck;
   }
 
   /** z = M remainder. Return <z, remainder>. */
@@ -141,19 +122,13 @@ namespace strait
           sums[0] += d[i] * iterate.derivative[i];
         });
         iterate.move(d, response.data(), work, 1.);
-        last_length = length;
+        step_length = length;
         if (iterate.energy() <=
             before + 1e-4 * std::min(slope, 0.) + slack * std::abs(before))
           return true;
         iterate.move(d, response.data(), work, -1.);
       }
     return false;
-  }
-
-  const double *
-  GapNewton::reaction() const
-  {
-    return iterate.derivative.data();
   }
 
   std::size_t

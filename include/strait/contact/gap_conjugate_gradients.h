@@ -2,7 +2,7 @@
 #ifndef strait_contact_gap_conjugate_gradients_h
 #define strait_contact_gap_conjugate_gradients_h
 
-#include <strait/contact/gap_iterate.h>
+#include <strait/contact/gap_descent.h>
 
 namespace strait
 {
@@ -16,7 +16,7 @@ namespace strait
    * iteration thus costs one application of M and one of K, closing points included,
    * and the energy falls with each.
    */
-  class GapConjugateGradients : public GapOptimiser
+  class GapConjugateGradients : public GapDescent
   {
   public:
     /** Needs five fields beside the gap. */
@@ -25,33 +25,29 @@ namespace strait
                           const GapTolerance  &tolerance,
                           RelaxationObserver   observer = {});
 
-    GapSolution   solve(double *gap) override;
-    const double *reaction() const override;
-    std::size_t   memory_consumption() const override;
+    std::size_t memory_consumption() const override;
 
   private:
+    void    begin() override;
+    Outcome descend(double residual) override;
+
     void   precondition();
     double choose_direction();
     bool   go(double length);
     double form_step(double length);
     bool   search_line(double work);
 
-    GapProblem              &problem;
-    const GapTolerance       tolerance;
-    const RelaxationObserver observer;
-    GapIterate               iterate;
-    std::vector<double>      trial;    // z = M r, then t
-    std::vector<double>      step;     // d
-    std::vector<double>      response; // K d
+    std::vector<double> trial;    // z = M r, then t
+    std::vector<double> step;     // d
+    std::vector<double> response; // K d
 
     // Sums over the points, of the present direction and step.
-    double slope         = 0;   // <t, r>
-    double foretold_work = 0;   // <t, Kt>
-    double fixed_work    = 0;   // the part of it that is known
-    double free_work     = 0;   // <z, r>, of which <z, Kz> is a known share
-    double local_work    = 0;   // <t, γ'' t>
-    double stiffness     = 1.5; // <z, Kz>/<z, r>, at first a typical value
-    double last_length   = 0;
+    double slope         = 0;     // <t, r>
+    double foretold_work = 0;     // <t, Kt>
+    double fixed_work    = 0;     // the part of it that is known
+    double free_work     = 0;     // <z, r>, of which <z, Kz> is a known share
+    double local_work    = 0;     // <t, γ'' t>
+    double stiffness     = 1.5;   // <z, Kz>/<z, r>, at first a typical value
     bool   truncated     = false; // some point of the step closes
     bool   restarts      = true;
   };

@@ -2,7 +2,7 @@
 #ifndef strait_contact_gap_dynamics_h
 #define strait_contact_gap_dynamics_h
 
-#include <strait/contact/gap_iterate.h>
+#include <strait/contact/gap_descent.h>
 
 namespace strait
 {
@@ -13,7 +13,7 @@ namespace strait
    * it; FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006) turns the velocity
    * towards the force, and stops the motion whenever it goes uphill.
    */
-  class GapDynamics : public GapOptimiser
+  class GapDynamics : public GapDescent
   {
   public:
     /** Needs four fields beside the gap. */
@@ -22,23 +22,19 @@ namespace strait
                 const GapTolerance  &tolerance,
                 RelaxationObserver   observer = {});
 
-    GapSolution   solve(double *gap) override;
-    const double *reaction() const override;
-    std::size_t   memory_consumption() const override;
+    std::size_t memory_consumption() const override;
 
   private:
+    void    begin() override;
+    Outcome descend(double residual) override;
+
     void accelerate();
     void steer();
     void advance();
 
-    GapProblem              &problem;
-    const GapTolerance       tolerance;
-    const RelaxationObserver observer;
-    GapIterate               iterate;
-    std::vector<double>      velocity;
-    std::vector<double>      acceleration; // on the free points
+    std::vector<double> velocity;
+    std::vector<double> acceleration; // on the free points
 
-    double time_step     = 0;
     double mixing        = 0; // of the velocity with the acceleration's direction
     int    steps_forward = 0; // since the motion last went uphill
   };

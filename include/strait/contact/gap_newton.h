@@ -2,7 +2,7 @@
 #ifndef strait_contact_gap_newton_h
 #define strait_contact_gap_newton_h
 
-#include <strait/contact/gap_iterate.h>
+#include <strait/contact/gap_descent.h>
 
 namespace strait
 {
@@ -12,7 +12,7 @@ namespace strait
    * negative, and a search along the projected step. The energy falls with each
    * iteration. Slower than GapConjugateGradients and independent of it.
    */
-  class GapNewton : public GapOptimiser
+  class GapNewton : public GapDescent
   {
   public:
     /** Needs seven fields beside the gap. */
@@ -21,27 +21,22 @@ namespace strait
               const GapTolerance  &tolerance,
               RelaxationObserver   observer = {});
 
-    GapSolution   solve(double *gap) override;
-    const double *reaction() const override;
-    std::size_t   memory_consumption() const override;
+    std::size_t memory_consumption() const override;
 
   private:
+    Outcome descend(double residual) override;
+
     void   solve_model(double residual);
     double precondition();
     bool   search();
 
-    GapProblem              &problem;
-    const GapTolerance       tolerance;
-    const RelaxationObserver observer;
-    GapIterate               iterate;
-    std::vector<double>      step;      // of the gap
-    std::vector<double>      remainder; // of the model's gradient
-    std::vector<double>      z;         // M remainder
-    std::vector<double>      direction;
-    std::vector<double>      response; // K direction, later K step
+    std::vector<double> step;      // of the gap
+    std::vector<double> remainder; // of the model's gradient
+    std::vector<double> z;         // M remainder
+    std::vector<double> direction;
+    std::vector<double> response; // K direction, later K step
 
-    bool   met_negative_curvature = false;
-    double last_length            = 0;
+    bool met_negative_curvature = false;
   };
 } // namespace strait
 
