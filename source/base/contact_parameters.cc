@@ -18,16 +18,6 @@ namespace strait
                                             {ContactMethod::polonsky_keer,
                                              "polonsky-keer"}};
 
-    std::vector<double>
-    parse_list(const std::string &text)
-    {
-      std::vector<double> values;
-      if (!trim(text).empty())
-        for (const std::string &value : split(text, ','))
-          values.push_back(std::stod(value));
-      return values;
-    }
-
     /** 1/E* = Σ (1 − ν²)/E. */
     double
     contact_modulus(const std::vector<double> &young, const std::vector<double> &poisson)
@@ -130,8 +120,8 @@ namespace strait
     const std::array<double, 2> grid = parse_pair(prm.get("Grid points"));
     grid_points       = {{static_cast<int>(grid[0]), static_cast<int>(grid[1])}};
     effective_modulus = prm.get_double("Effective modulus");
-    young_moduli      = parse_list(prm.get("Young's moduli"));
-    poisson_ratios    = parse_list(prm.get("Poisson ratios"));
+    young_moduli      = parse_numbers(prm.get("Young's moduli"));
+    poisson_ratios    = parse_numbers(prm.get("Poisson ratios"));
     check_elastic_constants(*this);
     if (!young_moduli.empty())
       effective_modulus = contact_modulus(young_moduli, poisson_ratios);

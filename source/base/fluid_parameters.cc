@@ -2,6 +2,7 @@
 #include <strait/base/choices.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/fluid_parameters.h>
+#include <strait/base/parameter_table.h>
 #include <strait/base/text.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -118,14 +119,12 @@ namespace strait
   FluidParameters::parse(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Fluid");
-    enabled         = prm.get_bool("Enabled");
-    is_gas          = prm.get("State") == "gas";
-    viscosity       = prm.get_double("Viscosity");
-    inlet_pressure  = prm.get_double("Inlet pressure");
-    outlet_pressure = prm.get_double("Outlet pressure");
-    slip_lengths.clear();
-    for (const std::string &value : split(prm.get("Slip length"), ','))
-      slip_lengths.push_back(std::stod(value));
+    enabled          = prm.get_bool("Enabled");
+    is_gas           = prm.get("State") == "gas";
+    viscosity        = prm.get_double("Viscosity");
+    inlet_pressure   = prm.get_double("Inlet pressure");
+    outlet_pressure  = prm.get_double("Outlet pressure");
+    slip_lengths     = parse_numbers(prm.get("Slip length"));
     direction        = directions.value(prm.get("Direction"));
     element_degree   = static_cast<unsigned int>(prm.get_integer("Element degree"));
     preconditioner   = preconditioners.value(prm.get("Preconditioner"));

@@ -207,10 +207,20 @@ namespace strait
       }
   }
 
+  std::vector<double>
+  parse_numbers(const std::string &text)
+  {
+    std::vector<double> numbers;
+    for (const std::string &part : split(text, ','))
+      if (!trim(part).empty())
+        numbers.push_back(std::stod(part));
+    return numbers;
+  }
+
   std::array<double, 2>
   parse_pair(const std::string &text)
   {
-    const std::vector<std::string> parts = split(text, ',');
-    return {{std::stod(parts.front()), std::stod(parts.back())}};
+    const std::vector<double> numbers = parse_numbers(text);
+    return {{numbers.front(), numbers.back()}};
   }
 } // namespace strait

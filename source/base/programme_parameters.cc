@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/choices.h>
 #include <strait/base/exceptions.h>
+#include <strait/base/parameter_table.h>
 #include <strait/base/programme_parameters.h>
 #include <strait/base/text.h>
 
@@ -13,16 +14,6 @@ namespace strait
     const Choices<LoadPath> load_paths = {{LoadPath::loading, "loading"},
                                           {LoadPath::unloading, "unloading"},
                                           {LoadPath::cycle, "cycle"}};
-
-    std::vector<double>
-    parse_list(const std::string &text)
-    {
-      std::vector<double> values;
-      for (const std::string &value : split(text, ','))
-        if (!value.empty())
-          values.push_back(std::stod(value));
-      return values;
-    }
   } // namespace
 
   void
@@ -86,11 +77,11 @@ namespace strait
   ProgrammeParameters::parse(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Load programme");
-    pressures           = parse_list(prm.get("Pressures"));
+    pressures           = parse_numbers(prm.get("Pressures"));
     find_threshold      = prm.get_bool("Find threshold");
     find_blow_out       = prm.get_bool("Find blow-out");
     threshold_tolerance = prm.get_double("Threshold tolerance");
-    reduced_loads       = parse_list(prm.get("Reduced loads"));
+    reduced_loads       = parse_numbers(prm.get("Reduced loads"));
     largest_fitted      = prm.get_double("Largest reduced load of fits");
     path                = load_paths.value(prm.get("Path"));
     jump_tolerance      = prm.get_double("Jump tolerance");

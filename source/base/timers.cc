@@ -7,15 +7,6 @@
 
 namespace strait
 {
-  namespace
-  {
-    double
-    seconds_since(const Timers::Clock::time_point start)
-    {
-      return std::chrono::duration<double>(Timers::Clock::now() - start).count();
-    }
-  } // namespace
-
   Timers::Scope::Scope(Timers &timers, const std::size_t part, const std::size_t parent)
     : timers(timers)
     , part(part)

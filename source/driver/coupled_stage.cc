@@ -4,7 +4,6 @@
 #include <strait/flow/pressure_on_grid.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -49,9 +48,7 @@ namespace strait
     try
       {
         const FeedbackResult result = feedback.solve(
-          [&](const SlabField &assumed) {
-            return round(step, target, assumed, verdict_only);
-          },
+          [&](const SlabField &assumed) { return round(step, target, assumed); },
           largest_pressure(),
           verdict_only);
         step.feedback->converged  = result.converged;
@@ -82,10 +79,7 @@ namespace strait
   }
 
   FeedbackRound
-  CoupledStage::round(Step            &step,
-                      const double     target,
-                      const SlabField &assumed,
-                      const bool       verdict_only)
+  CoupledStage::round(Step &step, const double target, const SlabField &assumed)
   {
     if (scene.contact.control == ContactControl::load && mean(assumed) >= target)
       throw LiftedOff();
@@ -94,21 +88,14 @@ namespace strait
     step.contact  = contact.solve(target);
     step.gap      = step.contact->gap;
     step.mean_gap = step.contact->mean_gap;
-    step.contact_seconds +=
-      std::chrono::duration<double>(Timers::Clock::now() - start).count();
+    step.contact_seconds += Timers::seconds_since(start);
     ++step.feedback->iterations;
     step.feedback->contact_iterations += step.contact->iterations;
     step.feedback->fft_pairs += step.contact->fft_pairs;
 
-    // A mesh that gives a bracket seldom needs to be refined when all is settled.
-    if (!step.flow && !verdict_only)
-      step.flow = flow.solve(step.gap, step.slip_length);
-    else
-      {
-        if (!step.flow)
-          step.flow.emplace();
-        flow.follow(*step.flow, step.gap, step.slip_length);
-      }
+    if (!step.flow)
+      step.flow.emplace();
+    flow.follow(*step.flow, step.gap, step.slip_length);
 
     FeedbackRound result;
     result.percolates     = step.flow->clusters.percolates;

@@ -2,7 +2,7 @@
 #include <strait/base/text.h>
 #include <strait/contact/grid_transfer.h>
 #include <strait/driver/error_budget.h>
-#include <strait/percolation/percolating_gap.h>
+#include <strait/driver/flow_stage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,27 +12,16 @@ namespace strait
 {
   namespace
   {
-    /** The leak rate of a gap as the fluid sees it; 0 if it seals. */
+    /** The leak rate of a gap; 0 if it seals. */
     double
-    leak_rate_of(const SlabField &seen, const FluidParameters &fluid)
+    leak_rate_of(const SlabField       &gap,
+                 const double           slip_length,
+                 const FluidParameters &fluid)
     {
-      const Clusters clusters = find_clusters(seen, fluid.direction);
-      if (!clusters.percolates)
-        return 0.;
-      const SlabField open  = percolating_gap(seen, clusters, fluid.direction);
-      const auto      paths = find_flow_paths(open, fluid.direction, 3);
-      GapField        field(open.layout_pointer(), fluid);
-      field.update(open, 1e-8 * field.conductivity_of(paths.front().bottleneck_gap));
-      ReynoldsSolver solver(fluid, field, paths);
-      return solver.run().leak_rate;
-    }
-
-    SlabField
-    narrowed(SlabField gap, const double slip_length)
-    {
-      for (double &value : gap)
-        value += 2. * slip_length;
-      return gap;
+      Log       silent(gap.layout().communicator(), true);
+      Timers    timers;
+      FlowStage flow(fluid, gap.layout_pointer(), silent, timers);
+      return flow.solve(gap, slip_length).result.leak_rate;
     }
   } // namespace
 
@@ -67,7 +56,7 @@ namespace strait
     else
       for (int h = 0; h < halvings; ++h)
         gap = restrict_by_injection(gap);
-    return leak_rate_of(narrowed(std::move(gap), step.slip_length), scene.fluid);
+    return leak_rate_of(gap, step.slip_length, scene.fluid);
   }
 
   void
@@ -122,7 +111,7 @@ namespace strait
           scene.fluid.interpolation == GapInterpolation::monotone_cubic
             ? GapInterpolation::bilinear
             : GapInterpolation::monotone_cubic;
-        const double leak = leak_rate_of(narrowed(step.gap, step.slip_length), other);
+        const double leak = leak_rate_of(step.gap, step.slip_length, other);
         errors.items.push_back({"gap interpolation",
                                 std::abs(leak / flow.leak_rate - 1.),
                                 "Contact/Grid points"});

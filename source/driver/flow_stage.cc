@@ -33,15 +33,14 @@ namespace strait
     }
   } // namespace
 
-  FlowStage::FlowStage(const Scene         &scene_,
-                       const SlabLayoutPtr &layout,
-                       Log                 &log_,
-                       Timers              &timers_)
-    : scene(scene_)
-    , parameters(scene_.fluid)
+  FlowStage::FlowStage(const FluidParameters &fluid,
+                       const SlabLayoutPtr   &layout,
+                       Log                   &log_,
+                       Timers                &timers_)
+    : parameters(fluid)
     , log(log_)
     , timers(timers_)
-    , gap_field(layout, scene_.fluid)
+    , gap_field(layout, fluid)
   {
   }
 
@@ -80,10 +79,11 @@ namespace strait
         flow.solver.reset();
         return;
       }
-    std::vector<FlowPath> paths   = find_flow_paths(open, parameters.direction, 1);
-    const bool            on_mesh = flow.solver && value_at(open, meshed_bottleneck) <
-                                          outdone * paths.front().bottleneck_gap;
-    if (!on_mesh)
+    std::vector<FlowPath> paths;
+    if (flow.solver)
+      paths = find_flow_paths(open, parameters.direction, 1);
+    if (paths.empty() ||
+        value_at(open, meshed_bottleneck) >= outdone * paths.front().bottleneck_gap)
       {
         // Refined as for a bracket: on the first mesh the pressure is too coarse.
         mesh_and_bracket(flow, seen, open);
@@ -154,7 +154,7 @@ namespace strait
       log.warn(format("the leak rate is known to %.1f %% only because %s",
                       50. * flow.result.relative_width(),
                       flow.result.reason.c_str()));
-    if (scene.programme.find_threshold)
+    if (watches_constrictions)
       flow.constrictions = report_constrictions(seen, flow.paths.front(), *flow.solver);
   }
 

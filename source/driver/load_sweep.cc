@@ -5,19 +5,9 @@
 #include <strait/surface/statistics.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace strait
 {
-  namespace
-  {
-    double
-    seconds_since(const Timers::Clock::time_point start)
-    {
-      return std::chrono::duration<double>(Timers::Clock::now() - start).count();
-    }
-  } // namespace
-
   LoadSweep::LoadSweep(const Scene &scene_, SlabField heights, Log &log_, Timers &timers_)
     : scene(scene_)
     , log(log_)
@@ -27,7 +17,10 @@ namespace strait
   {
     if (scene.fluid.enabled)
       {
-        flow = std::make_unique<FlowStage>(scene, heights.layout_pointer(), log, timers);
+        flow =
+          std::make_unique<FlowStage>(scene.fluid, heights.layout_pointer(), log, timers);
+        if (scene.programme.find_threshold)
+          flow->watch_constrictions();
         error_budget = std::make_unique<ErrorBudget>(scene, heights);
       }
     if (scene.theory.enabled)
@@ -58,14 +51,17 @@ namespace strait
       coupling = std::make_unique<CoupledStage>(scene, *contact, *flow, log);
   }
 
+  SealSearch
+  LoadSweep::make_search()
+  {
+    return {scene, {contact.get(), adhesive.get(), flow.get(), coupling.get()}, log};
+  }
+
   const std::vector<Threshold> &
   LoadSweep::find_thresholds()
   {
     const auto scope = timers.scope("threshold");
-    SealSearch search(scene,
-                      {contact.get(), adhesive.get(), flow.get(), coupling.get()},
-                      log);
-    thresholds = search.find_thresholds(first_guess);
+    thresholds       = make_search().find_thresholds(first_guess);
     return thresholds;
   }
 
@@ -73,10 +69,7 @@ namespace strait
   LoadSweep::find_blow_outs()
   {
     const auto scope = timers.scope("blow-out");
-    SealSearch search(scene,
-                      {contact.get(), adhesive.get(), flow.get(), coupling.get()},
-                      log);
-    return search.find_blow_outs();
+    return make_search().find_blow_outs();
   }
 
   const Threshold *
@@ -191,7 +184,7 @@ namespace strait
       }
     step.gap             = step.contact->gap;
     step.mean_gap        = step.contact->mean_gap;
-    step.contact_seconds = seconds_since(start);
+    step.contact_seconds = Timers::seconds_since(start);
     return true;
   }
 
@@ -203,7 +196,7 @@ namespace strait
     const auto scope  = timers.scope("flow");
     const auto start  = Timers::Clock::now();
     step.flow         = flow->solve(step.gap, step.slip_length);
-    step.flow_seconds = seconds_since(start);
+    step.flow_seconds = Timers::seconds_since(start);
   }
 
   void
@@ -213,7 +206,7 @@ namespace strait
     const auto start = Timers::Clock::now();
     step.flow.reset(); // its mesh was made for another gap
     coupling->solve(step, target);
-    step.flow_seconds = seconds_since(start) - step.contact_seconds;
+    step.flow_seconds = Timers::seconds_since(start) - step.contact_seconds;
   }
 
   void

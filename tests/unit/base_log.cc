@@ -8,11 +8,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <thread>
+
+#include "temporary_folder.h"
 
 using namespace strait;
 
@@ -27,17 +28,6 @@ namespace
   }
 
   std::string
-  temporary_folder()
-  {
-    std::string folder;
-    run_on_root(MPI_COMM_WORLD, [&]() {
-      folder = (std::filesystem::temp_directory_path() / "strait-log-XXXXXX").string();
-      folder = mkdtemp(folder.data());
-    });
-    return broadcast(MPI_COMM_WORLD, folder);
-  }
-
-  std::string
   contents(const std::string &path)
   {
     std::ostringstream text;
@@ -48,9 +38,9 @@ namespace
 
 TEST(Log, FileBeginsWithTheLinesBeforeIt)
 {
-  const std::string  folder = temporary_folder();
-  const std::string  path   = folder + "/log.txt";
-  std::ostringstream screen;
+  const test::TemporaryFolder folder;
+  const std::string           path = folder.path() + "/log.txt";
+  std::ostringstream          screen;
   {
     Log log(MPI_COMM_WORLD, screen, Log::Screen::plain);
     log.line("one");
@@ -63,9 +53,6 @@ TEST(Log, FileBeginsWithTheLinesBeforeIt)
   EXPECT_EQ(screen.str(), on_root() ? expected : "");
   MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_EQ(contents(path), expected);
-  MPI_Barrier(MPI_COMM_WORLD);
-  if (on_root())
-    std::filesystem::remove_all(folder);
 }
 
 TEST(Log, SameWarningOnlyOnce)

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "temporary_folder.h"
+
 using namespace strait;
 
 namespace
@@ -18,27 +20,17 @@ namespace
   {
   public:
     explicit SceneFile(const std::string &text)
+      : folder(temporary.path())
+      , path(folder + "/a.prm")
     {
-      run_on_root(MPI_COMM_WORLD, [&]() {
-        std::string pattern =
-          (std::filesystem::temp_directory_path() / "strait-scene-XXXXXX").string();
-        folder = mkdtemp(pattern.data());
-        std::ofstream(folder + "/a.prm") << text;
-      });
-      folder = broadcast(MPI_COMM_WORLD, folder);
-      path   = folder + "/a.prm";
+      run_on_root(MPI_COMM_WORLD, [&]() { std::ofstream(path) << text; });
     }
 
-    ~SceneFile()
-    {
-      int rank = 0;
-      MPI_Barrier(MPI_COMM_WORLD);
-      MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-      if (rank == 0)
-        std::filesystem::remove_all(folder);
-    }
+  private:
+    const test::TemporaryFolder temporary;
 
-    std::string folder, path;
+  public:
+    const std::string folder, path;
   };
 
   Scene

@@ -6,10 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "temporary_folder.h"
 
 namespace
 {
@@ -22,18 +23,7 @@ namespace
     void
     SetUp() override
     {
-      run_on_root(MPI_COMM_WORLD, [this]() {
-        char name[] = "/tmp/strait-test-XXXXXX";
-        folder      = mkdtemp(name);
-      });
-      folder = broadcast(MPI_COMM_WORLD, folder);
-      path   = folder + "/checkpoint";
-    }
-
-    void
-    TearDown() override
-    {
-      run_on_root(MPI_COMM_WORLD, [this]() { std::filesystem::remove_all(folder); });
+      path = folder.path() + "/checkpoint";
     }
 
     /** Items of all kinds, in either direction. More points than one message takes. */
@@ -78,7 +68,8 @@ namespace
       writer.commit();
     }
 
-    std::string              folder, path;
+    test::TemporaryFolder    folder;
+    std::string              path;
     SlabLayoutPtr            layout = make_layout({500, 301, 1., 1.}, MPI_COMM_WORLD);
     double                   number = 0;
     long                     count  = 0;
@@ -134,7 +125,7 @@ TEST_F(Checkpoint, AnotherGridIsRefused)
 TEST_F(Checkpoint, SpoiltFilesAreRefused)
 {
   EXPECT_THROW(CheckpointReader(path, MPI_COMM_WORLD), InputError);
-  EXPECT_THROW(CheckpointReader(folder, MPI_COMM_WORLD), InputError);
+  EXPECT_THROW(CheckpointReader(folder.path(), MPI_COMM_WORLD), InputError);
   fill();
   save();
   const auto size = std::filesystem::file_size(path);
@@ -172,6 +163,6 @@ TEST_F(Checkpoint, WhatIsNotCommittedChangesNothing)
   EXPECT_EQ(number, -0.1);
   run_on_root(MPI_COMM_WORLD,
               [this]() { EXPECT_FALSE(std::filesystem::exists(path + ".new")); });
-  path = folder + "/missing/checkpoint";
+  path = folder.path() + "/missing/checkpoint";
   EXPECT_THROW(save(), ComputationError);
 }

@@ -42,15 +42,9 @@ namespace strait
     Step
     last_step(const Scene &scene)
     {
-      Log        log(MPI_COMM_WORLD, true);
-      Timers     timers;
-      const auto layout = make_layout(grid_of(scene), MPI_COMM_WORLD);
-      LoadSweep  loads(scene,
-                      make_surface(scene.surface, MPI_COMM_WORLD)->heights(layout),
-                      log,
-                      timers);
-      Step       last;
-      EXPECT_TRUE(loads.run([&last](const Step &step) {
+      SilentSweep silent(scene);
+      Step        last;
+      EXPECT_TRUE(silent.loads.run([&last](const Step &step) {
         last.contact      = step.contact;
         last.gap          = step.gap;
         last.feedback     = step.feedback;
@@ -155,30 +149,21 @@ namespace strait
       // A pressure that does not move with the throat is only another surface: the
       // saddle keeps its exponents, about its own critical load. The window is what
       // 256² resolves; corrections to scaling are part of the number.
-      const Scene       scene  = coupled_saddle(256);
-      const auto        layout = make_layout(grid_of(scene), MPI_COMM_WORLD);
+      Scene scene                         = coupled_saddle(256);
+      scene.programme.threshold_tolerance = 1e-6;
       Log               log(MPI_COMM_WORLD, true);
       Timers            timers;
       ContactParameters parameters = scene.contact;
       parameters.tolerance         = 1e-9;
-      ContactSolver contact(parameters,
-                            make_surface(scene.surface, MPI_COMM_WORLD)->heights(layout));
-      FlowStage     flow(scene, layout, log, timers);
+      ContactSolver contact(parameters, heights_of(scene));
+      FlowStage     flow(scene.fluid, contact.layout(), log, timers);
       CoupledStage  coupling(scene, contact, flow, log);
       Step          step;
       coupling.settle(step, 1.45);
       EXPECT_TRUE(step.feedback->converged);
 
-      const auto openness = [&](const double load) {
-        const ContactState state = contact.solve(load);
-        SlabField          value = state.gap;
-        for (std::size_t k = 0; k < value.size(); ++k)
-          if (state.pressure[k] > 0)
-            value[k] = -state.pressure[k] / 256;
-        return ThresholdProbe{find_bottleneck(value, FlowDirection::x), 0., 0};
-      };
-      const double critical =
-        ThresholdSearch(openness, 1.5, 1e-6).find(0.).critical_load();
+      SealSearch   search(scene, {&contact, nullptr, &flow, nullptr}, log);
+      const double critical = search.find_thresholds(1.5).front().critical_load();
       EXPECT_GT(critical, 1.5); // the fluid carries 5 % of it
       std::vector<double> leak_rates;
       for (const double reduced : {.04, .02})
@@ -197,14 +182,8 @@ namespace strait
       scene.programme.find_threshold      = false;
       scene.programme.find_blow_out       = true;
       scene.programme.pressures           = {1.5};
-      Log           log(MPI_COMM_WORLD, true);
-      Timers        timers;
-      const auto    layout = make_layout(grid_of(scene), MPI_COMM_WORLD);
-      LoadSweep     loads(scene,
-                      make_surface(scene.surface, MPI_COMM_WORLD)->heights(layout),
-                      log,
-                      timers);
-      const BlowOut found = loads.find_blow_outs().front();
+      SilentSweep   silent(scene);
+      const BlowOut found = silent.loads.find_blow_outs().front();
       EXPECT_LE(found.upper - found.lower, 1e-3 * found.upper);
       EXPECT_NEAR(found.constriction.ix / 64., .5, 2. / 64);
 
@@ -219,14 +198,8 @@ namespace strait
       Scene scene                    = with_equal_reservoirs(coupled_saddle(64), .3);
       scene.programme.find_threshold = false;
       scene.programme.pressures      = {.25};
-      Log       log(MPI_COMM_WORLD, true);
-      Timers    timers;
-      LoadSweep loads(scene,
-                      make_surface(scene.surface, MPI_COMM_WORLD)
-                        ->heights(make_layout(grid_of(scene), MPI_COMM_WORLD)),
-                      log,
-                      timers);
-      EXPECT_FALSE(loads.run([](const Step &step) {
+      SilentSweep silent(scene);
+      EXPECT_FALSE(silent.loads.run([](const Step &step) {
         EXPECT_EQ(step.status(), "lifted-off");
         EXPECT_TRUE(step.flow->clusters.percolates);
         EXPECT_TRUE(std::isinf(step.flow->result.leak_rate));
@@ -249,21 +222,15 @@ namespace strait
         {
           scene.fluid.inlet_pressure = expected.inlet_pressure;
           std::vector<int> rounds;
-          Log              log(MPI_COMM_WORLD, true);
-          Timers           timers;
-          const auto       layout = make_layout(grid_of(scene), MPI_COMM_WORLD);
-          LoadSweep        loads(scene,
-                          make_surface(scene.surface, MPI_COMM_WORLD)->heights(layout),
-                          log,
-                          timers);
-          const Threshold  threshold = loads.find_thresholds().front();
+          SilentSweep      silent(scene);
+          const Threshold  threshold = silent.loads.find_thresholds().front();
           EXPECT_NEAR(threshold.critical_load() / 1.436526,
                       expected.ratio,
                       expected.tolerance);
           EXPECT_NEAR(threshold.last_constriction.ix / 128. - .5,
                       expected.shift,
                       1. / 128);
-          EXPECT_TRUE(loads.run([&rounds](const Step &step) {
+          EXPECT_TRUE(silent.loads.run([&rounds](const Step &step) {
             rounds.push_back(step.feedback->iterations);
             return true;
           }));

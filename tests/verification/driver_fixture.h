@@ -29,20 +29,34 @@ namespace strait
     std::vector<Row>       rows;
   };
 
+  inline SlabField
+  heights_of(const Scene &scene)
+  {
+    return make_surface(scene.surface, MPI_COMM_WORLD)
+      ->heights(make_layout(grid_of(scene), MPI_COMM_WORLD));
+  }
+
+  /** The sweep of a scene, which must outlive it, without a sound. */
+  struct SilentSweep
+  {
+    explicit SilentSweep(const Scene &scene)
+      : loads(scene, heights_of(scene), log, timers)
+    {
+    }
+
+    Log       log{MPI_COMM_WORLD, true};
+    Timers    timers;
+    LoadSweep loads;
+  };
+
   inline Sweep
   run_sweep(const Scene &scene)
   {
-    Log        log(MPI_COMM_WORLD, true);
-    Timers     timers;
-    const auto layout = make_layout(grid_of(scene), MPI_COMM_WORLD);
-    LoadSweep  loads(scene,
-                    make_surface(scene.surface, MPI_COMM_WORLD)->heights(layout),
-                    log,
-                    timers);
-    Sweep      result;
+    SilentSweep silent(scene);
+    Sweep       result;
     if (scene.programme.find_threshold)
-      result.thresholds = loads.find_thresholds();
-    EXPECT_TRUE(loads.run([&result](const Step &step) {
+      result.thresholds = silent.loads.find_thresholds();
+    EXPECT_TRUE(silent.loads.run([&result](const Step &step) {
       const FlowResult &flow = step.flow->result;
       result.rows.push_back(
         {step.contact->nominal_pressure,

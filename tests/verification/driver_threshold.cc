@@ -6,14 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <sstream>
 #include <string>
 
 #include "driver_fixture.h"
+#include "temporary_folder.h"
 
 namespace strait
 {
@@ -123,10 +122,9 @@ namespace strait
 
     TEST(Ensemble, EachRealisationIsThatSurfaceAlone)
     {
-      std::string pattern =
-        (std::filesystem::temp_directory_path() / "strait-ensemble-XXXXXX").string();
-      const std::string folder     = mkdtemp(pattern.data());
-      const std::string scene_file = folder + "/scene.prm";
+      const test::TemporaryFolder temporary;
+      const std::string           folder     = temporary.path();
+      const std::string           scene_file = folder + "/scene.prm";
       std::ofstream(scene_file) << "subsection Surface\n"
                                    "  set Short cut-off wavelength = 0.125\n"
                                    "end\n"
@@ -166,7 +164,6 @@ namespace strait
       for (int column = 0; column < 4; ++column)
         std::getline(cells, cell, ',');
       EXPECT_NEAR(run_sweep(scene).thresholds[0].lower / std::stod(cell), 1., 1e-12);
-      std::filesystem::remove_all(folder);
     }
   } // namespace
 } // namespace strait

@@ -59,6 +59,9 @@ namespace strait
   /** Markdown: a heading and a table for each section. */
   void print_markdown(std::ostream &out, const ParameterTable &table);
 
+  /** The numbers of a list, which may be empty. */
+  std::vector<double> parse_numbers(const std::string &text);
+
   /** The one or two entries of a list; one stands for both directions. */
   std::array<double, 2> parse_pair(const std::string &text);
 } // namespace strait

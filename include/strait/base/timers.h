@@ -52,6 +52,12 @@ namespace strait
     /** Seconds spent in the finished scopes of the part @p path; 0 if none. */
     double seconds(const std::string &path) const;
 
+    static double
+    seconds_since(const Clock::time_point start)
+    {
+      return std::chrono::duration<double>(Clock::now() - start).count();
+    }
+
     /** Seconds since this object was made. */
     double total() const;
 

@@ -58,11 +58,10 @@ namespace strait
     {
     };
 
-    double largest_pressure() const;
-    FeedbackRound
-    round(Step &step, double target, const SlabField &assumed, bool verdict_only);
-    SlabField pressure_in(const Step &step, SlabField start);
-    void      lift_off(Step &step, double target) const;
+    double        largest_pressure() const;
+    FeedbackRound round(Step &step, double target, const SlabField &assumed);
+    SlabField     pressure_in(const Step &step, SlabField start);
+    void          lift_off(Step &step, double target) const;
 
     const Scene         &scene;
     ContactSolver       &contact;

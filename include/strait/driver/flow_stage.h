@@ -2,13 +2,13 @@
 #ifndef strait_driver_flow_stage_h
 #define strait_driver_flow_stage_h
 
+#include <strait/base/fluid_parameters.h>
 #include <strait/base/log.h>
-#include <strait/base/scene.h>
 #include <strait/base/timers.h>
 #include <strait/driver/step.h>
 #include <strait/interface/gap_field.h>
 
-#include <memory>
+#include <cstddef>
 
 namespace strait
 {
@@ -16,8 +16,18 @@ namespace strait
   class FlowStage
   {
   public:
-    /** @p scene, @p log and @p timers must outlive this object. */
-    FlowStage(const Scene &scene, const SlabLayoutPtr &layout, Log &log, Timers &timers);
+    /** @p log and @p timers must outlive this object. */
+    FlowStage(const FluidParameters &fluid,
+              const SlabLayoutPtr   &layout,
+              Log                   &log,
+              Timers                &timers);
+
+    /** From now on, solve() and certify() look at the constrictions as well. */
+    void
+    watch_constrictions()
+    {
+      watches_constrictions = true;
+    }
 
     /** All about one gap, the bracket of the leak rate included. Collective. */
     StepFlow solve(const SlabField &gap, double slip_length);
@@ -72,12 +82,12 @@ namespace strait
     void make_mesh(StepFlow &flow);
     void bracket(StepFlow &flow, const SlabField &seen);
 
-    const Scene    &scene;
     FluidParameters parameters;
     Log            &log;
     Timers         &timers;
     GapField        gap_field;
     GridPoint       meshed_bottleneck; // that the last mesh was made for
+    bool            watches_constrictions = false;
   };
 } // namespace strait
 

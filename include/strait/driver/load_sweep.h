@@ -84,6 +84,7 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
+    SealSearch       make_search();
     bool             is_pressed(const std::vector<LoadStop> &stops) const;
     bool             press(Step &step, const LoadStop &stop);
     void             leak(Step &step);
