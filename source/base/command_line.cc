@@ -172,7 +172,7 @@ namespace strait
 
 Exit status: 0 all steps done and converged; 1 some step did not converge (the
 results so far are kept and marked); 2 bad scene, input file or usage; 3 stopped
-after a complete step by SIGTERM, SIGINT or SIGUSR1, --resume continues. To stop a
+after a step or solve by SIGTERM, SIGINT or SIGUSR1, --resume continues. To stop a
 run under mpirun, send SIGUSR1 to mpirun: on the others it kills within a second.
 )";
   }

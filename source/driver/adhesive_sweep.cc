@@ -61,6 +61,7 @@ namespace strait
              reported_law(parameters, heights, log),
              start_of(scene.programme.path),
              heights)
+    , layout(heights.layout_pointer())
     , follower(solver, parameters.control, jump_tolerance(scene.programme), log)
   {
   }
@@ -81,5 +82,13 @@ namespace strait
     if (is_open == loading && state.converged && !state.adhesion->detached)
       search_start = solver.memory();
     return state;
+  }
+
+  void
+  AdhesiveSweep::transfer(StateArchive &archive)
+  {
+    follower.transfer(archive);
+    archive.field(search_start.gap, layout);
+    archive.value(search_start.target);
   }
 } // namespace strait

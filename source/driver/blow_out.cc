@@ -5,6 +5,15 @@
 
 namespace strait
 {
+  void
+  transfer_probe(StateArchive &archive, BlowOutProbe &probe)
+  {
+    archive.value(probe.leaks);
+    archive.value(probe.contact_area);
+    archive.value(probe.constriction.ix);
+    archive.value(probe.constriction.iy);
+  }
+
   BlowOut
   find_blow_out(const std::function<BlowOutProbe(double)> &probe,
                 const double                               first,

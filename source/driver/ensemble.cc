@@ -161,7 +161,8 @@ namespace strait
     throw_interruption(const Scene &scene)
     {
       throw Interruption(
-        "Stopped by " + name_of_stop_signal() + " after a complete step; " +
+        "Stopped by " + name_of_stop_signal() +
+        " after a complete step or solve of a search; " +
         (scene.output.checkpoint
            ? "the same command with --resume continues."
            : "with Output/Checkpoint = true it could have been resumed."));

@@ -5,6 +5,7 @@
 #include <strait/surface/statistics.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace strait
 {
@@ -49,19 +50,39 @@ namespace strait
       contact = std::make_unique<ContactSolver>(parameters, std::move(heights));
     if (scene.fluid.feedback.enabled)
       coupling = std::make_unique<CoupledStage>(scene, *contact, *flow, log);
+    if (scene.programme.find_threshold || scene.programme.find_blow_out)
+      search = std::make_unique<SealSearch>(
+        scene,
+        SealSearch::Stages{contact.get(), adhesive.get(), flow.get(), coupling.get()},
+        log);
   }
 
-  SealSearch
-  LoadSweep::make_search()
+  void
+  LoadSweep::after_probe(SealSearch::AfterProbe action)
   {
-    return {scene, {contact.get(), adhesive.get(), flow.get(), coupling.get()}, log};
+    if (search)
+      search->after_probe(std::move(action));
+  }
+
+  std::size_t
+  LoadSweep::n_probes() const
+  {
+    return search ? search->n_probes() : 0;
+  }
+
+  void
+  LoadSweep::end_searches()
+  {
+    search.reset();
+    if (adhesive)
+      adhesive->end_search();
   }
 
   const std::vector<Threshold> &
   LoadSweep::find_thresholds()
   {
     const auto scope = timers.scope("threshold");
-    thresholds       = make_search().find_thresholds(first_guess);
+    thresholds       = search->find_thresholds(first_guess);
     return thresholds;
   }
 
@@ -69,7 +90,7 @@ namespace strait
   LoadSweep::find_blow_outs()
   {
     const auto scope = timers.scope("blow-out");
-    return make_search().find_blow_outs();
+    return search->find_blow_outs();
   }
 
   const Threshold *
@@ -140,9 +161,10 @@ namespace strait
     if (contact)
       contact->transfer(archive);
     if (adhesive)
-      adhesive->path().transfer(archive);
+      adhesive->transfer(archive);
     if (coupling)
       coupling->transfer(archive);
+    transfer_search(archive);
     bool goes_on = step.contact && !coupling && is_pressed(plan_stops(scene, thresholds));
     archive.value(goes_on);
     if (!goes_on)
@@ -152,6 +174,18 @@ namespace strait
     strait::transfer(archive, *step.contact, layout);
     step.gap      = step.contact->gap;
     step.mean_gap = step.contact->mean_gap;
+  }
+
+  /** A search that is done leaves nothing. */
+  void
+  LoadSweep::transfer_search(StateArchive &archive)
+  {
+    bool searches = search != nullptr;
+    archive.value(searches);
+    if (!searches)
+      end_searches();
+    if (search)
+      search->transfer(archive);
   }
 
   /** Set what the step has of contact. Return whether there is any. */

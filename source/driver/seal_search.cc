@@ -19,14 +19,13 @@ namespace strait
     std::vector<Threshold> result;
     // A dry contact, once probed, serves all slip lengths.
     double     slip_length = 0.;
-    const auto probe_load  = [&](const double load) { return probe(load, slip_length); };
-    ThresholdSearch search(probe_load, first_guess, scene.programme.threshold_tolerance);
+    const auto ask = [&](const double load) { return probe_load(load, slip_length); };
+    ThresholdSearch search(ask, first_guess, scene.programme.threshold_tolerance);
     for (const double next : scene.fluid.slip_lengths)
       {
         slip_length = next;
         if (stages.coupling != nullptr)
-          search =
-            ThresholdSearch(probe_load, first_guess, scene.programme.threshold_tolerance);
+          search = ThresholdSearch(ask, first_guess, scene.programme.threshold_tolerance);
         result.push_back(search.find(slip_length));
         report(result.back());
       }
@@ -47,6 +46,17 @@ namespace strait
              100. * found.contact_area,
              found.n_solves,
              found.fft_pairs));
+  }
+
+  ThresholdProbe
+  SealSearch::probe_load(const double load, const double slip_length)
+  {
+    if (loads.is_known())
+      return loads.recall();
+    const ThresholdProbe answer = probe(load, slip_length);
+    loads.note(answer);
+    look_up();
+    return answer;
   }
 
   ThresholdProbe
@@ -110,11 +120,12 @@ namespace strait
     for (const double load : scene.programme.pressures)
       {
         // The pressure rises: each probe starts from the fluid of the last held one.
-        start = SlabField(stages.contact->layout());
-        result.push_back(
-          find_blow_out([&](const double pressure) { return pressurise(load, pressure); },
-                        load,
-                        scene.programme.threshold_tolerance));
+        if (!pressures.is_known())
+          start = SlabField(stages.contact->layout());
+        result.push_back(find_blow_out(
+          [&](const double pressure) { return probe_pressure(load, pressure); },
+          load,
+          scene.programme.threshold_tolerance));
         BlowOut &found = result.back();
         found.load     = load;
         found.lower += outlet;
@@ -130,6 +141,26 @@ namespace strait
     stages.flow->set_inlet_pressure(scene.fluid.inlet_pressure);
     stages.coupling->fluid_pressure() = SlabField(stages.contact->layout());
     return result;
+  }
+
+  BlowOutProbe
+  SealSearch::probe_pressure(const double load, const double pressure_difference)
+  {
+    if (pressures.is_known())
+      return pressures.recall();
+    const BlowOutProbe answer = pressurise(load, pressure_difference);
+    pressures.note(answer);
+    look_up();
+    return answer;
+  }
+
+  void
+  SealSearch::transfer(StateArchive &archive)
+  {
+    loads.transfer(archive);
+    pressures.transfer(archive);
+    if (stages.coupling != nullptr)
+      archive.field(start, stages.contact->layout());
   }
 
   BlowOutProbe

@@ -95,6 +95,11 @@ namespace strait
                AdhesionScale(contact, heights).resolution(law)));
     }
 
+    /** Thrown where a search is left because a signal asks for it. */
+    struct StoppedInSearch
+    {
+    };
+
     /** The searches that come before the steps, unless they were made before. */
     void
     find_seals(const Scene     &scene,
@@ -105,11 +110,17 @@ namespace strait
     {
       if (state.has_searched())
         return;
+      sweep.after_probe([&]() {
+        state.save(sweep, output, log);
+        if (stop_requested(MPI_COMM_WORLD))
+          throw StoppedInSearch();
+      });
       if (scene.programme.find_threshold)
         output.write(sweep.find_thresholds());
       if (scene.programme.find_blow_out)
         output.write(sweep.find_blow_outs());
       state.note_searched();
+      sweep.end_searches();
       if (scene.programme.find_threshold || scene.programme.find_blow_out)
         state.save(sweep, output, log);
     }
@@ -156,7 +167,9 @@ namespace strait
     if (resume)
       {
         state.restore(sweep, output, log);
-        log.line(format("resumed after step %d", sweep.n_done()));
+        log.line(sweep.n_probes() > 0
+                   ? format("resumed after %zu solves of a search", sweep.n_probes())
+                   : format("resumed after step %d", sweep.n_done()));
       }
     else
       {
@@ -164,7 +177,14 @@ namespace strait
         state.save(sweep, output, log);
       }
     RunSummary summary;
-    find_seals(scene, sweep, output, state, log);
+    try
+      {
+        find_seals(scene, sweep, output, state, log);
+      }
+    catch (const StoppedInSearch &)
+      {
+        summary.stopped = true;
+      }
     const auto save = [&]() {
       const auto scope = timers.scope("checkpoint");
       state.save(sweep, output, log);
@@ -173,7 +193,7 @@ namespace strait
     const auto is_asked_to_stop = [&]() {
       return sweep.n_done() < n_steps && stop_requested(MPI_COMM_WORLD);
     };
-    summary.stopped = is_asked_to_stop();
+    summary.stopped = summary.stopped || is_asked_to_stop();
     if (!summary.stopped)
       summary.converged = sweep.run([&](const Step &step) {
         {

@@ -159,6 +159,16 @@ namespace strait
   }
 
   void
+  transfer_probe(StateArchive &archive, ThresholdProbe &probe)
+  {
+    archive.value(probe.bottleneck.value);
+    archive.value(probe.bottleneck.point.ix);
+    archive.value(probe.bottleneck.point.iy);
+    archive.value(probe.contact_area);
+    archive.value(probe.fft_pairs);
+  }
+
+  void
   transfer_thresholds(StateArchive &archive, std::vector<Threshold> &thresholds)
   {
     auto n_thresholds = static_cast<long>(thresholds.size());

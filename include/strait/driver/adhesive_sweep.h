@@ -41,6 +41,16 @@ namespace strait
      */
     ContactState state_for_search(double load);
 
+    /** Forget where the search was. */
+    void
+    end_search()
+    {
+      search_start = ContactMemory();
+    }
+
+    /** The path, and where a search is. Collective. */
+    void transfer(StateArchive &archive);
+
     std::size_t
     memory_consumption() const
     {
@@ -50,6 +60,7 @@ namespace strait
   private:
     const Scene          &scene;
     AdhesiveContactSolver solver;
+    const SlabLayoutPtr   layout;
     BranchFollower        follower;
     ContactMemory         search_start;
   };

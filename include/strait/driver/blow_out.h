@@ -3,6 +3,7 @@
 #define strait_driver_blow_out_h
 
 #include <strait/percolation/flow_lattice.h>
+#include <strait/spectral/state_archive.h>
 
 #include <functional>
 
@@ -26,6 +27,9 @@ namespace strait
     double    contact_area = 0.;
     GridPoint constriction; // the narrowest point of the channel, if it leaks
   };
+
+  /** In either direction. Collective. */
+  void transfer_probe(StateArchive &archive, BlowOutProbe &probe);
 
   /**
    * Raise the inlet pressure until the seal leaks, then bisect to the relative width

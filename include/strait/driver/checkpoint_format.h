@@ -13,7 +13,7 @@ namespace strait::checkpoint_format
 {
   // The number tells the byte order, and the version if the items ever change.
   constexpr char          signature[17] = "strait checkpnt\n";
-  constexpr std::uint64_t version       = 1;
+  constexpr std::uint64_t version       = 2;
 
   constexpr std::size_t block = 1 << 20; // of the checksum, and a message at most
 

@@ -66,8 +66,20 @@ namespace strait
      */
     bool run(const Consumer &consume);
 
-    /** All that the steps to come depend on; may be called by the consumer. Collective.
+    /**
+     * Call @p action after every solve of a search, when the state may be saved; it may
+     * throw to stop. Only before the searches.
      */
+    void after_probe(SealSearch::AfterProbe action);
+
+    /** How many solves were made in searches that are not done; 0 if there is none. */
+    std::size_t n_probes() const;
+
+    /** The searches are over; what only they need is freed. */
+    void end_searches();
+
+    /** All that is to come depends on; may be called by the consumer and after a probe.
+     *  Collective. */
     void transfer(StateArchive &archive);
 
     /** How many steps are done. */
@@ -84,7 +96,7 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    SealSearch       make_search();
+    void             transfer_search(StateArchive &archive);
     bool             is_pressed(const std::vector<LoadStop> &stops) const;
     bool             press(Step &step, const LoadStop &stop);
     void             leak(Step &step);
@@ -105,6 +117,7 @@ namespace strait
     std::unique_ptr<CoupledStage>     coupling;    // if the fluid presses on the wall
     std::unique_ptr<TheoryPrediction> theory;
     std::unique_ptr<ErrorBudget>      error_budget; // if there is a fluid
+    std::unique_ptr<SealSearch>       search;       // as long as there is one to make
     std::vector<Threshold>            thresholds;
     Step                              step; // the last that was done
     std::size_t                       next_stop = 0;

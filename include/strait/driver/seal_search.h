@@ -8,15 +8,19 @@
 #include <strait/driver/adhesive_sweep.h>
 #include <strait/driver/blow_out.h>
 #include <strait/driver/coupled_stage.h>
+#include <strait/driver/search_record.h>
 #include <strait/driver/threshold_search.h>
 
+#include <cstddef>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace strait
 {
   /**
    * Finds where a seal begins or ceases to leak: the critical loads, and the inlet
-   * pressures that blow it out.
+   * pressures that blow it out. It can be stopped after any probe and go on later.
    */
   class SealSearch
   {
@@ -30,8 +34,17 @@ namespace strait
       CoupledStage  *coupling; // if the fluid presses on the wall
     };
 
+    /** Called after every probe, when the state may be saved; may throw to stop. */
+    using AfterProbe = std::function<void()>;
+
     /** @p scene, the stages and @p log must outlive this object. */
     SealSearch(const Scene &scene, const Stages &stages, Log &log);
+
+    void
+    after_probe(AfterProbe action)
+    {
+      look_up = std::move(action);
+    }
 
     /** The critical load of every slip length. Collective. */
     std::vector<Threshold> find_thresholds(double first_guess);
@@ -39,10 +52,22 @@ namespace strait
     /** The blow-out pressure of every load of the programme. Collective. */
     std::vector<BlowOut> find_blow_outs();
 
+    /** What was found so far, without what the stages hold. Collective. */
+    void transfer(StateArchive &archive);
+
+    /** How many contact solves, or solves of contact and flow, were made. */
+    std::size_t
+    n_probes() const
+    {
+      return loads.size() + pressures.size();
+    }
+
   private:
+    ThresholdProbe probe_load(double load, double slip_length);
     ThresholdProbe probe(double load, double slip_length);
     ContactState   state_under(double load, double slip_length);
     ContactState   state_with_fluid(double load, double slip_length);
+    BlowOutProbe   probe_pressure(double load, double pressure_difference);
     BlowOutProbe   pressurise(double load, double pressure_difference);
     void           report(const Threshold &found) const;
 
@@ -50,6 +75,10 @@ namespace strait
     const Stages stages;
     Log         &log;
     SlabField    start; // fluid pressure that each probe begins with, with coupling
+    AfterProbe   look_up = []() {};
+
+    SearchRecord<ThresholdProbe> loads;
+    SearchRecord<BlowOutProbe>   pressures;
   };
 } // namespace strait
 

@@ -19,6 +19,9 @@ namespace strait
     long       fft_pairs    = 0;
   };
 
+  /** In either direction. Collective. */
+  void transfer_probe(StateArchive &archive, ThresholdProbe &probe);
+
   /** The critical load, enclosed. */
   struct Threshold
   {
