@@ -196,8 +196,7 @@ namespace strait
       std::string result;
       for (const char character : text)
         {
-          if (character == '|' || character == '*' || character == '_' ||
-              character == '<')
+          if (character == '|' || character == '*' || character == '_')
             result += '\\';
           result += character;
         }
