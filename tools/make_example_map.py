@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Make prm/data/ground_surface.txt, the map of prm/measured_surface.prm.
 

@@ -187,9 +187,31 @@ namespace strait
                        info.path() + "; expected " + info.allowed + ".");
   }
 
+  namespace
+  {
+    /** Text in which nothing marks up. */
+    std::string
+    escaped(const std::string &text)
+    {
+      std::string result;
+      for (const char character : text)
+        {
+          if (character == '|' || character == '*' || character == '_')
+            result += '\\';
+          result += character;
+        }
+      return result;
+    }
+  } // namespace
+
   void
   print_markdown(std::ostream &out, const ParameterTable &table)
   {
+    out
+      << "# Parameters\n\n"
+      << "All parameters of a scene, section by section, as `strait --parameters md` "
+         "prints them;\n`strait --parameters prm` prints a scene with every default. The "
+         "unit stands in brackets,\n[1] for a number without one.\n\n";
     std::vector<std::string> section;
     for (const ParameterInfo &info : table.parameters())
       {
@@ -201,7 +223,7 @@ namespace strait
           }
         out << "| " << info.name << " | "
             << (info.default_value.empty() ? "" : "`" + info.default_value + "`") << " | "
-            << info.allowed << " | " << info.documentation << " |\n";
+            << info.allowed << " | " << escaped(info.documentation) << " |\n";
         if (&info == &table.parameters().back() || (&info + 1)->section != section)
           out << "\n";
       }

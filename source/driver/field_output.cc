@@ -2,6 +2,8 @@
 #include <strait/base/collective.h>
 #include <strait/driver/disk_space.h>
 #include <strait/driver/field_output.h>
+#include <strait/driver/grid_description.h>
+#include <strait/driver/output_directory.h>
 
 #include <deal.II/base/hdf5.h>
 #include <deal.II/numerics/data_out.h>
@@ -53,13 +55,15 @@ namespace strait
                   hdf5_overhead + static_cast<std::uintmax_t>(grid.n_points()) *
                                     (2 * sizeof(double) + sizeof(int)),
                   layout.communicator());
-    dealii::HDF5::File file(name,
+    dealii::HDF5::File       file(name,
                             dealii::HDF5::File::FileAccessMode::create,
                             layout.communicator());
+    std::vector<GridDataset> datasets = {{"gap", false}};
     write_slabs(file, "gap", layout, local_values(step.gap));
     if (step.contact)
       {
         write_slabs(file, "pressure", layout, local_values(step.contact->pressure));
+        datasets.push_back({"pressure", false});
         file.set_attribute("nominal_pressure", step.contact->nominal_pressure);
       }
     if (step.flow)
@@ -68,6 +72,7 @@ namespace strait
         for (const NodeState state : step.flow->clusters.states)
           labels.push_back(static_cast<int>(state));
         write_slabs(file, "labels", layout, labels);
+        datasets.push_back({"labels", true});
         file.set_attribute("leak_rate", step.flow->result.leak_rate);
       }
     file.set_attribute("lx", grid.lx);
@@ -75,6 +80,11 @@ namespace strait
     file.set_attribute("dx", grid.dx());
     file.set_attribute("dy", grid.dy());
     file.set_attribute("units", std::string("those of the scene"));
+    run_on_root(layout.communicator(), [&]() {
+      const std::string base = "fields-" + std::to_string(step.number);
+      write_text(directory + "/" + base + ".xmf",
+                 grid_description(base + ".h5", grid, datasets));
+    });
   }
 
   void

@@ -51,7 +51,7 @@ namespace strait
         if (name == exact)
           return true;
       static const std::regex numbered_file(
-        "(fields|flow|picture)-[0-9]+\\.(h5|vtu|pvtu|png)|relaxation-[0-9]+\\.csv");
+        "(fields|flow|picture)-[0-9]+\\.(h5|xmf|vtu|pvtu|png)|relaxation-[0-9]+\\.csv");
       return std::regex_match(name, numbered_file);
     }
 

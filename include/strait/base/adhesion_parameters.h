@@ -9,6 +9,7 @@ namespace dealii
 
 namespace strait
 {
+  /** How the energy with adhesion is minimised. */
   enum class AdhesionMethod
   {
     nonlinear_cg,

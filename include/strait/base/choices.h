@@ -31,6 +31,7 @@ namespace strait
       return names;
     }
 
+    /** The name of @p value in the scene, empty if the table lacks it. */
     std::string
     name(const Enumeration value) const
     {

@@ -26,10 +26,16 @@ namespace strait
   /** Collective: the string of rank 0 on every rank. */
   std::string broadcast(MPI_Comm comm, std::string text);
 
-  /** Collective sum, minimum and maximum over the ranks. */
-  double    sum(MPI_Comm comm, double value);
-  double    maximum(MPI_Comm comm, double value);
-  double    minimum(MPI_Comm comm, double value);
+  /** The sum of @p value over all ranks. Collective. */
+  double sum(MPI_Comm comm, double value);
+
+  /** The largest @p value of all ranks. Collective. */
+  double maximum(MPI_Comm comm, double value);
+
+  /** The smallest @p value of all ranks. Collective. */
+  double minimum(MPI_Comm comm, double value);
+
+  /** The sum of whole numbers over all ranks. Collective. */
   long long sum(MPI_Comm comm, long long value);
 
   /** Collective: sums of several values with one message. */

@@ -14,12 +14,14 @@ namespace dealii
 
 namespace strait
 {
+  /** What is prescribed at each step. */
   enum class ContactControl
   {
     load,
     mean_gap
   };
 
+  /** How the contact without adhesion is solved. */
   enum class ContactMethod
   {
     dual_cg,

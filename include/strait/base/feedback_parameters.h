@@ -9,6 +9,7 @@ namespace dealii
 
 namespace strait
 {
+  /** How the next fluid pressure is guessed from those before. */
   enum class Acceleration
   {
     anderson,

@@ -13,18 +13,21 @@ namespace dealii
 
 namespace strait
 {
+  /** Where the mean flow goes; the box is periodic across it. */
   enum class FlowDirection
   {
     x,
     y
   };
 
+  /** The algebraic multigrid that preconditions the flow. */
   enum class FlowPreconditioner
   {
     boomeramg,
     ml
   };
 
+  /** How the gap runs between grid points. */
   enum class GapInterpolation
   {
     monotone_cubic,
@@ -38,6 +41,7 @@ namespace strait
     rigorous    // from their extremes
   };
 
+  /** Which cells are refined: the marked ones or all. */
   enum class Refinement
   {
     adaptive,

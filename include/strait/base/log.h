@@ -19,6 +19,7 @@ namespace strait
   class Log
   {
   public:
+    /** How much the screen shows. */
     enum class Screen
     {
       silent,  // nothing but the file

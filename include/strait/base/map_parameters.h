@@ -11,6 +11,7 @@ namespace dealii
 
 namespace strait
 {
+  /** The format of a file of heights. */
   enum class MapFormat
   {
     by_content,
@@ -23,6 +24,7 @@ namespace strait
     sdf
   };
 
+  /** What is subtracted from a measured map, by least squares. */
   enum class Detrend
   {
     none,
@@ -31,6 +33,7 @@ namespace strait
     curvature
   };
 
+  /** How a measured map becomes one period. */
   enum class MakePeriodic
   {
     no,

@@ -12,6 +12,7 @@ namespace dealii
 
 namespace strait
 {
+  /** At which steps fields are written. */
   enum class FieldOutput
   {
     none,

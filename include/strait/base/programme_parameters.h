@@ -11,6 +11,7 @@ namespace dealii
 
 namespace strait
 {
+  /** In which direction the loads are taken. */
   enum class LoadPath
   {
     loading,

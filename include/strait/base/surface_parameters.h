@@ -14,6 +14,7 @@ namespace dealii
 
 namespace strait
 {
+  /** The height profiles that strait knows. */
   enum class SurfaceKind
   {
     self_affine,
@@ -27,12 +28,14 @@ namespace strait
     file
   };
 
+  /** Amplitudes of the waves of a self-affine surface. */
   enum class Amplitudes
   {
     gaussian,
     fixed
   };
 
+  /** What the given rms value is of. */
   enum class Normalisation
   {
     rms_slope,

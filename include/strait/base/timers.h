@@ -18,6 +18,7 @@ namespace strait
   public:
     using Clock = std::chrono::steady_clock;
 
+    /** Adds the time of its life to an entry. */
     class Scope
     {
     public:

@@ -8,11 +8,15 @@
 namespace strait
 {
   /**
-   * What one of @p unit is in metres, pascals, seconds; nothing if the unit is
+   * What one of @p unit is in metres; nothing if the unit is
    * not known. The micro sign may be UTF-8, Latin-1, a Greek mu or the letter u.
    */
   std::optional<double> metres_in(const std::string &unit);
+
+  /** What one of @p unit is in pascals; nothing if the unit is not known. */
   std::optional<double> pascals_in(const std::string &unit);
+
+  /** What one of @p unit is in seconds; nothing if the unit is not known. */
   std::optional<double> seconds_in(const std::string &unit);
 
   /** The units that metres_in() knows, for messages. */
@@ -31,6 +35,7 @@ namespace strait
     }
   };
 
+  /** What a file or a user wrote; not a length if its name is not known. */
   LengthUnit parse_length_unit(const std::string &text);
 
   /**

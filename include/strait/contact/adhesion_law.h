@@ -22,13 +22,14 @@ namespace strait
       return gap < 40 * range ? surface_energy / range * std::exp(-gap / range) : 0.;
     }
 
-    /** γ and γ'' where γ' is @p traction. */
+    /** γ where γ' is @p traction. */
     double
     energy(const double traction) const
     {
       return -range * traction;
     }
 
+    /** γ'' where γ' is @p traction. */
     double
     curvature(const double traction) const
     {

@@ -19,8 +19,11 @@ namespace strait
      *  Tabor number is given and the surface is flat. */
     AdhesionScale(const ContactParameters &parameters, const SlabField &heights);
 
+    /** The law of this energy per area, with the scene's range or Tabor number. */
     AdhesionLaw law(double surface_energy) const;
-    double      tabor_number(const AdhesionLaw &law) const;
+
+    /** μT of a law on this surface. */
+    double tabor_number(const AdhesionLaw &law) const;
 
     /**
      * E* z0²/(γ0 a) with the grid spacing a: several points lie within the edge of a
@@ -36,8 +39,10 @@ namespace strait
     double spacing;
   };
 
-  /** Largest resolution() at which a warning, or an error, is due. */
-  constexpr double resolved_adhesion   = 3.;
+  /** Largest resolution() at which a warning is due. */
+  constexpr double resolved_adhesion = 3.;
+
+  /** Largest resolution() at which an error is due. */
   constexpr double unresolved_adhesion = .8;
 
   /**

@@ -23,7 +23,7 @@ namespace strait
   struct AdhesiveState
   {
     double adhesive_energy = 0; // mean of γ(g), <= 0 [energy/area]
-    /** ½<w, Kw> + <γ> + p0 <g>, the last term under load control only. */
+    /** ½⟨w, Kw⟩ + ⟨γ⟩ + p0 ⟨g⟩, the last term under load control only. */
     double total_energy = 0;
 
     /** Smallest eigenvalue of the preconditioned curvature on the open points: the

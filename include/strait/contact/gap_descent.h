@@ -28,6 +28,7 @@ namespace strait
                const GapTolerance  &tolerance,
                RelaxationObserver   observer);
 
+    /** What a step came to. */
     enum class Outcome
     {
       moved,

@@ -71,6 +71,7 @@ namespace strait
     /** No contact, and the load pulls at least twice as strongly as any point. */
     bool is_detached() const;
 
+    /** Copy energies, load, gap and residual to @p solution. */
     void describe(GapSolution &solution) const;
 
     GapProblem         &problem;
@@ -83,9 +84,9 @@ namespace strait
     void evaluate();
 
     const AdhesionLaw law;
-    double            pressure          = 0; // p0, at fixed mean gap so that <r> = 0
-    double            elastic_energy    = 0; // ½<w, Kw>, and p0 <g> at fixed load
-    double            adhesive_energy   = 0;
+    double            pressure        = 0; // p0, at fixed mean gap so that ⟨r⟩ = 0
+    double            elastic_energy  = 0; // ½⟨w, Kw⟩, and p0 ⟨g⟩ at fixed load
+    double            adhesive_energy = 0;
     double            largest_violation = 0;
     double            smallest_gap      = 0;
   };

@@ -15,6 +15,7 @@ namespace strait
    */
   struct GapConstraint
   {
+    /** Which of the two. */
     enum class Kind
     {
       nominal_pressure,
@@ -47,8 +48,8 @@ namespace strait
      * units of the tolerance's traction; r is the derivative of the energy.
      */
     double residual         = 0;
-    double energy           = 0; // the problem's, without p0 <g> at fixed mean gap
-    double adhesive_energy  = 0; // <γ(g)>
+    double energy           = 0; // the problem's, without p0 ⟨g⟩ at fixed mean gap
+    double adhesive_energy  = 0; // ⟨γ(g)⟩
     double nominal_pressure = 0;
     int    iterations       = 0;
     bool   converged        = false;

@@ -9,7 +9,7 @@ namespace strait
 {
   /**
    * A contact problem with adhesion as an optimiser sees it: minimise
-   * ½<w, Kw> + <γ(g)> + p0 <g> over gaps g >= 0, where w = g + h. Knows neither
+   * ½⟨w, Kw⟩ + ⟨γ(g)⟩ + p0 ⟨g⟩ over gaps g >= 0, where w = g + h. Knows neither
    * elasticity nor how the points lie.
    *
    * <a, b> is the mean of a·b over the nominal area, <a> that of a. K vanishes on
@@ -24,7 +24,7 @@ namespace strait
     virtual const AdhesionLaw &adhesion() const = 0;
 
     /**
-     * traction = K w. Returns <w, Kw>. Collective.
+     * traction = K w. Returns ⟨w, Kw⟩. Collective.
      * before() is called for ranges that cover all points before w is read there, and
      * may write w; after() when the traction is complete on its range.
      */
@@ -35,7 +35,7 @@ namespace strait
 
     /**
      * Replace @p values by M values, where M is a symmetric positive approximation
-     * of the inverse of K + mean_stiffness() <·>. Collective; passes as in apply().
+     * of the inverse of K + mean_stiffness() ⟨·⟩. Collective; passes as in apply().
      */
     virtual void precondition(double *values, const Pass &before, const Pass &after) = 0;
 

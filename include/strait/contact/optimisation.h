@@ -13,7 +13,10 @@ namespace strait
   class ContactConstraint
   {
   public:
+    /** Load control with this nominal pressure. */
     static ContactConstraint mean_pressure(double pressure);
+
+    /** Gap control with this rigid displacement u0. */
     static ContactConstraint rigid_displacement(double displacement);
 
     /** The rigid displacement of gap control; 0 where it is unknown. */

@@ -11,12 +11,16 @@
 /** What the writer and the reader of checkpoints must agree on. */
 namespace strait::checkpoint_format
 {
-  // The number tells the byte order, and the version if the items ever change.
-  constexpr char          signature[17] = "strait checkpnt\n";
-  constexpr std::uint64_t version       = 2;
+  /** The first 16 bytes of a checkpoint. */
+  constexpr char signature[17] = "strait checkpnt\n";
 
-  constexpr std::size_t block = 1 << 20; // of the checksum, and a message at most
+  /** Follows the signature: tells the byte order, and whether the items have changed. */
+  constexpr std::uint64_t version = 2;
 
+  /** Bytes of a block of the checksum, and of a message at most. */
+  constexpr std::size_t block = 1 << 20;
+
+  /** The end of the file, which says that it is whole. */
   struct Trailer
   {
     std::uint64_t length;
@@ -37,6 +41,7 @@ namespace strait::checkpoint_format
     return checksum;
   }
 
+  /** Whether this rank writes and reads for all. */
   inline bool
   is_root(MPI_Comm comm)
   {
@@ -55,6 +60,7 @@ namespace strait::checkpoint_format
       piece(bytes + at, std::min(block, size - at));
   }
 
+  /** Bytes of all points of @p rank. */
   inline std::size_t
   bytes_of(const SlabLayout &layout, const int rank, const std::size_t point_size)
   {

@@ -13,7 +13,8 @@ namespace strait
    * Write fields-STEP.h5 to @p directory: the datasets gap, pressure (of the
    * contact) and labels (the values of NodeState) of shape (ny, nx), row 0 at
    * y = 0, with attributes lx, ly, dx, dy and the step's load. A dataset of an
-   * effect that is off is absent. Collective.
+   * effect that is off is absent. Beside it fields-STEP.xmf, which tells ParaView
+   * where the points are. Collective.
    */
   void write_grid_fields(const std::string &directory, const Step &step);
 

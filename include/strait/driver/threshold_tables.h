@@ -62,6 +62,7 @@ namespace strait
     {
     }
 
+    /** Add a step, if it has a reduced load. */
     void collect(const Step &step);
 
     /** All that was collected. Collective. */

@@ -67,13 +67,14 @@ namespace strait
     /** The locally owned active cells, in the order of iteration. */
     std::vector<GridCell> owned_grid_cells() const;
 
-    /** Edge lengths of @p cell. */
+    /** Length of @p cell along x. */
     double
     width(const GridCell &cell) const
     {
       return std::ldexp(periodic_grid.dx(), cell.exponent);
     }
 
+    /** Length of @p cell along y. */
     double
     height(const GridCell &cell) const
     {

@@ -6,6 +6,7 @@
 
 namespace strait
 {
+  /** How a linear system was solved. */
   struct LinearSolve
   {
     unsigned int iterations   = 0;

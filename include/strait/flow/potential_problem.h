@@ -32,6 +32,7 @@ namespace strait
   class PotentialProblem
   {
   public:
+    /** Which of the two problems. */
     enum class Kind
     {
       pressure,

@@ -21,6 +21,7 @@ namespace strait
       double       weight;
     };
 
+    /** The freed nodes of one coarse cell. */
     struct Cell
     {
       std::size_t  first_index      = 0;

@@ -67,6 +67,7 @@ namespace strait
   class GapField
   {
   public:
+    /** What the moments are of. */
     enum class Coefficient
     {
       conductivity,

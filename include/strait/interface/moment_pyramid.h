@@ -31,6 +31,8 @@ namespace strait
 
     /** Moments of a cell of this rank with 1 <= exponent <= n_halvings. */
     const double *moments(const GridCell &cell) const;
+
+    /** Flags of such a cell, those of its grid cells joined by or. */
     unsigned char flags(const GridCell &cell) const;
 
     std::size_t memory_consumption() const;

@@ -55,12 +55,14 @@ namespace strait
       return static_cast<std::size_t>((b + across) % across) * n_along + a;
     }
 
+    /** Column of point @p k, counted from the inlet. */
     int
     along(const std::size_t k) const
     {
       return static_cast<int>(k % n_along);
     }
 
+    /** Row of point @p k, across the flow. */
     int
     across_of(const std::size_t k) const
     {
@@ -73,6 +75,7 @@ namespace strait
       return values[k];
     }
 
+    /** The point of the grid that is point @p k of the lattice. */
     GridPoint
     point(const std::size_t k) const
     {
@@ -80,6 +83,7 @@ namespace strait
                      : GridPoint{across_of(k), along(k)};
     }
 
+    /** Its inverse. */
     std::size_t
     index_of(const GridPoint &p) const
     {

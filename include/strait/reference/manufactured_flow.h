@@ -22,6 +22,7 @@ namespace strait::reference
     /** p = 1 − x + 0.1 sin πx cos 2πy. */
     double pressure(double x, double y);
 
+    /** ∇p. */
     std::array<double, 2> pressure_gradient(double x, double y);
 
     /** f = −∇·(K ∇p). */

@@ -23,6 +23,7 @@ namespace strait
     /** p_in Lx/(π² E* g0), the small parameter. */
     double parameter() const;
 
+    /** g − g0 at @p x, to first order. */
     double gap_change(double x) const;
 
     /**

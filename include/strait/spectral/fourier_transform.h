@@ -262,6 +262,8 @@ namespace strait
    * read or write is not an error. Collective.
    */
   void load_wisdom(MPI_Comm communicator);
+
+  /** Save what load_wisdom() finds. Collective. */
   void save_wisdom(MPI_Comm communicator);
 
   /**
@@ -269,7 +271,9 @@ namespace strait
    * decides about the last digits. Collective.
    */
   std::string export_wisdom(MPI_Comm communicator);
-  void        import_wisdom(MPI_Comm communicator, const std::string &wisdom);
+
+  /** Take up what export_wisdom() returned, known to rank 0. Collective. */
+  void import_wisdom(MPI_Comm communicator, const std::string &wisdom);
 } // namespace strait
 
 #endif

@@ -59,6 +59,7 @@ namespace strait
       return row_starts[my_rank + 1] - row_starts[my_rank];
     }
 
+    /** First row of @p rank; of the number of ranks, the number of rows. */
     int
     first_row_of(const int rank) const
     {
@@ -82,8 +83,10 @@ namespace strait
     std::vector<int> row_starts;
   };
 
+  /** Layouts are shared by the fields that use them. */
   using SlabLayoutPtr = std::shared_ptr<const SlabLayout>;
 
+  /** Rows of @p grid as FFTW distributes them. Collective. */
   SlabLayoutPtr make_layout(const PeriodicGrid &grid, MPI_Comm communicator);
 
   /**
@@ -199,19 +202,25 @@ namespace strait
     std::vector<double> values;
   };
 
-  /** Collective: mean, root mean square (about the mean), smallest, largest. */
+  /** Mean. Collective. */
   double mean(const SlabField &field);
+
+  /** Root mean square about the mean. Collective. */
   double rms(const SlabField &field);
+
+  /** Smallest value. Collective. */
   double min_value(const SlabField &field);
+
+  /** Largest value. Collective. */
   double max_value(const SlabField &field);
 
   /**
    * Collective: the rows @p rows (global numbers, any order, taken modulo ny)
-   * of @p field, one after the other. Each rank may ask for other rows. The
-   * second form serves any row-distributed array of @p row_length doubles a row
-   * that is laid out like @p layout.
+   * of @p field, one after the other. Each rank may ask for other rows.
    */
   std::vector<double> fetch_rows(const SlabField &field, const std::vector<int> &rows);
+
+  /** The same of any array of @p row_length doubles a row, laid out like @p layout. */
   std::vector<double> fetch_rows(const SlabLayout       &layout,
                                  const double           *local_rows,
                                  int                     row_length,

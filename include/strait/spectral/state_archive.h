@@ -25,14 +25,25 @@ namespace strait
     /** Whether members are taken from the archive rather than put there. */
     virtual bool is_reading() const = 0;
 
-    virtual void value(double &number)               = 0;
-    virtual void value(std::string &text)            = 0;
-    virtual void value(std::vector<double> &numbers) = 0;
-    void         value(std::vector<std::string> &texts);
+    /** A number. */
+    virtual void value(double &number) = 0;
 
-    /** Whole numbers that a double holds exactly. */
+    /** A text, of any length. */
+    virtual void value(std::string &text) = 0;
+
+    /** A list of numbers, of any length. */
+    virtual void value(std::vector<double> &numbers) = 0;
+
+    /** A list of texts, of any length. */
+    void value(std::vector<std::string> &texts);
+
+    /** A whole number that a double holds exactly. */
     void value(int &number);
+
+    /** The same. */
     void value(long &number);
+
+    /** A yes or no. */
     void value(bool &flag);
 
     /** A field, which may be empty(). */
@@ -40,6 +51,8 @@ namespace strait
 
     /** One value per grid point, in slabs like @p layout, or none on any rank. */
     void field(std::vector<double> &values, const SlabLayout &layout);
+
+    /** The same in single precision. */
     void field(std::vector<float> &values, const SlabLayout &layout);
 
   protected:

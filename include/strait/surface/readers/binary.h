@@ -22,6 +22,7 @@ namespace strait
     float64
   };
 
+  /** Size of a number in bytes. */
   std::size_t bytes_of(NumberType type);
 
   /** The number that begins at @p bytes, whatever the byte order of this machine. */
