@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace strait
@@ -40,7 +41,7 @@ namespace strait
   {
     std::fill(step.begin(), step.end(), 0.);
     std::fill(response.begin(), response.end(), 0.);
-    restarts = true;
+    restarts = true; reach = 1;
   }
 
   GapDescent::Outcome
@@ -96,8 +97,11 @@ namespace strait
       });
     const double d_curvature = d_q + d_local;
     double       beta        = 0;
+    static const bool pr = getenv("PR");
     if (!restarts && d_curvature > least_curvature * d_q)
       beta = std::max(0., (z_q + z_local) / d_curvature);
+    else if (!restarts && pr)
+      beta = std::max(0., (z_q + z_local) / last_work);
     if (-z_r + beta * d_r >= 0)
       beta = 0;
 
@@ -111,7 +115,7 @@ namespace strait
     local_work         = local;
     foretold_work      = std::max(stiffness * free_work + fixed_work, .1 * free_work);
     const double curvature = foretold_work + local_work;
-    return -slope /
+    return reach * -slope /
            (curvature > least_curvature * foretold_work ? curvature : foretold_work);
   }
 
@@ -124,7 +128,9 @@ namespace strait
       {
         const double work = form_step(length);
         if (search_line(work))
-          return true;
+          { static const char *R = getenv("REACH");
+            if (R) { if (truncated) reach = std::clamp(reach * std::clamp(last_ideal, .5, atof(R)), .5, 16.); else reach = 1; }
+            return true; }
         if (!truncated)
           return false;
         // Too many points close at once: a shorter arc has fewer of them.
@@ -155,7 +161,7 @@ namespace strait
           d[i] -= g[i];
       },
       no_pass);
-    if (!truncated && free_work > 0)
+    if ((!truncated || getenv("ALWAYS")) && free_work > 0)
       {
         const double share =
           (work / (length * length) - fixed_work) / free_work; // <z, Kz>/<z, r>
@@ -182,9 +188,12 @@ namespace strait
       return false;
     const bool   is_convex = work + local > least_curvature * work;
     const double ideal     = is_convex ? -d_r / (work + local) : -boldness * d_r / work;
-    if (truncated && ideal < short_step)
+    last_ideal = is_convex ? ideal : 100; last_work = -d_r;
+    static const char *part = getenv("PART");
+    const bool shorten = truncated && ideal < short_step;
+    if (shorten && (!part || ideal < atof(part)))
       return false;
-    double length = truncated ? 1. : std::min(ideal, furthest);
+    double length = shorten ? ideal : truncated ? 1. : std::min(ideal, furthest);
 
     const double before = iterate.energy();
     double       gone   = 0;

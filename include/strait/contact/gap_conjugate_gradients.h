@@ -48,6 +48,7 @@ namespace strait
     double free_work     = 0;     // <z, r>, of which <z, Kz> is a known share
     double local_work    = 0;     // <t, γ'' t>
     double stiffness     = 1.5;   // <z, Kz>/<z, r>, at first a typical value
+    double reach = 1, last_ideal = 1, last_work = 1;
     bool   truncated     = false; // some point of the step closes
     bool   restarts      = true;
   };
