@@ -69,10 +69,9 @@ namespace strait
 
   TwoScaleCompliance::TwoScaleCompliance(SlabLayoutPtr fine_layout,
                                          const double  contact_modulus,
-                                         const double  uniform_)
+                                         const double  uniform)
     : layout(std::move(fine_layout))
     , unit(2 * std::sqrt(layout->grid().dx() * layout->grid().dy()) / contact_modulus)
-    , uniform(uniform_)
     , stencil(fit_to_compliance(aspect_of(layout->grid()), unit))
     , sweep(stencil, layout->grid().nx)
     , coarse_transform(make_layout(coarsened(layout->grid()), layout->communicator()))
@@ -81,6 +80,18 @@ namespace strait
     , between(layout->grid().nx / stride)
     , correction_line(layout->grid().nx)
   {
+    const PeriodicGrid &fine   = layout->grid();
+    const double        aspect = aspect_of(fine);
+    for (int ky = 0; 2 * stride * ky <= fine.ny; ++ky)
+      for (int kx = 0; 2 * stride * kx <= fine.nx; ++kx)
+        {
+          const double x = 2 * M_PI / fine.nx * kx, y = 2 * M_PI / fine.ny * ky;
+          const bool   is_mean  = kx == 0 && ky == 0;
+          const double wanted   = is_mean ? uniform : unit / phase(x, y, aspect);
+          const double transfer = std::pow(mean_of_wave(x) * mean_of_wave(y), 4);
+          symbol.push_back(std::max(0., wanted - stencil.symbol(x, y)) *
+                           taper(std::hypot(x, y)) / transfer);
+        }
   }
 
   void
@@ -158,16 +169,9 @@ namespace strait
             sum[i] += weight * line[i];
         }
 
-    const double step_x = 2 * M_PI / fine.nx, step_y = 2 * M_PI / fine.ny;
-    const double aspect = aspect_of(fine);
     coarse_transform.multiply(
-      coarse.data(), coarse.data(), [=](const int kx, const int ky) {
-        const double x = step_x * kx, y = step_y * ky;
-        const double wanted_symbol =
-          kx == 0 && ky == 0 ? uniform : unit / phase(x, y, aspect);
-        const double transfer = std::pow(mean_of_wave(x) * mean_of_wave(y), 2);
-        return std::max(0., wanted_symbol - stencil.symbol(x, y)) *
-               taper(std::hypot(x, y)) / (transfer * transfer);
+      coarse.data(), coarse.data(), [this](const int kx, const int ky) {
+        return symbol[std::abs(ky) * (layout->grid().nx / (2 * stride) + 1) + kx];
       });
 
     std::vector<int> around;
@@ -205,7 +209,7 @@ namespace strait
   TwoScaleCompliance::memory_consumption() const
   {
     // Rows that are fetched count as those that are sent.
-    const std::size_t n_values = 2 * restricted.size() + coarse.size() +
+    const std::size_t n_values = 2 * restricted.size() + coarse.size() + symbol.size() +
                                  corrections.size() + between.size() +
                                  correction_line.size();
     return n_values * sizeof(double) + sweep.memory_consumption() +

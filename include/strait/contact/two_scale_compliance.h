@@ -46,10 +46,10 @@ namespace strait
 
     const SlabLayoutPtr    layout;
     const double           unit; // 1/(q √(dx dy)) times this is the compliance
-    const double           uniform;
     const NinePointStencil stencil;
     StencilSweep           sweep;
     FourierTransform       coarse_transform;
+    std::vector<double>    symbol;     // of the corrections, ky by kx, both >= 0
     std::vector<double>    restricted; // of each row, every fourth point
     std::vector<double>    coarse;     // local rows of the coarse grid
     std::vector<double>    corrections;
