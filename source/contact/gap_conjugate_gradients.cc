@@ -104,11 +104,11 @@ namespace strait
     const double d_curvature = d_q + d_local;
     double       beta        = 0;
     // Hestenes and Stiefel's beta or, where the energy curves down along d and d is
-    // worth keeping all the more, Polak and Ribière's.
-    if (!restarts)
-      beta = std::max(0.,
-                      (z_q + z_local) /
-                        (d_curvature > least_curvature * d_q ? d_curvature : last_fall));
+    // worth keeping all the more, Polak and Ribière's; not where all is rounding.
+    if (!restarts && d_curvature > least_curvature * d_q)
+      beta = std::max(0., (z_q + z_local) / d_curvature);
+    else if (!restarts && last_fall > slack * std::abs(iterate.energy()))
+      beta = std::max(0., (z_q + z_local) / last_fall);
     if (-z_r + beta * d_r >= 0)
       beta = 0;
 
@@ -192,7 +192,8 @@ namespace strait
     if (!(d_r < 0))
       return false;
     const bool   is_convex = work + local > least_curvature * work;
-    const double ideal     = is_convex ? -d_r / (work + local) : -boldness * d_r / work;
+    const double bold  = work > 0 ? -boldness * d_r / work : 1.; // d uniform, or noise
+    const double ideal = is_convex ? -d_r / (work + local) : bold;
     const double length_of_whole = ideal < short_step ? ideal : 1.;
     double       length = truncated ? length_of_whole : std::min(ideal, furthest);
     const double before = iterate.energy();

@@ -67,11 +67,11 @@ namespace
     const SlabField heights = make_surface(surface_of(is_rough), MPI_COMM_WORLD)
                                 ->heights(make_layout({n, n, 1., 1.}, MPI_COMM_WORLD));
     ContactParameters contact;
-    contact.tolerance               = tolerance;
-    contact.maximum_iterations      = 5000;
-    contact.adhesion.enabled        = true;
-    contact.adhesion.surface_energy = is_rough ? matched_energy(tabor) : .1;
-    contact.adhesion.tabor_number   = tabor;
+    contact.tolerance                  = tolerance;
+    contact.maximum_iterations         = 5000;
+    contact.adhesion.enabled           = true;
+    contact.adhesion.surface_energy    = is_rough ? matched_energy(tabor) : .1;
+    contact.adhesion.tabor_number      = tabor;
     contact.adhesion.accept_unresolved = true;
     AdhesiveContactSolver     solver(contact,
                                  adhesion_of_scene(contact, heights),
@@ -89,13 +89,14 @@ namespace
         if (!state.converged)
           std::printf("load %g: residual %g\n", loads[k], state.residual);
         if (std::getenv("VERBOSE"))
-          std::printf("%8.4f %4ld pairs %4d iterations area %.6f energy %.10f curvature %.3g\n",
-                      loads[k],
-                      state.fft_pairs,
-                      state.iterations,
-                      state.contact_area,
-                      state.adhesion->total_energy,
-                      state.adhesion->smallest_curvature);
+          std::printf(
+            "%8.4f %4ld pairs %4d iterations area %.6f energy %.10f curvature %.3g\n",
+            loads[k],
+            state.fft_pairs,
+            state.iterations,
+            state.contact_area,
+            state.adhesion->total_energy,
+            state.adhesion->smallest_curvature);
         if (k == 0)
           {
             first         = state.fft_pairs;
@@ -111,17 +112,18 @@ namespace
     int          rank    = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     if (rank == 0)
-      std::printf("%-6s %5d %5.2f  first %4ld  steps %6.1f at most %4ld  iterations %5.1f  "
-                  "%7.3f s first %7.3f s a step\n",
-                  is_rough ? "rough" : "saddle",
-                  n,
-                  tabor,
-                  first,
-                  static_cast<double>(pairs) / n_steps,
-                  most,
-                  iterations / n_steps,
-                  first_seconds,
-                  (seconds() - start) / n_steps);
+      std::printf(
+        "%-6s %5d %5.2f  first %4ld  steps %6.1f at most %4ld  iterations %5.1f  "
+        "%7.3f s first %7.3f s a step\n",
+        is_rough ? "rough" : "saddle",
+        n,
+        tabor,
+        first,
+        static_cast<double>(pairs) / n_steps,
+        most,
+        iterations / n_steps,
+        first_seconds,
+        (seconds() - start) / n_steps);
   }
 } // namespace
 
