@@ -6,15 +6,14 @@
 // saddle: the square saddle with γ0 = 0.1 E*Δ, loads 0.9 … 1.1 … 0.9 E*Δ/λ in steps of
 // 0.02. rough: self-affine, H = 0.8, 512² points for λs/a = 32, γ0 as matched at
 // L = 0.07 E*, loads 0.05 … 0.14 … 0.05 E* in steps of 0.01. Prints the pairs of the
-// first load, and of the others the mean, the largest and what a thousand of points
-// cost in microseconds.
+// first load, of the others the mean and the largest, the mean number of iterations, and
+// seconds of processor time.
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/contact/adhesive_contact_solver.h>
 #include <strait/surface/surface.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <string>
 #include <vector>
@@ -88,15 +87,6 @@ namespace
         const ContactState state = solver.solve(loads[k]);
         if (!state.converged)
           std::printf("load %g: residual %g\n", loads[k], state.residual);
-        if (std::getenv("VERBOSE"))
-          std::printf(
-            "%8.4f %4ld pairs %4d iterations area %.6f energy %.10f curvature %.3g\n",
-            loads[k],
-            state.fft_pairs,
-            state.iterations,
-            state.contact_area,
-            state.adhesion->total_energy,
-            state.adhesion->smallest_curvature);
         if (k == 0)
           {
             first         = state.fft_pairs;
