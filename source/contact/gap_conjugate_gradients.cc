@@ -15,9 +15,15 @@ namespace strait
     /** Where the attraction wins, the elastic curvature alone is too cautious. */
     constexpr double boldness = 3;
 
-    /** A step that closes points is taken whole or, if the line asks for less than
-     *  this share of it, formed anew with a shorter length. */
-    constexpr double short_step = .4, shorter_arc = .3;
+    /** A step that closes points is taken whole, unless the line asks for less than this
+     *  share of it. */
+    constexpr double short_step = .4;
+
+    /** If the energy does not fall along it, it is formed anew so much shorter. */
+    constexpr double shorter_arc = .3;
+
+    /** By what the reach of steps that close points may change at once, and its ends. */
+    constexpr double quickest_change = 2, least_reach = .5, farthest_reach = 16;
 
     constexpr int max_trials = 12;
 
@@ -41,6 +47,7 @@ namespace strait
     std::fill(step.begin(), step.end(), 0.);
     std::fill(response.begin(), response.end(), 0.);
     restarts = true;
+    reach    = 1;
   }
 
   GapDescent::Outcome
@@ -96,8 +103,12 @@ namespace strait
       });
     const double d_curvature = d_q + d_local;
     double       beta        = 0;
+    // Hestenes and Stiefel's beta or, where the energy curves down along d and d is
+    // worth keeping all the more, Polak and Ribière's; not where all is rounding.
     if (!restarts && d_curvature > least_curvature * d_q)
       beta = std::max(0., (z_q + z_local) / d_curvature);
+    else if (!restarts && last_fall > slack * std::abs(iterate.energy()))
+      beta = std::max(0., (z_q + z_local) / last_fall);
     if (-z_r + beta * d_r >= 0)
       beta = 0;
 
@@ -111,7 +122,7 @@ namespace strait
     local_work         = local;
     foretold_work      = std::max(stiffness * free_work + fixed_work, .1 * free_work);
     const double curvature = foretold_work + local_work;
-    return -slope /
+    return -reach * slope /
            (curvature > least_curvature * foretold_work ? curvature : foretold_work);
   }
 
@@ -155,7 +166,7 @@ namespace strait
           d[i] -= g[i];
       },
       no_pass);
-    if (!truncated && free_work > 0)
+    if (free_work > 0)
       {
         const double share =
           (work / (length * length) - fixed_work) / free_work; // <z, Kz>/<z, r>
@@ -181,26 +192,40 @@ namespace strait
     if (!(d_r < 0))
       return false;
     const bool   is_convex = work + local > least_curvature * work;
-    const double ideal     = is_convex ? -d_r / (work + local) : -boldness * d_r / work;
-    if (truncated && ideal < short_step)
-      return false;
-    double length = truncated ? 1. : std::min(ideal, furthest);
-
+    const double bold  = work > 0 ? -boldness * d_r / work : 1.; // d uniform, or noise
+    const double ideal = is_convex ? -d_r / (work + local) : bold;
+    const double length_of_whole = ideal < short_step ? ideal : 1.;
+    double       length = truncated ? length_of_whole : std::min(ideal, furthest);
     const double before = iterate.energy();
     double       gone   = 0;
-    for (int trials = 0; trials < (truncated ? 1 : max_trials); ++trials)
+    for (int trials = 0; trials < max_trials; ++trials)
       {
         iterate.move(d, response.data(), work, length - gone);
         gone = length;
         if (iterate.energy() <= before + 1e-4 * length * d_r + slack * std::abs(before))
           {
             step_length = length;
+            last_fall   = -length * d_r;
+            learn_reach(is_convex ? ideal : INFINITY);
             return true;
           }
         length *= .4;
       }
     iterate.move(d, response.data(), work, -gone);
     return false;
+  }
+
+  /** The length that was foretold for the last step was wrong by a factor @p ideal. */
+  void
+  GapConjugateGradients::learn_reach(const double ideal)
+  {
+    // Where nothing closes, the step went as far as was ideal.
+    reach =
+      truncated
+        ? std::clamp(reach * std::clamp(ideal, 1 / quickest_change, quickest_change),
+                     least_reach,
+                     farthest_reach)
+        : 1.;
   }
 
   std::size_t

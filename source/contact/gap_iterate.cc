@@ -104,10 +104,11 @@ namespace strait
     const double     *g = gap, *e = elastic.data();
     double           *r     = derivative.data();
     const AdhesionLaw gamma = law;
+    const double      most  = gamma.traction(0.);
     double            least = std::numeric_limits<double>::infinity();
     const auto [attraction, open_force, open_area] =
       weighted_sums<3>(problem, [&, g, e, r](const auto i, auto &sums) {
-        const double traction = gamma.traction(g[i]);
+        const double traction = g[i] > 0 ? gamma.traction(g[i]) : most;
         r[i]                  = e[i] + traction;
         sums[0] += traction;
         sums[1] += g[i] > 0 ? r[i] : 0.;

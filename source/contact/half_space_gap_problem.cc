@@ -18,6 +18,10 @@ namespace strait
     , all_points(
         {{0, heights.size(), 1. / static_cast<double>(heights.grid().n_points())}})
   {
+    if (TwoScaleCompliance::suits(heights.grid()))
+      compliance = std::make_unique<TwoScaleCompliance>(heights.layout_pointer(),
+                                                        contact_modulus,
+                                                        1. / mean_stiffness());
   }
 
   std::size_t
@@ -86,6 +90,14 @@ namespace strait
   void
   HalfSpaceGapProblem::precondition(double *values, const Pass &before, const Pass &after)
   {
+    if (compliance)
+      {
+        compliance->apply(
+          values,
+          [&](const int row) { before(block_of_row(row)); },
+          [&](const int row) { after(block_of_row(row)); });
+        return;
+      }
     const double uniform = 1. / mean_stiffness();
     transform.multiply_in_passes(
       values,

@@ -13,35 +13,6 @@ namespace strait
     /** Points of a box along x and along y. */
     constexpr int box = 4;
 
-    /** Solve the regular 4 × 4 system A x = b by elimination with pivoting. */
-    std::array<double, 4>
-    solve(std::array<std::array<double, 4>, 4> a, std::array<double, 4> b)
-    {
-      for (int k = 0; k < 4; ++k)
-        {
-          int pivot = k;
-          for (int i = k + 1; i < 4; ++i)
-            if (std::abs(a[i][k]) > std::abs(a[pivot][k]))
-              pivot = i;
-          std::swap(a[k], a[pivot]);
-          std::swap(b[k], b[pivot]);
-          for (int i = k + 1; i < 4; ++i)
-            {
-              const double factor = a[i][k] / a[k][k];
-              for (int j = k; j < 4; ++j)
-                a[i][j] -= factor * a[k][j];
-              b[i] -= factor * b[k];
-            }
-        }
-      for (int k = 3; k >= 0; --k)
-        {
-          for (int j = k + 1; j < 4; ++j)
-            b[k] -= a[k][j] * b[j];
-          b[k] /= a[k][k];
-        }
-      return b;
-    }
-
     /** 1 for long waves, 0 beyond the shortest wave of the coarse grid. */
     double
     taper(const double theta)
@@ -56,12 +27,10 @@ namespace strait
   TwoScalePreconditioner::TwoScalePreconditioner(SlabLayoutPtr fine_layout)
     : layout(std::move(fine_layout))
     , aspect(layout->grid().dy() / layout->grid().dx())
-    , stencil(fit_stencil(aspect))
+    , stencil(fit_to_symbol(aspect))
+    , sweep(stencil, layout->grid().nx)
   {
     const PeriodicGrid &fine = layout->grid();
-    above.resize(fine.nx);
-    here.resize(fine.nx);
-    mixed.resize(fine.nx + 2);
     correction_line.resize(fine.nx);
     if (fine.nx % box != 0 || fine.ny % box != 0 || std::min(fine.nx, fine.ny) < 8 * box)
       return;
@@ -79,33 +48,14 @@ namespace strait
       row_sums.resize(static_cast<std::size_t>(layout->n_rows()) * coarse.nx);
   }
 
-  TwoScalePreconditioner::Stencil
-  TwoScalePreconditioner::fit_stencil(const double aspect)
+  /** To |q| in units of its value at the shortest wave. */
+  NinePointStencil
+  TwoScalePreconditioner::fit_to_symbol(const double aspect)
   {
-    // Least squares of the relative error over the Brillouin zone. The 0.15
-    // keeps the weight of the longest waves finite: they are corrected later.
-    constexpr int                        n = 128;
-    std::array<std::array<double, 4>, 4> normal{};
-    std::array<double, 4>                right{};
-    for (int i = 0; i <= n; ++i)
-      for (int j = 0; j <= n; ++j)
-        {
-          const double x = M_PI * i / n, y = M_PI * j / n;
-          const double target =
-            std::sqrt(x * x * aspect + y * y / aspect + 0.15 * 0.15) / M_PI;
-          const std::array<double, 4> basis = {
-            {1., 2 * std::cos(x), 2 * std::cos(y), 4 * std::cos(x) * std::cos(y)}};
-          const double weight =
-            (i % n == 0 ? 0.5 : 1.) * (j % n == 0 ? 0.5 : 1.) / (target * target);
-          for (int k = 0; k < 4; ++k)
-            {
-              right[k] += weight * basis[k] * target;
-              for (int l = 0; l < 4; ++l)
-                normal[k][l] += weight * basis[k] * basis[l];
-            }
-        }
-    const std::array<double, 4> c = solve(normal, right);
-    return {c[0], c[1], c[2], c[3]};
+    // The 0.15 keeps the weight of the longest waves finite: they are corrected later.
+    return fit_stencil([=](const double x, const double y) {
+      return std::sqrt(x * x * aspect + y * y / aspect + 0.15 * 0.15) / M_PI;
+    });
   }
 
   void
@@ -141,13 +91,14 @@ namespace strait
     const std::vector<double> beyond = rows_beyond(values);
     if (n_rows == 0)
       return;
-    std::copy_n(beyond.begin(), nx, above.begin());
+    sweep.begin(beyond.data());
     for (int row = 0; row < n_rows; ++row)
       {
         if (coarse_transform && (row == 0 || (layout->first_row() + row) % box == 0))
           expand_corrections(row);
-        apply_stencil(row_of(row),
-                      row + 1 < n_rows ? row_of(row + 1) : beyond.data() + nx);
+        sweep.apply(row_of(row),
+                    row + 1 < n_rows ? row_of(row + 1) : beyond.data() + nx,
+                    correction_line.data());
         after(row);
       }
   }
@@ -161,29 +112,6 @@ namespace strait
     if (n_rows > 0)
       wanted = {layout->first_row() - 1, layout->first_row() + n_rows};
     return fetch_rows(*layout, values, nx, wanted);
-  }
-
-  void
-  TwoScalePreconditioner::apply_stencil(double *values, const double *below)
-  {
-    // In place: `above` holds the row above as it was before.
-    const int     nx  = layout->grid().nx;
-    const double *up  = above.data();
-    double       *old = here.data(), *side = mixed.data() + 1;
-    const double *correction = correction_line.data();
-    const Stencil s          = stencil;
-    for (int i = 0; i < nx; ++i)
-      {
-        const double vertical = up[i] + below[i];
-        old[i]                = values[i];
-        side[i]               = s.x * old[i] + s.diagonal * vertical;
-        values[i]             = s.centre * old[i] + s.y * vertical;
-      }
-    side[-1] = side[nx - 1];
-    side[nx] = side[0];
-    for (int i = 0; i < nx; ++i)
-      values[i] += (side[i - 1] + side[i + 1]) + correction[i];
-    std::swap(above, here);
   }
 
   /** The corrections of the boxes that the local row lies in, point by point. */
@@ -210,7 +138,7 @@ namespace strait
       cos_x[k] = std::cos(step_x * k);
     for (std::size_t k = 0; k < cos_y.size(); ++k)
       cos_y[k] = std::cos(step_y * k);
-    const Stencil s = stencil;
+    const NinePointStencil s = stencil;
     coarse_transform->multiply(
       box_values.data(), box_values.data(), [&](const int kx, const int ky) {
         const double x = step_x * kx, y = step_y * ky;
@@ -267,9 +195,8 @@ namespace strait
   TwoScalePreconditioner::memory_consumption() const
   {
     const std::size_t n_values = box_values.size() + row_sums.size() +
-                                 fetched_corrections.size() + above.size() + here.size() +
-                                 mixed.size();
-    return n_values * sizeof(double) +
+                                 fetched_corrections.size() + correction_line.size();
+    return n_values * sizeof(double) + sweep.memory_consumption() +
            (coarse_transform ? coarse_transform->memory_consumption() : 0);
   }
 } // namespace strait

@@ -45,7 +45,7 @@ namespace strait
     /** Rough values of the order one, the same however the points are dealt out. */
     virtual void fill_with_noise(double *values) const = 0;
 
-    /** How often apply() and precondition() were called: FFT pairs on a plain grid. */
+    /** FFT pairs on the whole grid so far. */
     virtual long n_applications() const = 0;
   };
 } // namespace strait

@@ -3,13 +3,17 @@
 #define strait_contact_half_space_gap_problem_h
 
 #include <strait/contact/gap_problem.h>
+#include <strait/contact/two_scale_compliance.h>
 #include <strait/spectral/fourier_transform.h>
+
+#include <memory>
 
 namespace strait
 {
   /**
    * The adhesive contact of a half-space with heights on one periodic grid: K has the
-   * symbol E* q / 2. M is exact, at the cost of an FFT pair.
+   * symbol E* q / 2. M is a TwoScaleCompliance or, where the grid does not suit that,
+   * exact at the cost of an FFT pair.
    */
   class HalfSpaceGapProblem : public GapProblem
   {
@@ -41,7 +45,8 @@ namespace strait
     std::size_t
     memory_consumption() const
     {
-      return transform.memory_consumption();
+      return transform.memory_consumption() +
+             (compliance ? compliance->memory_consumption() : 0);
     }
 
   private:
@@ -54,6 +59,8 @@ namespace strait
     double             unit_stiffness; // of the wave that fits into the box once along x
     double             aspect;         // lx/ly
     std::vector<Block> all_points;
+
+    std::unique_ptr<TwoScaleCompliance> compliance; // if the grid suits it
   };
 } // namespace strait
 

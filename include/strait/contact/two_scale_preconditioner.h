@@ -2,9 +2,9 @@
 #ifndef strait_contact_two_scale_preconditioner_h
 #define strait_contact_two_scale_preconditioner_h
 
+#include <strait/contact/nine_point_stencil.h>
 #include <strait/spectral/fourier_transform.h>
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -40,23 +40,18 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    /** Weights of the point, its neighbours in x, in y, and on the diagonals. */
-    struct Stencil
-    {
-      double centre, x, y, diagonal;
-    };
-    static Stencil fit_stencil(double aspect);
+    static NinePointStencil fit_to_symbol(double aspect);
 
     void                find_corrections();
     void                add_to_boxes(const double *values, int row);
     void                collect_boxes();
     std::vector<double> rows_beyond(const double *values) const;
-    void                apply_stencil(double *values, const double *below);
     void                expand_corrections(int row);
 
-    SlabLayoutPtr layout;
-    double        aspect; // dy/dx
-    Stencil       stencil;
+    SlabLayoutPtr    layout;
+    double           aspect; // dy/dx
+    NinePointStencil stencil;
+    StencilSweep     sweep;
 
     std::unique_ptr<FourierTransform> coarse_transform; // null: stencil only
     bool                              coarse_rows_are_local = false;
@@ -65,9 +60,7 @@ namespace strait
     std::vector<double> row_sums;
     std::vector<double> fetched_corrections;
     int                 first_correction_row = 0;
-
-    // Lines of apply_stencil().
-    std::vector<double> above, here, mixed, correction_line;
+    std::vector<double> correction_line;
   };
 } // namespace strait
 

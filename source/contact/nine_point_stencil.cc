@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/contact/nine_point_stencil.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    /** Solve the regular 4 × 4 system A x = b by elimination with pivoting. */
+    std::array<double, 4>
+    solve(std::array<std::array<double, 4>, 4> a, std::array<double, 4> b)
+    {
+      for (int k = 0; k < 4; ++k)
+        {
+          int pivot = k;
+          for (int i = k + 1; i < 4; ++i)
+            if (std::abs(a[i][k]) > std::abs(a[pivot][k]))
+              pivot = i;
+          std::swap(a[k], a[pivot]);
+          std::swap(b[k], b[pivot]);
+          for (int i = k + 1; i < 4; ++i)
+            {
+              const double factor = a[i][k] / a[k][k];
+              for (int j = k; j < 4; ++j)
+                a[i][j] -= factor * a[k][j];
+              b[i] -= factor * b[k];
+            }
+        }
+      for (int k = 3; k >= 0; --k)
+        {
+          for (int j = k + 1; j < 4; ++j)
+            b[k] -= a[k][j] * b[j];
+          b[k] /= a[k][k];
+        }
+      return b;
+    }
+  } // namespace
+
+  double
+  NinePointStencil::symbol(const double phase_x, const double phase_y) const
+  {
+    const double cx = std::cos(phase_x), cy = std::cos(phase_y);
+    return centre + 2 * (x * cx + y * cy) + 4 * diagonal * cx * cy;
+  }
+
+  NinePointStencil
+  fit_stencil(const std::function<double(double, double)> &target)
+  {
+    constexpr int                        n = 128;
+    std::array<std::array<double, 4>, 4> normal{};
+    std::array<double, 4>                right{};
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j)
+        {
+          const double                x = M_PI * i / n, y = M_PI * j / n;
+          const double                wanted = target(x, y);
+          const std::array<double, 4> basis  = {
+             {1., 2 * std::cos(x), 2 * std::cos(y), 4 * std::cos(x) * std::cos(y)}};
+          const double weight =
+            (i % n == 0 ? 0.5 : 1.) * (j % n == 0 ? 0.5 : 1.) / (wanted * wanted);
+          for (int k = 0; k < 4; ++k)
+            {
+              right[k] += weight * basis[k] * wanted;
+              for (int l = 0; l < 4; ++l)
+                normal[k][l] += weight * basis[k] * basis[l];
+            }
+        }
+    const std::array<double, 4> c = solve(normal, right);
+    return {c[0], c[1], c[2], c[3]};
+  }
+
+  StencilSweep::StencilSweep(const NinePointStencil &stencil_, const int row_length)
+    : stencil(stencil_)
+    , above(row_length)
+    , here(row_length)
+    , mixed(row_length + 2)
+  {
+  }
+
+  void
+  StencilSweep::begin(const double *row_above)
+  {
+    std::copy_n(row_above, above.size(), above.begin());
+  }
+
+  void
+  StencilSweep::apply(double *values, const double *below, const double *added)
+  {
+    // In place: `above` holds the row above as it was before.
+    const auto             nx  = static_cast<int>(here.size());
+    const double          *up  = above.data();
+    double                *old = here.data(), *side = mixed.data() + 1;
+    const NinePointStencil s = stencil;
+    for (int i = 0; i < nx; ++i)
+      {
+        const double vertical = up[i] + below[i];
+        old[i]                = values[i];
+        side[i]               = s.x * old[i] + s.diagonal * vertical;
+        values[i]             = s.centre * old[i] + s.y * vertical;
+      }
+    side[-1] = side[nx - 1];
+    side[nx] = side[0];
+    for (int i = 0; i < nx; ++i)
+      values[i] += (side[i - 1] + side[i + 1]) + added[i];
+    std::swap(above, here);
+  }
+} // namespace strait
