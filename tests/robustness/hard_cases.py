@@ -270,6 +270,7 @@ def at_threshold(runner, _):
         found = next(csv.DictReader(file))
     lower = float(found["critical_load_lower"])
     upper = float(found["critical_load_upper"])
+    seal.fluid["Maximum unknowns"] = 40000
     seal.pressures = [lower * (1 - 1e-3), lower * (1 - 1e-10),
                       *np.linspace(lower, upper, 11).tolist(), upper * (1 + 1e-10)]
     # The cells may be too coarse for such a throat; then the bracket is wide.
