@@ -33,7 +33,7 @@ namespace strait
     {
       Scene scene;
       scene.surface.short_cut_off_wavelength = 16. / 512;
-      scene.programme.pressures              = {.24 * .5 * .8, 1.};
+      scene.programme.pressures              = {.19 * .5 * .8, 1.};
       EXPECT_NEAR(*CostPrediction(scene, .5).smallest_reduced_load(), .2, 1e-12);
       EXPECT_NEAR(*CostPrediction(scene, .5).points_along_throat(), 3.9, .3);
       scene.programme.pressures = {1.};

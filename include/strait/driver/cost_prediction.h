@@ -41,9 +41,9 @@ namespace strait
     /** Unknowns, of both problems, that a step's bracket takes. */
     Range unknowns() const;
 
-    /** The smallest 1 − L/L_c that the run visits, from the threshold of similar
-     *  surfaces unless the scene itself asks for it. Nothing where that is unknown or
-     *  all loads seal. */
+    /** The smallest 1 − L/L_c that the run visits, from a cautious threshold of
+     *  similar surfaces unless the scene itself asks for it. Nothing where that is
+     *  unknown or all loads seal. */
     std::optional<double> smallest_reduced_load() const;
 
     /** Grid points along the throat there, from fits to resolved throats. */
