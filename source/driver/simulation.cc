@@ -4,6 +4,7 @@
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
 #include <strait/contact/adhesion_of_scene.h>
+#include <strait/driver/cost_prediction.h>
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/run_state.h>
@@ -13,6 +14,7 @@
 #include <strait/interface/moment_set.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/resolution.h>
+#include <strait/surface/statistics.h>
 #include <strait/surface/surface.h>
 
 #include <algorithm>
@@ -250,6 +252,9 @@ namespace strait
                std::to_string(scene.programme.reduced_loads.size() *
                               scene.fluid.slip_lengths.size()) +
                " steps near it");
+    for (const std::string &line :
+         CostPrediction(scene, statistics(heights).rms_slope).lines())
+      log.line(line);
     if (scene.realisations.enabled())
       log.line(std::to_string(std::max<std::size_t>(scene.realisations.seeds.size(), 1) *
                               scene.realisations.orientations.size()) +

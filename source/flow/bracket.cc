@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/bracket.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace strait
 {
   namespace
   {
+    Bracket
+    bracket_of(const double pressure_energy, const double stream_energy)
+    {
+      Bracket bracket;
+      bracket.upper = bracket.safe_upper = pressure_energy;
+      bracket.lower = bracket.safe_lower = 1. / stream_energy;
+      return bracket;
+    }
+
     // A cell's energies and ∫ ∇p·curl ψ, combined.
     float
     share_of(const Bracket &bracket,
@@ -18,6 +30,87 @@ namespace strait
         pressure_energy + bracket.lower * (bracket.lower * stream_energy + 2. * mixed);
       return static_cast<float>(std::max(share / bracket.upper, 0.));
     }
+
+    /** Of both problems: energies of the owned cells, of the whole, and with the finer
+     *  quadrature. */
+    struct CellEnergies
+    {
+      std::vector<double> standard, finer;
+      double              total;
+    };
+
+    /** The largest energy that the quadrature leaves possible. Collective. */
+    double
+    safe_energy(const CellEnergies &energies, MPI_Comm communicator)
+    {
+      double sum = 0;
+      for (std::size_t c = 0; c < energies.finer.size(); ++c)
+        {
+          const double change = energies.finer[c] - energies.standard[c];
+          sum += change + std::abs(change);
+        }
+      return energies.total + dealii::Utilities::MPI::sum(sum, communicator);
+    }
+
+    void
+    set_safe_bounds(Bracket            &bracket,
+                    const FlowMesh     &mesh,
+                    const CellEnergies &pressure,
+                    const CellEnergies &stream_function)
+    {
+      MPI_Comm communicator = mesh.triangulation().get_communicator();
+      bracket.safe_upper    = safe_energy(pressure, communicator);
+      bracket.safe_lower    = 1. / safe_energy(stream_function, communicator);
+      bracket.quadrature_errors.reinit(mesh.triangulation().n_active_cells());
+      std::size_t c = 0;
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            double error = 0;
+            for (const CellEnergies *energies : {&pressure, &stream_function})
+              error +=
+                std::abs(energies->finer[c] - energies->standard[c]) / energies->total;
+            bracket.quadrature_errors(cell->active_cell_index()) =
+              static_cast<float>(error);
+            ++c;
+          }
+    }
+
+    CellEnergies
+    energies_of(const EnrichedSolution     &solution,
+                const Enrichment           &enrichment,
+                const GapField             &gap,
+                const GapField::Coefficient coefficient)
+    {
+      const CellAnswers finer =
+        gap.ask(coefficient, enrichment.children(), GapField::Quadrature::finer);
+      CellEnergies energies{solution.cell_energies, {}, solution.energy};
+      for (std::size_t c = 0; c < solution.values.size(); ++c)
+        energies.finer.push_back(enrichment.cell_energy(solution, finer, c));
+      return energies;
+    }
+
+    CellEnergies
+    energies_of(const PotentialProblem     &problem,
+                const FlowMesh             &mesh,
+                const GapField             &gap,
+                const GapField::Coefficient coefficient)
+    {
+      const CellAnswers finer =
+        gap.ask(coefficient, mesh.owned_grid_cells(), GapField::Quadrature::finer);
+      CellEnergies        energies{{}, {}, problem.energy()};
+      std::vector<double> values;
+      std::size_t         c = 0;
+      for (const auto &cell : problem.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            problem.cell_values(cell, values);
+            energies.standard.push_back(problem.cell_energy(c, values));
+            energies.finer.push_back(problem.cell_energy(c, values, finer));
+            ++c;
+          }
+      return energies;
+    }
   } // namespace
 
   Bracket
@@ -25,7 +118,7 @@ namespace strait
                 const PotentialProblem &pressure,
                 const PotentialProblem &stream_function)
   {
-    Bracket bracket{1. / stream_function.energy(), pressure.energy(), {}};
+    Bracket bracket = bracket_of(pressure.energy(), stream_function.energy());
     bracket.shares.reinit(mesh.triangulation().n_active_cells());
     std::vector<double> p, psi;
     std::size_t         c           = 0;
@@ -67,7 +160,7 @@ namespace strait
       enrichment.relax(stream_function,
                        gap.ask(GapField::Coefficient::resistivity, enrichment.children()),
                        n_steps);
-    Bracket bracket{1. / psi.energy, p.energy, {}};
+    Bracket bracket = bracket_of(p.energy, psi.energy);
     bracket.shares.reinit(mesh.triangulation().n_active_cells());
     std::size_t c = 0;
     for (const auto &cell : pressure.dof_handler().active_cell_iterators())
@@ -82,6 +175,27 @@ namespace strait
                           : 0.);
           ++c;
         }
+    if (!gap.is_rigorous())
+      set_safe_bounds(
+        bracket,
+        mesh,
+        energies_of(p, enrichment, gap, GapField::Coefficient::conductivity),
+        energies_of(psi, enrichment, gap, GapField::Coefficient::resistivity));
     return bracket;
+  }
+
+  void
+  allow_for_quadrature(Bracket                &bracket,
+                       const FlowMesh         &mesh,
+                       const GapField         &gap,
+                       const PotentialProblem &pressure,
+                       const PotentialProblem &stream_function)
+  {
+    if (!gap.is_rigorous())
+      set_safe_bounds(
+        bracket,
+        mesh,
+        energies_of(pressure, mesh, gap, GapField::Coefficient::conductivity),
+        energies_of(stream_function, mesh, gap, GapField::Coefficient::resistivity));
   }
 } // namespace strait

@@ -35,6 +35,16 @@ namespace strait
       return {
         {0., a, b, c, .5 * b, .5 * (a + c), .5 * a, .5 * (b + c), .25 * (a + b + c)}};
     }
+
+    double
+    energy_of(const RimSystems::Matrix &matrix, const EnrichedSolution::Nodes &values)
+    {
+      double energy = 0;
+      for (unsigned int i = 0; i < values.size(); ++i)
+        for (unsigned int j = 0; j < values.size(); ++j)
+          energy += matrix[i][j] * (values[i] - values[0]) * (values[j] - values[0]);
+      return energy;
+    }
   } // namespace
 
   Enrichment::Enrichment(const FlowMesh &mesh_)
@@ -196,11 +206,8 @@ namespace strait
               double at_centre = 0;
               for (unsigned int node = 0; node < n_rim; ++node)
                 at_centre -= matrix[centre][node] * values[node];
-              values[centre] = at_centre / matrix[centre][centre];
-              for (unsigned int i = 0; i < values.size(); ++i)
-                for (unsigned int j = 0; j < values.size(); ++j)
-                  result.cell_energies[c] +=
-                    matrix[i][j] * (values[i] - values[0]) * (values[j] - values[0]);
+              values[centre]          = at_centre / matrix[centre][centre];
+              result.cell_energies[c] = energy_of(matrix, values);
               result.energy += result.cell_energies[c];
             }
           ++c;
@@ -208,6 +215,16 @@ namespace strait
     result.energy =
       Utilities::MPI::sum(result.energy, mesh.triangulation().get_communicator());
     return result;
+  }
+
+  double
+  Enrichment::cell_energy(const EnrichedSolution &solution,
+                          const CellAnswers      &answers,
+                          const std::size_t       cell) const
+  {
+    RimSystems::Matrix matrix;
+    macro_matrix(cell, answers, matrix);
+    return energy_of(matrix, solution.values[cell]);
   }
 
   double

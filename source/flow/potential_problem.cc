@@ -288,10 +288,11 @@ namespace strait
 
   double
   PotentialProblem::cell_energy(const std::size_t          owned_cell,
-                                const std::vector<double> &values) const
+                                const std::vector<double> &values,
+                                const CellAnswers         &others) const
   {
     FullMatrix<double> local_matrix(fe.n_dofs_per_cell(), fe.n_dofs_per_cell());
-    element.stiffness(answers[owned_cell].moments,
+    element.stiffness(others[owned_cell].moments,
                       mesh.width(cells[owned_cell]),
                       mesh.height(cells[owned_cell]),
                       local_matrix);

@@ -47,15 +47,8 @@ namespace strait
         const bool solved = solve_on_mesh(result);
         if (observer)
           observer(result);
-        // Bounds of two meshes contradict each other where cells are too coarse for
-        // their integrals over a throat. By less than was asked for that is an error
-        // of the integrals within the bracket.
-        if (result.lower > result.upper &&
-            result.lower <= result.upper * (1 + parameters.target_accuracy))
-          std::swap(result.lower, result.upper);
         if (!(result.mesh_lower > 0 &&
-              result.mesh_lower <= result.mesh_upper * (1 + 1e-6) &&
-              result.lower <= result.upper * (1 + 1e-6)))
+              result.mesh_lower <= result.mesh_upper * (1 + 1e-6)))
           {
             result.status = "flow-bracket";
             return result;
@@ -100,20 +93,35 @@ namespace strait
         result.iterations += outcome.iterations;
         solved = solved && outcome.converged;
       }
-    plain                 = plain_bracket(flow_mesh, pressure_problem, stream_problem);
-    const Bracket closest = enrichment ? enriched_bracket(flow_mesh,
-                                                          gap_field,
-                                                          pressure_problem,
-                                                          stream_problem,
-                                                          *enrichment)
-                                       : plain;
+    plain = plain_bracket(flow_mesh, pressure_problem, stream_problem);
+    Bracket closest;
+    if (enrichment)
+      closest = enriched_bracket(
+        flow_mesh, gap_field, pressure_problem, stream_problem, *enrichment);
+    else
+      {
+        closest = plain;
+        allow_for_quadrature(
+          closest, flow_mesh, gap_field, pressure_problem, stream_problem);
+      }
+    // Where the coefficients are not integrated well enough cells must be smaller.
+    if (closest.quadrature_errors.size() > 0)
+      plain.shares += closest.quadrature_errors;
 
     const double drop = std::abs(pressure_drop);
-    result.mesh_upper = closest.upper * drop;
-    result.mesh_lower = closest.lower * drop;
-    // A bound of an earlier mesh still holds, should the solver fail on this one.
+    result.mesh_upper = closest.safe_upper * drop;
+    result.mesh_lower = closest.safe_lower * drop;
+    // A bound of an earlier mesh still holds, should the solver fail on this one,
+    // unless its cells were so coarse that it contradicts this one.
     const bool first = result.upper == 0;
-    result.upper = first ? result.mesh_upper : std::min(result.upper, result.mesh_upper);
+    const bool fit   = result.mesh_lower <= result.upper * (1 + 1e-6) &&
+                     result.mesh_upper * (1 + 1e-6) >= result.lower;
+    if (first || !fit)
+      {
+        result.upper = result.mesh_upper;
+        result.lower = result.mesh_lower;
+      }
+    result.upper = std::min(result.upper, result.mesh_upper);
     result.lower = std::max(result.lower, result.mesh_lower);
     // Of a wide bracket the upper end is nearer: the lower bound waits for a channel.
     const double best = 2. * result.lower < result.upper

@@ -51,14 +51,26 @@ namespace strait
     gap_rows = fetch_rows(gap, rows);
 
     conductivity.build([this](const int ix, const int row, double *moments) {
-      return integrate(Coefficient::conductivity, stencil(ix, row), 0., 0., 1., moments);
+      return integrate(Coefficient::conductivity,
+                       Quadrature::standard,
+                       stencil(ix, row),
+                       0.,
+                       0.,
+                       1.,
+                       moments);
     });
     if (floor_value > 0)
       {
         if (!resistivity)
           resistivity.emplace(slab_layout, set, halvings);
         resistivity->build([this](const int ix, const int row, double *moments) {
-          integrate(Coefficient::resistivity, stencil(ix, row), 0., 0., 1., moments);
+          integrate(Coefficient::resistivity,
+                    Quadrature::standard,
+                    stencil(ix, row),
+                    0.,
+                    0.,
+                    1.,
+                    moments);
           return open_flag;
         });
       }
@@ -120,6 +132,7 @@ namespace strait
 
   unsigned char
   GapField::integrate(const Coefficient coefficient,
+                      const Quadrature  quadrature,
                       const GapStencil &gap,
                       const double      x0,
                       const double      y0,
@@ -130,7 +143,8 @@ namespace strait
     if (!open && coefficient == Coefficient::conductivity)
       return closed_flag;
     const int    n       = static_cast<int>(gauss_points.size());
-    const int    n_parts = rigorous && open ? 4 : 1;
+    const int    refined = quadrature == Quadrature::finer ? 2 : 1;
+    const int    n_parts = open ? (rigorous ? 4 : refined) : 1;
     const double part    = 1. / n_parts;
     double       values[max_gauss_points * max_gauss_points];
     std::fill_n(values, n * n, coefficient_of(coefficient, 0.));
@@ -159,6 +173,7 @@ namespace strait
 
   void
   GapField::answer(const Coefficient coefficient,
+                   const Quadrature  quadrature,
                    const GridCell   &cell,
                    double           *entry) const
   {
@@ -175,6 +190,7 @@ namespace strait
     const double edge = std::ldexp(1., -shift);
     std::fill_n(entry, set.size(), 0.);
     entry[set.size()] = integrate(coefficient,
+                                  quadrature,
                                   stencil(ix, iy - slab_layout->first_row()),
                                   (cell.i - (ix << shift)) * edge,
                                   (cell.j - (iy << shift)) * edge,
@@ -183,7 +199,9 @@ namespace strait
   }
 
   CellAnswers
-  GapField::ask(const Coefficient coefficient, const std::vector<GridCell> &cells) const
+  GapField::ask(const Coefficient            coefficient,
+                const std::vector<GridCell> &cells,
+                const Quadrature             quadrature) const
   {
     namespace mpi = dealii::Utilities::MPI;
     using Words   = std::map<unsigned int, std::vector<int>>;
@@ -198,7 +216,7 @@ namespace strait
         const auto owner =
           static_cast<unsigned int>(slab_layout->owner_of_row(first_grid_row(cells[c])));
         if (owner == me)
-          answer(coefficient, cells[c], answers.entry(c));
+          answer(coefficient, quadrature, cells[c], answers.entry(c));
         else
           {
             questions[owner].insert(questions[owner].end(),
@@ -218,6 +236,7 @@ namespace strait
         reply.resize(words.size() / 3 * n_entry);
         for (std::size_t q = 0; q < words.size() / 3; ++q)
           answer(coefficient,
+                 quadrature,
                  GridCell{words[3 * q], words[3 * q + 1], words[3 * q + 2]},
                  reply.data() + q * n_entry);
       }

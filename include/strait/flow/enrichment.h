@@ -57,6 +57,11 @@ namespace strait
                            const CellAnswers      &answers,
                            unsigned int            n_steps) const;
 
+    /** The energy of an owned cell with the coefficient of @p answers on children(). */
+    double cell_energy(const EnrichedSolution &solution,
+                       const CellAnswers      &answers,
+                       std::size_t             cell) const;
+
     /** ∫ ∇u·curl v over an owned cell of two enriched solutions. */
     double gradient_times_curl(const EnrichedSolution::Nodes &u,
                                const EnrichedSolution::Nodes &v) const;

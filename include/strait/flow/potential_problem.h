@@ -71,7 +71,16 @@ namespace strait
     void cell_values(const Iterator &cell, std::vector<double> &values) const;
 
     /** Energy of the cell that is number @p owned_cell among the owned ones. */
-    double cell_energy(std::size_t owned_cell, const std::vector<double> &values) const;
+    double
+    cell_energy(const std::size_t owned_cell, const std::vector<double> &values) const
+    {
+      return cell_energy(owned_cell, values, answers);
+    }
+
+    /** The same with another coefficient, that of @p others on the owned cells. */
+    double cell_energy(std::size_t                owned_cell,
+                       const std::vector<double> &values,
+                       const CellAnswers         &others) const;
 
     /**
      * |∇| of the potential at the vertices, the mean over the cells that meet

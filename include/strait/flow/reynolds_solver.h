@@ -43,9 +43,9 @@ namespace strait
    * The pressure problem gives an upper, the stream-function problem on the same
    * mesh a lower bound, and the part of their difference that a cell is responsible
    * for, ∫ K |∇p + Q_lower/Δp K⁻¹ curl ψ|², marks the cells to refine: it is zero
-   * where the flux of both agrees. The bounds hold for the coefficient as it is
-   * integrated on the grid of the gap; where the gap goes to zero, the quadrature
-   * of 1/K makes the lower one asymptotic rather than proven.
+   * where the flux of both agrees. The bounds allow for what the quadrature of K and
+   * 1/K may be wrong by (Bracket::safe_lower), which marks cells as well; where the gap
+   * goes to zero that makes them asymptotic rather than proven.
    */
   class ReynoldsSolver
   {

@@ -60,8 +60,9 @@ namespace strait
    * The coefficient is the conductivity K = g³/(12 η), or its reciprocal
    * 1/max(K, K_floor) for the lower bound. Cells of at least two grid spacings are
    * looked up in a pyramid of moments, where K was integrated by Gauss quadrature
-   * at the resolution of the grid; smaller ones are integrated directly. For rigorous
-   * bounds each such square is divided into 4 × 4, on which K is taken to be as
+   * at the resolution of the grid; smaller ones are integrated directly. The finer
+   * quadrature, on the quarters of such a square, tells by how much that errs. For
+   * rigorous bounds each such square is divided into 4 × 4, on which K is taken to be as
    * large, or for the reciprocal as small, as it is anywhere in it.
    */
   class GapField
@@ -74,6 +75,12 @@ namespace strait
       resistivity
     };
 
+    enum class Quadrature
+    {
+      standard,
+      finer // on cells of at most one grid spacing; others as standard
+    };
+
     GapField(SlabLayoutPtr layout, const FluidParameters &fluid);
 
     /**
@@ -84,7 +91,16 @@ namespace strait
 
     /** Moments of a coefficient on @p cells; each rank may ask for others.
      *  Collective. */
-    CellAnswers ask(Coefficient coefficient, const std::vector<GridCell> &cells) const;
+    CellAnswers ask(Coefficient                  coefficient,
+                    const std::vector<GridCell> &cells,
+                    Quadrature                   quadrature = Quadrature::standard) const;
+
+    /** Whether the bounds hold whatever the quadrature. */
+    bool
+    is_rigorous() const
+    {
+      return rigorous;
+    }
 
     const MomentSet &
     moment_set() const
@@ -133,6 +149,7 @@ namespace strait
     /** Moments and flags of the square at (x0, y0) of edge @p edge, in the unit
      *  coordinates of a grid cell. */
     unsigned char integrate(Coefficient       coefficient,
+                            Quadrature        quadrature,
                             const GapStencil &gap,
                             double            x0,
                             double            y0,
@@ -140,7 +157,10 @@ namespace strait
                             double           *moments) const;
 
     /** Entry of a cell that this rank owns. */
-    void answer(Coefficient coefficient, const GridCell &cell, double *entry) const;
+    void answer(Coefficient     coefficient,
+                Quadrature      quadrature,
+                const GridCell &cell,
+                double         *entry) const;
 
     SlabLayoutPtr                slab_layout;
     MomentSet                    set;
