@@ -54,11 +54,7 @@ namespace strait
     constraints.clear();
     constraints.reinit(relevant);
     DoFTools::make_hanging_node_constraints(dofs, constraints);
-    DoFTools::make_periodicity_constraints(dofs,
-                                           FlowMesh::periodic_first,
-                                           FlowMesh::periodic_last,
-                                           1 - mesh.axis_along(),
-                                           constraints);
+    mesh.constrain_periodic(dofs, constraints);
     // The vertices of the mesh keep their values. A vertex that hangs on an edge is
     // the new node of that edge and follows it.
     std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
