@@ -57,7 +57,7 @@ namespace strait
     seal                               = std::make_unique<const SealMesh>(
       read_seal_mesh(parameters.mesh_file, grid, layout->communicator()));
     flow_domain = FlowDomain(std::make_shared<const FlowRegion>(
-      grid, seal->outline(.25 * std::min(grid.dx(), grid.dy()))));
+      grid, seal->outline(.25 * std::min(grid.dx(), grid.dy())), layout->communicator()));
 
     FluidParameters fluid = parameters;
     fluid.element_degree  = 2; // where the solution is smooth

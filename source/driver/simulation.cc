@@ -82,9 +82,10 @@ namespace strait
       if (!scene.fluid.enabled || scene.fluid.mesh_file.empty())
         return;
       const PeriodicGrid grid = grid_of(scene);
-      const SealMesh     seal =
-        read_seal_mesh(scene.fluid.mesh_file, grid, MPI_COMM_WORLD);
-      const FlowRegion region(grid, seal.outline(.25 * std::min(grid.dx(), grid.dy())));
+      const SealMesh   seal = read_seal_mesh(scene.fluid.mesh_file, grid, MPI_COMM_WORLD);
+      const FlowRegion region(grid,
+                              seal.outline(.25 * std::min(grid.dx(), grid.dy())),
+                              MPI_COMM_WORLD);
       log.line(format("mesh %s: %s of %zu cells around %lld grid points",
                       scene.fluid.mesh_file.c_str(),
                       seal.is_ring ? "a ring" : "a strip",

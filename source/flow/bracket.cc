@@ -58,16 +58,9 @@ namespace strait
   {
     constexpr unsigned int n_steps = 4;
     enrichment.set_up();
-    const EnrichedSolution p =
-      enrichment.relax(pressure,
-                       gap.ask(GapField::Coefficient::conductivity,
-                               enrichment.children()),
-                       n_steps);
-    const EnrichedSolution psi =
-      enrichment.relax(stream_function,
-                       gap.ask(GapField::Coefficient::resistivity, enrichment.children()),
-                       n_steps);
-    Bracket bracket{1. / psi.energy, p.energy, {}};
+    const EnrichedSolution p   = enrichment.relax(pressure, gap, n_steps);
+    const EnrichedSolution psi = enrichment.relax(stream_function, gap, n_steps);
+    Bracket                bracket{1. / psi.energy, p.energy, {}};
     bracket.shares.reinit(mesh.triangulation().n_active_cells());
     std::size_t c = 0;
     for (const auto &cell : pressure.dof_handler().active_cell_iterators())

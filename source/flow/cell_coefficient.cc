@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/cell_coefficient.h>
+#include <strait/flow/seal_triangulation.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -43,12 +44,61 @@ namespace strait
                       matrix);
   }
 
+  ChildCoefficient::ChildCoefficient(const FlowMesh             &mesh_,
+                                     const GapField::Coefficient coefficient_)
+    : mesh(mesh_)
+    , element(MomentSet(1))
+    , coefficient(coefficient_)
+    , answers(MomentSet(1).size(), 0)
+  {
+  }
+
+  void
+  ChildCoefficient::update(const GapField &gap)
+  {
+    cells = mesh.owned_grid_cells();
+    std::vector<GridCell> children;
+    for (const GridCell &parent : cells)
+      for (int child = 0; child < 4; ++child)
+        children.push_back(
+          {parent.exponent - 1, 2 * parent.i + child % 2, 2 * parent.j + child / 2});
+    answers = gap.ask(coefficient, children);
+  }
+
+  double
+  ChildCoefficient::mean(const std::size_t cell) const
+  {
+    double sum = 0;
+    for (std::size_t child = 0; child < 4; ++child)
+      sum += answers[4 * cell + child].moments[0];
+    return .25 * sum;
+  }
+
+  void
+  ChildCoefficient::stiffness(const std::size_t cell, FullMatrix<double> &matrix) const
+  {
+    FullMatrix<double> small(4, 4);
+    matrix = 0.;
+    for (std::size_t child = 0; child < 4; ++child)
+      {
+        element.stiffness(answers[4 * cell + child].moments,
+                          mesh.width(cells[cell]),
+                          mesh.height(cells[cell]),
+                          small);
+        for (unsigned int i = 0; i < 4; ++i)
+          for (unsigned int j = 0; j < 4; ++j)
+            matrix(corners[child][i], corners[child][j]) += small(i, j);
+      }
+  }
+
   MappedCoefficient::MappedCoefficient(const FlowMesh             &mesh_,
                                        const FiniteElement<2>     &fe_,
-                                       const GapField::Coefficient coefficient_)
+                                       const GapField::Coefficient coefficient_,
+                                       const int                   fewest_parts_)
     : mesh(mesh_)
     , fe(fe_)
     , coefficient(coefficient_)
+    , fewest_parts(fewest_parts_)
     , n(fe.n_dofs_per_cell())
   {
   }
@@ -57,17 +107,16 @@ namespace strait
   MappedCoefficient::values_for(const double size_in_spacings)
   {
     constexpr int most_parts = 64;
-    int           n_parts    = 1;
+    int           n_parts    = fewest_parts;
     while (n_parts < size_in_spacings && n_parts < most_parts)
       n_parts *= 2;
     std::unique_ptr<FEValues<2>> &entry = values[n_parts];
     if (!entry)
-      entry =
-        std::make_unique<FEValues<2>>(mesh.mapping(),
-                                      fe,
-                                      QIterated<2>(QGauss<1>(fe.degree + 1), n_parts),
-                                      update_quadrature_points | update_gradients |
-                                        update_JxW_values);
+      entry = std::make_unique<FEValues<2>>(
+        mesh.mapping(),
+        fe,
+        QIterated<2>(QGauss<1>(fe.degree / fewest_parts + 1), n_parts),
+        update_quadrature_points | update_gradients | update_JxW_values);
     return *entry;
   }
 
@@ -90,7 +139,7 @@ namespace strait
     for (const auto &cell : tria.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          FEValues<2> &at = values_for(mesh.size_in_spacings(*cell));
+          FEValues<2> &at = values_for(size_in_spacings(*cell, mesh.grid()));
           at.reinit(cell);
           double area = 0., total = 0.;
           std::fill(sums.begin(), sums.end(), 0.);
@@ -137,5 +186,15 @@ namespace strait
     if (mesh.seal() == nullptr)
       return std::make_unique<GridCoefficient>(mesh, set, coefficient);
     return std::make_unique<MappedCoefficient>(mesh, fe, coefficient);
+  }
+
+  std::unique_ptr<CellCoefficient>
+  make_child_coefficient(const FlowMesh             &mesh,
+                         const FiniteElement<2>     &fe,
+                         const GapField::Coefficient coefficient)
+  {
+    if (mesh.seal() == nullptr)
+      return std::make_unique<ChildCoefficient>(mesh, coefficient);
+    return std::make_unique<MappedCoefficient>(mesh, fe, coefficient, 2);
   }
 } // namespace strait

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/flow_mesh.h>
+#include <strait/flow/seal_triangulation.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -41,7 +41,7 @@ namespace strait
     if (seal_mesh == nullptr)
       make_box();
     else
-      make_seal();
+      make_triangulation(*seal_mesh, tria);
   }
 
   void
@@ -100,14 +100,7 @@ namespace strait
   {
     if (seal_mesh != nullptr)
       {
-        double largest = 0.;
-        for (const auto &cell : tria.active_cell_iterators())
-          if (cell->is_locally_owned())
-            largest = std::max(largest, size_in_spacings(*cell));
-        largest     = dealii::Utilities::MPI::max(largest, tria.get_communicator());
-        const int n = static_cast<int>(std::ceil(std::log2(largest) - exponent));
-        if (n > 0)
-          tria.refine_global(n);
+        refine_to_size(tria, periodic_grid, std::exp2(exponent));
         return;
       }
     const int n = root_exponent - exponent;
@@ -131,7 +124,7 @@ namespace strait
     refine_uniformly(largest_exponent);
     if (seal_mesh != nullptr)
       {
-        refine_seal(critical);
+        refine_critical(tria, periodic_grid, critical);
         return;
       }
     for (int exponent = std::min(largest_exponent, root_exponent); exponent > 0;

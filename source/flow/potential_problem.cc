@@ -12,21 +12,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace strait
 {
   using namespace dealii;
-
-  namespace
-  {
-    /** A difference of angles, in turns, between −½ and ½. */
-    double
-    shorter_way(const double turns)
-    {
-      return turns - std::round(turns);
-    }
-  } // namespace
 
   PotentialProblem::PotentialProblem(const Kind       kind_,
                                      FlowMesh        &mesh_,
@@ -54,7 +43,7 @@ namespace strait
     DoFTools::extract_locally_relevant_dofs(dofs, relevant);
     if (problem_kind == Kind::stream_function && mesh.seal() != nullptr &&
         mesh.seal()->is_ring)
-      number_angles();
+      ring.emplace().set_up(mesh, dofs, owned, relevant);
     make_constraints();
     right_hand_side.reinit(owned, comm);
     distributed.reinit(owned, comm);
@@ -97,45 +86,11 @@ namespace strait
       }
     else
       {
-        constrain_hanging_angles();
+        if (ring)
+          ring->complete(constraints, relevant);
         pin_one_value();
       }
     constraints.close();
-  }
-
-  void
-  PotentialProblem::number_angles()
-  {
-    const SealMesh                             &seal = *mesh.seal();
-    std::map<types::global_dof_index, Point<2>> points;
-    DoFTools::map_dofs_to_support_points(mesh.mapping(), dofs, points);
-    MPI_Comm     comm = mesh.triangulation().get_communicator();
-    Vector       own(owned, comm);
-    const double turn = (seal.flows_outwards ? .5 : -.5) / numbers::PI;
-    for (const auto k : owned)
-      {
-        const Tensor<1, 2> arm = points.at(k) - seal.pole;
-        own(k)                 = turn * std::atan2(arm[1], arm[0]);
-      }
-    own.compress(VectorOperation::insert);
-    angles.reinit(owned, relevant, comm);
-    angles = own;
-  }
-
-  void
-  PotentialProblem::constrain_hanging_angles()
-  {
-    if (angles.size() != dofs.n_dofs())
-      return;
-    // The sum of both parts must be continuous where a node hangs, not φ alone.
-    for (const auto k : relevant)
-      if (const auto *line = constraints.get_constraint_entries(k))
-        {
-          double jump = 0.;
-          for (const auto &[dof, weight] : *line)
-            jump += weight * shorter_way(angles(dof) - angles(k));
-          constraints.set_inhomogeneity(k, jump);
-        }
   }
 
   void
@@ -157,18 +112,10 @@ namespace strait
   PotentialProblem::background(const Iterator &cell, std::vector<double> &values) const
   {
     values.assign(fe.n_dofs_per_cell(), 0.);
-    if (problem_kind == Kind::pressure)
+    if (ring)
+      ring->values(cell, values);
+    if (problem_kind == Kind::pressure || mesh.seal() != nullptr)
       return;
-    if (const SealMesh *seal = mesh.seal())
-      {
-        if (!seal->is_ring)
-          return;
-        dealii::Vector<double> turns(fe.n_dofs_per_cell());
-        cell->get_dof_values(angles, turns);
-        for (unsigned int i = 0; i < values.size(); ++i)
-          values[i] = shorter_way(turns(i) - turns(0));
-        return;
-      }
     // The corner of the cell is as good an origin as any other, and keeps the
     // values of a small cell small.
     const GridCell     here   = mesh.grid_cell(*cell);

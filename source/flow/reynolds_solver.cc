@@ -28,7 +28,7 @@ namespace strait
     , stream_problem(PotentialProblem::Kind::stream_function, flow_mesh, gap.moment_set())
   {
     constexpr int start_exponent = 4;
-    if (fluid.element_degree == 1 && seal == nullptr)
+    if (fluid.element_degree == 1)
       enrichment = std::make_unique<Enrichment>(flow_mesh);
     if (fluid.refinement == Refinement::adaptive)
       flow_mesh.refine_initially(largest_start_exponent(flow_mesh.grid()),

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/percolation/flow_region.h>
 
@@ -173,10 +174,19 @@ namespace strait
   } // namespace
 
   FlowRegion::FlowRegion(const PeriodicGrid             &grid,
-                         const std::vector<OutlineEdge> &outline)
+                         const std::vector<OutlineEdge> &outline,
+                         MPI_Comm                        comm)
     : width(grid.nx + 1)
-    , flags(static_cast<std::size_t>(width) * (grid.ny + 1), 0)
   {
+    run_on_root(comm, [&]() { find_points(grid, outline); });
+    n_points_inside = sum(comm, n_points_inside);
+  }
+
+  void
+  FlowRegion::find_points(const PeriodicGrid             &grid,
+                          const std::vector<OutlineEdge> &outline)
+  {
+    flags.assign(static_cast<std::size_t>(width) * (grid.ny + 1), 0);
     const std::uint8_t         inlet_bit  = bit_of(OutlineKind::inlet);
     const std::uint8_t         outlet_bit = bit_of(OutlineKind::outlet);
     const std::vector<Segment> segments   = in_half_spacings(grid, outline);

@@ -103,14 +103,16 @@ namespace strait
       EXPECT_NE(parse("").find("is no Gmsh file"), std::string::npos);
       EXPECT_NE(parse(replaced(good, "4.1 0 8", "4.1 1 8")).find("binary"),
                 std::string::npos);
-      EXPECT_NE(parse(replaced(good, "\n0.5 0.25 0", "")).find("mesh 'm'"),
+      EXPECT_NE(parse(replaced(good, "\n1 0.75 0\n0 4", "\n0 4")).find("mesh 'm'"),
                 std::string::npos);
       EXPECT_NE(parse(replaced(good, "$EndNodes", "$EndNode")).find("$Nodes"),
                 std::string::npos);
-      EXPECT_NE(parse(replaced(good, "\n0 0.25 0\n0 2", "\n0 0.25 0.1\n0 2")).find("z = 0"),
-                std::string::npos);
-      EXPECT_NE(parse(replaced(good, "\n0 0.25 0\n0 2", "\n0.3 0.6 0\n0 2")).find("convex"),
-                std::string::npos);
+      EXPECT_NE(
+        parse(replaced(good, "\n0 0.25 0\n0 2", "\n0 0.25 0.1\n0 2")).find("z = 0"),
+        std::string::npos);
+      EXPECT_NE(
+        parse(replaced(good, "\n0 0.25 0\n0 2", "\n0.3 0.6 0\n0 2")).find("convex"),
+        std::string::npos);
       // Cut anywhere, it is refused and not misread.
       for (std::size_t n = 0; n + 20 < good.size(); n += 7)
         EXPECT_NE(parse(good.substr(0, n)), "") << n;

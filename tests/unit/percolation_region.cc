@@ -29,7 +29,7 @@ namespace strait
     FlowDomain
     domain_of(const PeriodicGrid &grid, const std::vector<OutlineEdge> &outline)
     {
-      return {std::make_shared<const FlowRegion>(grid, outline)};
+      return {std::make_shared<const FlowRegion>(grid, outline, MPI_COMM_WORLD)};
     }
 
     SlabField

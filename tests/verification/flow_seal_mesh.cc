@@ -106,6 +106,48 @@ namespace strait
         }
     }
 
+    // A background that jumped where nodes hang would not be conforming: the bounds and
+    // the sum of shares would tell.
+    TEST(FlowSealMesh, StreamFunctionOfARingIsContinuousWhereNodesHangParallel)
+    {
+      const double          exact = ring_conductance(1.);
+      const FluidParameters fluid = plain_fluid();
+      const GapInSeal       given(sample([](double, double) { return 1.; }, 32, 32),
+                            fluid,
+                            "ring");
+      FlowMesh              mesh(given.field, fluid.direction, &given.seal);
+      const MomentSet      &set = given.field.moment_set();
+      PotentialProblem      pressure(PotentialProblem::Kind::pressure, mesh, set);
+      PotentialProblem      stream(PotentialProblem::Kind::stream_function, mesh, set);
+      for (int m = 0; m < 3; ++m)
+        {
+          for (const auto &cell : mesh.triangulation().active_cell_iterators())
+            if (cell->is_locally_owned() && cell->center()[0] + cell->center()[1] > 1.)
+              cell->set_refine_flag();
+          mesh.triangulation().execute_coarsening_and_refinement();
+        }
+      for (PotentialProblem *problem : {&pressure, &stream})
+        {
+          problem->set_up();
+          problem->assemble(given.field);
+          EXPECT_TRUE(problem->solve(fluid.preconditioner, 1e-13).converged);
+        }
+      const Bracket plain = plain_bracket(mesh, pressure, stream);
+      Enrichment    enrichment(mesh);
+      const Bracket enriched =
+        enriched_bracket(mesh, given.field, pressure, stream, enrichment);
+      for (const Bracket &bracket : {plain, enriched})
+        {
+          EXPECT_GT(bracket.upper, exact);
+          EXPECT_LT(bracket.lower, exact);
+          const double sum =
+            dealii::Utilities::MPI::sum(bracket.shares.l1_norm(), MPI_COMM_WORLD);
+          EXPECT_NEAR(sum * bracket.upper / (bracket.upper - bracket.lower), 1., 1e-3);
+        }
+      EXPECT_LT(enriched.upper, plain.upper);
+      EXPECT_GT(enriched.lower, plain.lower);
+    }
+
     TEST(FlowSealMesh, PlatesAreExactInStripAndBoxParallel)
     {
       const SlabField plates = sample([](double, double) { return .3; }, 64, 48);

@@ -20,7 +20,8 @@ namespace strait
     GapInSeal(const SlabField &gap, FluidParameters fluid, const std::string &mesh)
       : seal(read_seal_mesh(mesh_path(mesh), gap.grid(), MPI_COMM_WORLD))
       , domain(std::make_shared<const FlowRegion>(gap.grid(),
-                                                  seal.outline(.25 * gap.grid().dx())))
+                                                  seal.outline(.25 * gap.grid().dx()),
+                                                  MPI_COMM_WORLD))
       , clusters(find_clusters(gap, domain))
       , field(gap.layout_pointer(), with_mesh(fluid, mesh))
     {

@@ -8,6 +8,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <vector>
@@ -32,7 +33,7 @@ namespace strait
                            dealii::FullMatrix<double> &matrix) const = 0;
   };
 
-  /** On the cells of the grid's quadtree, from the moments that the bridge knows. */
+  /** On cells of the grid's quadtree, from the moments that the bridge knows. */
   class GridCoefficient : public CellCoefficient
   {
   public:
@@ -52,16 +53,41 @@ namespace strait
     CellAnswers           answers;
   };
 
+  /** The same for potentials that are bilinear on the four children of a cell, in the
+   *  order of FE_Q(2), which makes matrices of 9 × 9. */
+  class ChildCoefficient : public CellCoefficient
+  {
+  public:
+    ChildCoefficient(const FlowMesh &mesh, GapField::Coefficient coefficient);
+
+    void   update(const GapField &gap) override;
+    double mean(std::size_t cell) const override;
+    void   stiffness(std::size_t cell, dealii::FullMatrix<double> &matrix) const override;
+
+    /** The nodes at the corners of the children, deal.II's order throughout. */
+    static constexpr std::array<std::array<unsigned int, 4>, 4> corners = {
+      {{{0, 6, 4, 8}}, {{6, 1, 8, 5}}, {{4, 8, 2, 7}}, {{8, 5, 7, 3}}}};
+
+  private:
+    const FlowMesh       &mesh;
+    ElementMatrix         element;
+    GapField::Coefficient coefficient;
+    std::vector<GridCell> cells;
+    CellAnswers           answers; // of the children, four after four
+  };
+
   /**
    * On the cells of a seal mesh, by Gauss quadrature of the gap at points that are no
-   * farther from each other than those of the grid.
+   * farther from each other than those of the grid. Each of @p fewest_parts of a cell
+   * along an edge, a power of two, has its own points.
    */
   class MappedCoefficient : public CellCoefficient
   {
   public:
     MappedCoefficient(const FlowMesh                 &mesh,
                       const dealii::FiniteElement<2> &fe,
-                      GapField::Coefficient           coefficient);
+                      GapField::Coefficient           coefficient,
+                      int                             fewest_parts = 1);
 
     void   update(const GapField &gap) override;
     double mean(std::size_t cell) const override;
@@ -73,6 +99,7 @@ namespace strait
     const FlowMesh                                     &mesh;
     const dealii::FiniteElement<2>                     &fe;
     GapField::Coefficient                               coefficient;
+    int                                                 fewest_parts;
     unsigned int                                        n;      // unknowns of a cell
     std::map<int, std::unique_ptr<dealii::FEValues<2>>> values; // by number of parts
     std::vector<double>                                 means;
@@ -84,6 +111,12 @@ namespace strait
                                                     const MomentSet                &set,
                                                     const dealii::FiniteElement<2> &fe,
                                                     GapField::Coefficient coefficient);
+
+  /** That for ChildCoefficient's potentials, which @p fe, FE_Q_iso_Q1(2), has as well. */
+  std::unique_ptr<CellCoefficient>
+  make_child_coefficient(const FlowMesh                 &mesh,
+                         const dealii::FiniteElement<2> &fe,
+                         GapField::Coefficient           coefficient);
 } // namespace strait
 
 #endif

@@ -42,19 +42,10 @@ namespace strait
     /** Number the new nodes of the current mesh, for both problems. Collective. */
     void set_up();
 
-    /** The children of the owned cells, four after four. */
-    const std::vector<GridCell> &
-    children() const
-    {
-      return child_cells;
-    }
-
-    /**
-     * Relax the solution of @p problem. @p answers hold its coefficient on
-     * children(). Collective.
-     */
+    /** Relax the solution of @p problem, with its coefficient taken anew from @p gap.
+     *  Collective. */
     EnrichedSolution relax(const PotentialProblem &problem,
-                           const CellAnswers      &answers,
+                           const GapField         &gap,
                            unsigned int            n_steps) const;
 
     /** ∫ ∇u·curl v over an owned cell of two enriched solutions. */
@@ -65,17 +56,14 @@ namespace strait
     using Vector = RimSystems::Vector;
     using Nodes  = EnrichedSolution::Nodes;
 
-    void                              list_nodes();
-    void                              macro_matrix(std::size_t         cell,
-                                                   const CellAnswers  &answers,
-                                                   RimSystems::Matrix &matrix) const;
+    void list_nodes();
+
     const FlowMesh                   &mesh;
     ElementMatrix                     element;
     dealii::FE_Q_iso_Q1<2>            fe;
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
     Vector                            layout;
-    std::vector<GridCell>             cells, child_cells;
     EnrichmentNodes                   nodes;
   };
 } // namespace strait

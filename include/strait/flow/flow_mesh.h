@@ -58,9 +58,6 @@ namespace strait
     void constrain_periodic(const dealii::DoFHandler<2>       &dofs,
                             dealii::AffineConstraints<double> &constraints) const;
 
-    /** Of a cell of a seal mesh: the length of its longest edge in grid spacings. */
-    double size_in_spacings(const dealii::CellAccessor<2> &cell) const;
-
     Triangulation &
     triangulation()
     {
@@ -131,8 +128,6 @@ namespace strait
     }
 
     void make_box();
-    void make_seal();
-    void refine_seal(const std::vector<GridCell> &critical);
 
     PeriodicGrid        periodic_grid;
     FlowDirection       flow_direction;

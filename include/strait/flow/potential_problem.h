@@ -6,6 +6,7 @@
 #include <strait/flow/element_matrix.h>
 #include <strait/flow/flow_mesh.h>
 #include <strait/flow/linear_solver.h>
+#include <strait/flow/ring_background.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/distributed/solution_transfer.h>
@@ -15,6 +16,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace strait
@@ -131,8 +133,6 @@ namespace strait
     void   make_constraints();
     void   pin_one_value();
     void   pin_unreached_rows();
-    void   number_angles();
-    void   constrain_hanging_angles();
     void   background(const Iterator &cell, std::vector<double> &values) const;
     double slope_at_vertex(const Iterator            &cell,
                            unsigned int               vertex,
@@ -152,7 +152,7 @@ namespace strait
     std::vector<dealii::types::global_dof_index> unreached; // by no open cell
     Vector                                       right_hand_side, distributed, ghosted;
     std::unique_ptr<CellCoefficient>             coefficient;
-    Vector                                       angles; // around a ring's pole, in turns
+    std::optional<RingBackground>                ring; // of the stream function on one
     dealii::types::global_dof_index              n_active_unknowns = 0;
     bool                                         is_numbered       = false;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/flow/flow_mesh.h>
+#include <strait/flow/seal_triangulation.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
@@ -12,37 +12,34 @@ namespace strait
 {
   using namespace dealii;
 
-  namespace
+  types::boundary_id
+  boundary_id(const SealMesh::Part part)
   {
-    types::boundary_id
-    boundary_id(const SealMesh::Part part)
-    {
-      switch (part)
-        {
-          case SealMesh::Part::inlet:
-            return FlowMesh::inlet;
-          case SealMesh::Part::outlet:
-            return FlowMesh::outlet;
-          case SealMesh::Part::right_wall:
-            return FlowMesh::right_wall;
-          default:
-            return FlowMesh::left_wall;
-        }
-    }
-  } // namespace
+    switch (part)
+      {
+        case SealMesh::Part::inlet:
+          return 0;
+        case SealMesh::Part::outlet:
+          return 1;
+        case SealMesh::Part::right_wall:
+          return 2;
+        default:
+          return 3;
+      }
+  }
 
   void
-  FlowMesh::make_seal()
+  make_triangulation(const SealMesh &seal, SealTriangulation &tria)
   {
-    std::vector<Point<2>>    points = seal_mesh->points;
+    std::vector<Point<2>>    points = seal.points;
     std::vector<CellData<2>> cells;
     SubCellData              boundary;
-    for (const auto &corners : seal_mesh->cells)
+    for (const auto &corners : seal.cells)
       {
         cells.emplace_back();
         cells.back().vertices = {corners[0], corners[1], corners[3], corners[2]};
       }
-    for (const SealMesh::Edge &edge : seal_mesh->edges)
+    for (const SealMesh::Edge &edge : seal.edges)
       {
         CellData<1> line;
         line.vertices    = {edge.from, edge.to};
@@ -54,31 +51,43 @@ namespace strait
     GridTools::delete_unused_vertices(points, cells, boundary);
     GridTools::consistently_order_cells(cells);
     tria.create_triangulation(points, cells, boundary);
-    for (std::size_t k = 0; k < seal_mesh->circles.size(); ++k)
+    for (std::size_t k = 0; k < seal.circles.size(); ++k)
       tria.set_manifold(static_cast<types::manifold_id>(k),
-                        SphericalManifold<2>(seal_mesh->circles[k].centre));
+                        SphericalManifold<2>(seal.circles[k].centre));
   }
 
   double
-  FlowMesh::size_in_spacings(const CellAccessor<2> &cell) const
+  size_in_spacings(const CellAccessor<2> &cell, const PeriodicGrid &grid)
   {
     double longest = 0.;
     for (const unsigned int f : cell.face_indices())
       {
         const auto edge = cell.face(f)->vertex(1) - cell.face(f)->vertex(0);
-        longest         = std::max(longest,
-                           std::hypot(edge[0] / periodic_grid.dx(),
-                                      edge[1] / periodic_grid.dy()));
+        longest = std::max(longest, std::hypot(edge[0] / grid.dx(), edge[1] / grid.dy()));
       }
     return longest;
   }
 
   void
-  FlowMesh::refine_seal(const std::vector<GridCell> &critical)
+  refine_to_size(SealTriangulation &tria, const PeriodicGrid &grid, const double largest)
   {
-    // A cell is refined if it touches a critical one that is not larger by half.
+    double size = 0.;
+    for (const auto &cell : tria.active_cell_iterators())
+      if (cell->is_locally_owned())
+        size = std::max(size, size_in_spacings(*cell, grid));
+    size        = Utilities::MPI::max(size, tria.get_communicator());
+    const int n = static_cast<int>(std::ceil(std::log2(size / largest)));
+    if (n > 0)
+      tria.refine_global(n);
+  }
+
+  void
+  refine_critical(SealTriangulation           &tria,
+                  const PeriodicGrid          &grid,
+                  const std::vector<GridCell> &critical)
+  {
     const auto is_critical = [&](const CellAccessor<2> &cell) {
-      const double size     = size_in_spacings(cell);
+      const double size     = size_in_spacings(cell, grid);
       const int    exponent = static_cast<int>(std::lround(std::log2(size)));
       if (exponent < 1)
         return false;
@@ -89,8 +98,8 @@ namespace strait
             low[d]  = std::min(low[d], cell.vertex(v)[d]);
             high[d] = std::max(high[d], cell.vertex(v)[d]);
           }
-      const double wx = std::ldexp(periodic_grid.dx(), exponent);
-      const double wy = std::ldexp(periodic_grid.dy(), exponent);
+      const double wx = std::ldexp(grid.dx(), exponent);
+      const double wy = std::ldexp(grid.dy(), exponent);
       for (int j = static_cast<int>(low[1] / wy); j <= static_cast<int>(high[1] / wy);
            ++j)
         for (int i = static_cast<int>(low[0] / wx); i <= static_cast<int>(high[0] / wx);
