@@ -104,13 +104,20 @@ namespace strait
   }
 
   FEValues<2> &
-  MappedCoefficient::values_for(const double size_in_spacings)
+  MappedCoefficient::values_for(const CellAccessor<2> &cell)
   {
-    constexpr int most_parts = 64;
-    int           n_parts    = fewest_parts;
-    while (n_parts < size_in_spacings && n_parts < most_parts)
+    constexpr int    most_parts = 64;
+    constexpr double small      = 4.;
+    const double     size       = size_in_spacings(cell, mesh.grid());
+    const double     wanted     = size < small ? 2. * size : size;
+    int              n_parts    = fewest_parts;
+    while (n_parts < wanted && n_parts < most_parts)
       n_parts *= 2;
-    std::unique_ptr<FEValues<2>> &entry = values[n_parts];
+    // Without a curved edge the map is bilinear, which costs less to say so.
+    bool is_curved = false;
+    for (const unsigned int f : cell.face_indices())
+      is_curved = is_curved || cell.face(f)->manifold_id() != numbers::flat_manifold_id;
+    std::unique_ptr<FEValues<2>> &entry = values[{n_parts, is_curved}];
     if (!entry)
       entry = std::make_unique<FEValues<2>>(
         mesh.mapping(),
@@ -139,7 +146,7 @@ namespace strait
     for (const auto &cell : tria.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          FEValues<2> &at = values_for(size_in_spacings(*cell, mesh.grid()));
+          FEValues<2> &at = values_for(*cell);
           at.reinit(cell);
           double area = 0., total = 0.;
           std::fill(sums.begin(), sums.end(), 0.);

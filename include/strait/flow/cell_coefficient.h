@@ -11,6 +11,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace strait
@@ -77,9 +78,9 @@ namespace strait
   };
 
   /**
-   * On the cells of a seal mesh, by Gauss quadrature of the gap at points that are no
-   * farther from each other than those of the grid. Each of @p fewest_parts of a cell
-   * along an edge, a power of two, has its own points.
+   * On the cells of a seal mesh, by Gauss quadrature of the gap in parts of at most one
+   * grid spacing, or half of one in cells that are smaller than four. Along an edge there
+   * are at least @p fewest_parts, a power of two.
    */
   class MappedCoefficient : public CellCoefficient
   {
@@ -94,15 +95,17 @@ namespace strait
     void   stiffness(std::size_t cell, dealii::FullMatrix<double> &matrix) const override;
 
   private:
-    dealii::FEValues<2> &values_for(double size_in_spacings);
+    dealii::FEValues<2> &values_for(const dealii::CellAccessor<2> &cell);
 
-    const FlowMesh                                     &mesh;
-    const dealii::FiniteElement<2>                     &fe;
-    GapField::Coefficient                               coefficient;
-    int                                                 fewest_parts;
-    unsigned int                                        n;      // unknowns of a cell
-    std::map<int, std::unique_ptr<dealii::FEValues<2>>> values; // by number of parts
-    std::vector<double>                                 means;
+    const FlowMesh                 &mesh;
+    const dealii::MappingQ<2>       bilinear{1};
+    const dealii::FiniteElement<2> &fe;
+    GapField::Coefficient           coefficient;
+    int                             fewest_parts;
+    unsigned int                    n; // unknowns of a cell
+    std::map<std::pair<int, bool>, std::unique_ptr<dealii::FEValues<2>>>
+                        values; // by number of parts, and for curved cells
+    std::vector<double> means;
     std::vector<double> entries; // of the lower halves of the matrices
   };
 
