@@ -132,6 +132,7 @@ namespace strait
             start[k] = flow.fluid().outlet_pressure;
             break;
           case NodeState::pocket:
+          case NodeState::outside: // there is none of them in the box
             start[k] = scene.fluid.feedback.pool_pressure;
             break;
           case NodeState::closed:

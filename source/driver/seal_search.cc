@@ -76,7 +76,7 @@ namespace strait
     for (std::size_t k = 0; k < openness.size(); ++k)
       if (state.pressure[k] > 0)
         openness[k] = -softness * state.pressure[k];
-    const ThresholdProbe result{find_bottleneck(openness, scene.fluid.direction),
+    const ThresholdProbe result{find_bottleneck(openness, stages.flow->domain()),
                                 state.contact_area,
                                 state.fft_pairs};
     log.progress(format("  threshold: load %.8g %s",
@@ -91,7 +91,7 @@ namespace strait
     if (stages.coupling != nullptr)
       return state_with_fluid(load, slip_length);
     if (stages.adhesive != nullptr)
-      return stages.adhesive->state_for_search(load);
+      return stages.adhesive->state_for_search(load, stages.flow->domain());
     return stages.contact->solve(load);
   }
 
