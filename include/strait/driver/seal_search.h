@@ -40,6 +40,7 @@ namespace strait
     /** @p scene, the stages and @p log must outlive this object. */
     SealSearch(const Scene &scene, const Stages &stages, Log &log);
 
+    /** From now on. */
     void
     after_probe(AfterProbe action)
     {
