@@ -52,21 +52,13 @@ namespace strait
   ThresholdProbe
   SealSearch::probe(const double load, const double slip_length)
   {
-    const ContactState  state = state_under(load, slip_length);
-    const PeriodicGrid &grid  = state.gap.grid();
+    const ContactState state = state_under(load, slip_length);
     if (!state.converged)
       log.warn(format("the contact did not converge at a load of %.6g, residual %.1e",
                       load,
                       state.residual));
-    // Under pressure a point is closed the more firmly the more its own spacing is
-    // indented: a length, like the gap, and of one slope with it.
-    const double softness =
-      std::max(grid.dx(), grid.dy()) / scene.contact.effective_modulus;
-    SlabField openness = state.gap;
-    for (std::size_t k = 0; k < openness.size(); ++k)
-      if (state.pressure[k] > 0)
-        openness[k] = -softness * state.pressure[k];
-    const ThresholdProbe result{find_bottleneck(openness, scene.fluid.direction),
+    const SlabField      firmness = openness(state, scene.contact.effective_modulus);
+    const ThresholdProbe result{find_bottleneck(firmness, scene.fluid.direction),
                                 state.contact_area,
                                 state.fft_pairs};
     log.progress(format("  threshold: load %.8g %s",
@@ -109,14 +101,9 @@ namespace strait
     std::vector<BlowOut> result;
     for (const double load : scene.programme.pressures)
       {
-        // The pressure rises: each probe starts from the fluid of the last held one.
-        start = SlabField(stages.contact->layout());
-        result.push_back(
-          find_blow_out([&](const double pressure) { return pressurise(load, pressure); },
-                        load,
-                        scene.programme.threshold_tolerance));
-        BlowOut &found = result.back();
-        found.load     = load;
+        BlowOut found = blow_out(load);
+        if (scene.programme.find_resealing)
+          found.resealing = resealing(found);
         found.lower += outlet;
         found.upper += outlet;
         log.line(
@@ -126,10 +113,55 @@ namespace strait
                  found.lower,
                  found.upper,
                  found.n_solves));
+        if (found.resealing)
+          {
+            found.resealing->lower += outlet;
+            found.resealing->upper += outlet;
+            log.line(format("it closes again between %.8g and %.8g",
+                            found.resealing->lower,
+                            found.resealing->upper));
+          }
+        result.push_back(found);
       }
     stages.flow->set_inlet_pressure(scene.fluid.inlet_pressure);
     stages.coupling->fluid_pressure() = SlabField(stages.contact->layout());
     return result;
+  }
+
+  BlowOut
+  SealSearch::blow_out(const double load)
+  {
+    // The pressure rises: each probe starts from the fluid of the last held one.
+    start         = SlabField(stages.contact->layout());
+    BlowOut found = find_blow_out(
+      [&](const double pressure) {
+        const BlowOutProbe probed           = pressurise(load, pressure);
+        (probed.leaks ? open_fluid : start) = stages.coupling->fluid_pressure();
+        return probed;
+      },
+      load,
+      scene.programme.threshold_tolerance);
+    found.load = load;
+    return found;
+  }
+
+  Resealing
+  SealSearch::resealing(BlowOut &found)
+  {
+    if (found.upper == 0)
+      return {}; // it leaks without any pressure
+    // The pressure falls: from the fluid of the last one that leaked.
+    start = open_fluid;
+    return find_resealing(
+      [&](const double pressure) {
+        const BlowOutProbe probed = pressurise(found.load, pressure);
+        if (probed.leaks)
+          start = stages.coupling->fluid_pressure();
+        return probed;
+      },
+      found.upper,
+      scene.programme.threshold_tolerance,
+      found.n_solves);
   }
 
   BlowOutProbe
@@ -144,9 +176,7 @@ namespace strait
     BlowOutProbe result;
     result.leaks        = step.flow->clusters.percolates;
     result.contact_area = step.contact->contact_area;
-    if (!result.leaks)
-      start = stages.coupling->fluid_pressure();
-    else if (!step.flow->paths.empty())
+    if (result.leaks && !step.flow->paths.empty())
       result.constriction = step.flow->paths.front().bottleneck;
     log.progress(format("  blow-out: inlet pressure %.6g %s",
                         inlet,

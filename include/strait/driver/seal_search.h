@@ -43,13 +43,16 @@ namespace strait
     ThresholdProbe probe(double load, double slip_length);
     ContactState   state_under(double load, double slip_length);
     ContactState   state_with_fluid(double load, double slip_length);
+    BlowOut        blow_out(double load);
+    Resealing      resealing(BlowOut &found);
     BlowOutProbe   pressurise(double load, double pressure_difference);
     void           report(const Threshold &found) const;
 
     const Scene &scene;
     const Stages stages;
     Log         &log;
-    SlabField    start; // fluid pressure that each probe begins with, with coupling
+    SlabField    start;      // fluid pressure that each probe begins with, with coupling
+    SlabField    open_fluid; // of the last probe that leaked
   };
 } // namespace strait
 
