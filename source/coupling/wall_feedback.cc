@@ -10,7 +10,7 @@ namespace strait
 {
   namespace
   {
-    constexpr int rounds_combined = 4;
+    constexpr int rounds_combined = 12;
 
     // So often the verdict may change before the two sides are enclosed.
     constexpr int changes_allowed = 3;
@@ -38,29 +38,36 @@ namespace strait
   }
 
   FeedbackResult
-  WallFeedback::solve(const Round &round,
-                      const double largest_pressure,
-                      const bool   verdict_only)
+  WallFeedback::solve(const Round        &round,
+                      const double        largest_pressure,
+                      const FeedbackGoal &goal)
   {
     scale = largest_pressure;
     FeedbackResult        result;
     std::optional<double> last_leak_rate;
     std::optional<bool>   last_verdict;
     int                   changes_of_verdict = 0;
-    fixed_point.restart();
+    if (goal.goes_on)
+      fixed_point.move_on();
+    else
+      fixed_point.restart();
     fixed_point.relax(parameters.relaxation);
     while (result.iterations < parameters.maximum_iterations)
       {
         const FeedbackRound now = round(assumed);
         ++result.iterations;
         result.change = difference(now.fluid_pressure, assumed);
-        // Without a round before, an unchanged pressure says it all.
-        const double leak_before = last_leak_rate.value_or(now.leak_rate);
-        const bool leak_agrees = verdict_only || std::abs(now.leak_rate - leak_before) <=
-                                                   parameters.tolerance * now.leak_rate;
-        if (result.change <= parameters.tolerance && leak_agrees)
+        const bool leak_agrees =
+          !goal.leak_rate || now.leak_rate == 0 ||
+          (last_leak_rate &&
+           std::abs(now.leak_rate - *last_leak_rate) <= goal.tolerance * now.leak_rate);
+        if (result.change <= goal.tolerance && leak_agrees)
           {
             result.converged = true;
+            if (!goal.to_the_end)
+              fixed_point.advance(assumed.data(),
+                                  now.fluid_pressure.data(),
+                                  assumed.size());
             return result;
           }
         if (last_verdict && *last_verdict != now.percolates)
@@ -71,7 +78,7 @@ namespace strait
           }
         (now.percolates ? open_side : closed_side) = assumed;
         if (changes_of_verdict > changes_allowed)
-          return bisect(round, result);
+          return bisect(round, goal.tolerance, result);
         last_verdict   = now.percolates;
         last_leak_rate = now.leak_rate;
         fixed_point.advance(assumed.data(), now.fluid_pressure.data(), assumed.size());
@@ -80,9 +87,9 @@ namespace strait
   }
 
   FeedbackResult
-  WallFeedback::bisect(const Round &round, FeedbackResult result)
+  WallFeedback::bisect(const Round &round, const double tolerance, FeedbackResult result)
   {
-    while (difference(open_side, closed_side) > parameters.tolerance &&
+    while (difference(open_side, closed_side) > tolerance &&
            result.iterations < parameters.maximum_iterations)
       {
         for (std::size_t i = 0; i < assumed.size(); ++i)
@@ -90,7 +97,7 @@ namespace strait
         const FeedbackRound now = round(assumed);
         ++result.iterations;
         result.change = difference(now.fluid_pressure, assumed);
-        if (result.change <= parameters.tolerance)
+        if (result.change <= tolerance)
           {
             result.converged = true;
             return result;

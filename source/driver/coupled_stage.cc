@@ -25,32 +25,51 @@ namespace strait
   void
   CoupledStage::solve(Step &step, const double target)
   {
-    // The bracket may ask for a finer mesh, whose pressure then differs a little.
-    constexpr int max_meshes = 3;
+    // The bracket may ask for a finer mesh, whose pressure then differs a little. It
+    // does so early, as what comes before is lost on a mesh too coarse.
+    constexpr int max_meshes = 4;
     step.feedback.reset();
     step.contact_seconds = 0;
+    FeedbackGoal goal;
+    goal.tolerance  = std::sqrt(scene.fluid.feedback.tolerance);
+    goal.to_the_end = false;
     for (int mesh = 0; mesh < max_meshes; ++mesh)
       {
-        settle(step, target, false);
-        if (step.feedback->lifted_off ||
-            !flow.certify(*step.flow, step.gap, step.slip_length))
+        iterate(step, target, goal);
+        if (step.feedback->lifted_off)
           break;
+        const bool refined = flow.certify(*step.flow, step.gap, step.slip_length);
+        if (!refined && goal.tolerance == scene.fluid.feedback.tolerance)
+          break;
+        goal.tolerance = scene.fluid.feedback.tolerance;
+        goal.goes_on = goal.to_the_end = true;
       }
     if (step.feedback->undecided)
       step.flow->result.lower = 0; // it is closed at times
   }
 
   void
-  CoupledStage::settle(Step &step, const double target, const bool verdict_only)
+  CoupledStage::settle(Step &step, const double target)
+  {
+    FeedbackGoal goal;
+    goal.tolerance = scene.fluid.feedback.tolerance;
+    goal.leak_rate = false;
+    iterate(step, target, goal);
+  }
+
+  void
+  CoupledStage::iterate(Step &step, const double target, const FeedbackGoal &goal)
   {
     if (!step.feedback)
       step.feedback.emplace();
+    if (!goal.goes_on)
+      pools.restart();
     try
       {
         const FeedbackResult result = feedback.solve(
           [&](const SlabField &assumed) { return round(step, target, assumed); },
           largest_pressure(),
-          verdict_only);
+          goal);
         step.feedback->converged  = result.converged;
         step.feedback->undecided  = result.undecided;
         step.feedback->fluid_load = mean(feedback.pressure());
@@ -108,8 +127,9 @@ namespace strait
   }
 
   SlabField
-  CoupledStage::pressure_in(const Step &step, SlabField start)
+  CoupledStage::pressure_in(const Step &step, const SlabField &before)
   {
+    SlabField               start   = before;
     const double            inlet   = flow.fluid().inlet_pressure;
     const double            drop    = inlet - flow.fluid().outlet_pressure;
     const SlabLayoutPtr    &layout  = start.layout_pointer();
@@ -140,10 +160,15 @@ namespace strait
             break;
         }
     has_continued = true;
+    pools.note(step.flow->clusters.states);
+    pools.limit_open(start, before);
+    const SlabField depth = openness(*step.contact, scene.contact.effective_modulus);
     continuation.extend(start,
-                        FlowStage::seen_gap(step.gap, step.slip_length),
+                        FlowStage::seen_gap(depth, step.slip_length),
                         inlet,
-                        flow.fluid().outlet_pressure);
+                        flow.fluid().outlet_pressure,
+                        step.flow->clusters.states);
+    pools.limit_closed(start, before);
     return start;
   }
 

@@ -18,6 +18,15 @@ namespace strait
     SlabField fluid_pressure;     // that follows from this gap
   };
 
+  /** How far to iterate. */
+  struct FeedbackGoal
+  {
+    double tolerance  = 1e-4;
+    bool   leak_rate  = true;  // that it has settled, too
+    bool   goes_on    = false; // at the load of the iteration before
+    bool   to_the_end = true;  // false: another iteration goes on
+  };
+
   /** How the iteration ended. */
   struct FeedbackResult
   {
@@ -53,10 +62,10 @@ namespace strait
     /**
      * Iterate from pressure() on. The last call of @p round is for the pressure()
      * that is left. @p largest_pressure, that of a reservoir, is the measure of
-     * changes. With @p verdict_only the leak rate need not have settled. Collective.
+     * changes. Collective.
      */
     FeedbackResult
-    solve(const Round &round, double largest_pressure, bool verdict_only = false);
+    solve(const Round &round, double largest_pressure, const FeedbackGoal &goal);
 
     /** The pressure that is assumed, on the grid; a start for solve(). */
     SlabField &
@@ -69,7 +78,7 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    FeedbackResult bisect(const Round &round, FeedbackResult so_far);
+    FeedbackResult bisect(const Round &round, double tolerance, FeedbackResult so_far);
     double         difference(const SlabField &a, const SlabField &b) const;
 
     const FeedbackParameters parameters;

@@ -3,6 +3,7 @@
 #define strait_driver_coupled_stage_h
 
 #include <strait/contact/contact_solver.h>
+#include <strait/coupling/pool_damping.h>
 #include <strait/coupling/pressure_continuation.h>
 #include <strait/coupling/wall_feedback.h>
 #include <strait/driver/flow_stage.h>
@@ -32,9 +33,8 @@ namespace strait
      */
     void solve(Step &step, double target);
 
-    /** The same without the bracket of the leak rate, and with @p verdict_only to the
-     *  accuracy of a verdict. Collective. */
-    void settle(Step &step, double target, bool verdict_only = true);
+    /** The same to the accuracy of a verdict, without the leak rate. Collective. */
+    void settle(Step &step, double target);
 
     /** The pressure of the fluid on the grid [pressure]. */
     SlabField &
@@ -50,7 +50,8 @@ namespace strait
     std::size_t
     memory_consumption() const
     {
-      return feedback.memory_consumption() + continuation.memory_consumption();
+      return feedback.memory_consumption() + continuation.memory_consumption() +
+             pools.memory_consumption();
     }
 
   private:
@@ -58,9 +59,10 @@ namespace strait
     {
     };
 
+    void          iterate(Step &step, double target, const FeedbackGoal &goal);
     double        largest_pressure() const;
     FeedbackRound round(Step &step, double target, const SlabField &assumed);
-    SlabField     pressure_in(const Step &step, SlabField start);
+    SlabField     pressure_in(const Step &step, const SlabField &before);
     void          lift_off(Step &step, double target) const;
 
     const Scene         &scene;
@@ -69,6 +71,7 @@ namespace strait
     Log                 &log;
     WallFeedback         feedback;
     PressureContinuation continuation;
+    PoolDamping          pools;
     bool                 has_continued = false; // so that its result is a start
   };
 } // namespace strait
