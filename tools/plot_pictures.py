@@ -2,7 +2,7 @@
 """picture-STEP.png: the contact, and the flow (or load) in it."""
 import h5py
 import numpy as np
-from matplotlib import lines, patches, patheffects
+from matplotlib import collections, lines, patches, patheffects
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize
 from matplotlib.figure import Figure
@@ -10,12 +10,16 @@ from matplotlib.figure import Figure
 from plot_common import scientific, with_unit
 
 CONTACT, POCKET, PATH = (0, 0, 0), (62, 76, 97), (150, 190, 205)  # open = 0, 1, 2
+OUTSIDE = (236, 236, 236)  # open = 3: no part of the mesh
 GAPS = LinearSegmentedColormap.from_list(
     "gaps", [(0, "#4c5f75"), (0.3, "#a9bccd"), (1, "#f7fbff")])
 PRESSURES = LinearSegmentedColormap.from_list("pressures", ["#173a8a", "#1d7d95", "#58b368"])
 CURRENTS = LinearSegmentedColormap.from_list(
     "currents", ["#b0001a", "#e2201c", "#ff6a13", "#ffb020", "#fff34d"])
 CURRENT_DECADES = 3
+OUTLINES = {0: {"color": "#0b62d6", "linewidth": 2.5},  # inlet
+            1: {"color": "#c23b00", "linewidth": 2.5},  # outlet
+            2: {"color": "#5b5b5b", "linewidth": 1.2}}  # wall
 RING = {"marker": "o", "fillstyle": "none", "color": "white", "markeredgewidth": 2,
         "path_effects": [patheffects.withStroke(linewidth=4, foreground="black")]}
 NARROWEST = 4.4  # inches for two colour bars
@@ -26,7 +30,7 @@ def read_picture(path):
     with h5py.File(path, "r") as file:
         fields = {name: field[()] for name, field in file.items()}
         about = {name: np.ravel(value)[0] for name, value in file.attrs.items()}
-    fields["open"] = np.clip(fields["open"], 0, 2).astype(np.uint8)
+    fields["open"] = np.clip(fields["open"], 0, 3).astype(np.uint8)
     about = {name: value.decode(errors="replace") if isinstance(value, bytes) else value
              for name, value in about.items()}
     unknown = dict.fromkeys(("nominal_pressure", "contact_area", "leak_rate", "percolates",
@@ -57,7 +61,8 @@ def colour_scales(fields, about):
 def paint_gap(fields, scales):
     """The picture (ny, nx, 3) of the gap's depth, with the contact black."""
     image = scales["gap"].to_rgba(fields["gap"].astype(float), bytes=True)[..., :3]
-    image[fields["open"] == 0] = CONTACT
+    outside = fields["open"] == 3
+    image[(fields["open"] == 0) | (outside & (fields["gap"] <= 0))] = CONTACT
     return image
 
 
@@ -73,7 +78,7 @@ def paint_load(fields, scales):
 
 def paint_flow(fields, scales):
     """The picture of the flow: contact, pockets, fluid pressure, and the current over it."""
-    image = np.array([CONTACT, POCKET, PATH], dtype=np.uint8)[fields["open"]]
+    image = np.array([CONTACT, POCKET, PATH, OUTSIDE], dtype=np.uint8)[fields["open"]]
     path = fields["open"] == 2
     if "fluid_pressure" in scales:
         wet = path & np.isfinite(fields["fluid_pressure"])
@@ -105,12 +110,16 @@ def add_panels(lx, ly):
     return figure, axes, (width, height)
 
 
-def show_box(axes, image, about, units):
-    """An image of the box on its axes, with the worst constriction circled."""
+def show_box(axes, image, about, units, outline=None):
+    """An image of the box, with the worst constriction circled and a mesh's outline drawn."""
     axes.imshow(image, origin="lower", extent=(0, about["lx"], 0, about["ly"]), aspect="auto")
     axes.plot(about["worst_x"], about["worst_y"], markersize=19, clip_on=False, **RING)
     axes.set(xlabel=with_unit("x", "length", units), ylabel=with_unit("y", "length", units),
              xlim=(0, about["lx"]), ylim=(0, about["ly"]))
+    if outline is not None:
+        for kind, style in OUTLINES.items():
+            pieces = outline[outline[:, 4] == kind, :4].reshape(-1, 2, 2)
+            axes.add_collection(collections.LineCollection(pieces, clip_on=False, **style))
 
 
 def add_colour_bars(axes, inches, bars):
@@ -136,7 +145,10 @@ def add_legend(axes, inches, about):
 def mark_flow(axes, about):
     """Where the fluid enters and leaves; or that it cannot."""
     for at, words in enumerate(("inlet ⟶", "⟶ outlet")):
-        if about["direction"] == "y":
+        if about["direction"] == "mesh":
+            axes.text(0.01 + 0.98 * at, 1.015, words.strip(" ⟶"), transform=axes.transAxes,
+                      color=OUTLINES[at]["color"], fontsize=10, ha=("left", "right")[at])
+        elif about["direction"] == "y":
             axes.text(1.015, at, words, transform=axes.transAxes, rotation=90,
                       verticalalignment=("bottom", "top")[at])
         else:
@@ -163,11 +175,12 @@ def draw_picture(path, units):
               "fluid_pressure": with_unit("Fluid pressure", "pressure", units),
               "current": with_unit("Current density", "current", units)}
     figure, (left, right), inches = add_panels(about["lx"], about["ly"])
-    show_box(left, paint_gap(fields, scales), about, units)
+    outline = fields.get("outline")
+    show_box(left, paint_gap(fields, scales), about, units, outline)
     add_colour_bars(left, inches, [(scales["gap"], with_unit("Gap", "length", units))])
     add_legend(left, inches, about)
     dry = np.isnan(about["percolates"])
-    show_box(right, (paint_load if dry else paint_flow)(fields, scales), about, units)
+    show_box(right, (paint_load if dry else paint_flow)(fields, scales), about, units, outline)
     add_colour_bars(right, inches, [(scales[key], labels[key]) for key in labels if key in scales])
     if not dry:
         mark_flow(right, about)

@@ -70,6 +70,13 @@ namespace strait
                       Selection(directions.pattern()),
                       "The direction of the mean flow; the box is periodic across it.");
     prm.declare_entry(
+      "Mesh",
+      "",
+      FileName(),
+      "Gmsh file (MSH 4.1, ASCII, quadrilaterals) of the part of the box where the fluid "
+      "flows, with boundary ids 0 inlet, 1 outlet; all else is impermeable. Empty: the "
+      "whole box, periodic across Direction.");
+    prm.declare_entry(
       "Element degree",
       std::to_string(standard.element_degree),
       Integer(),
@@ -126,6 +133,7 @@ namespace strait
     outlet_pressure  = prm.get_double("Outlet pressure");
     slip_lengths     = parse_numbers(prm.get("Slip length"));
     direction        = directions.value(prm.get("Direction"));
+    mesh_file        = prm.get("Mesh");
     element_degree   = static_cast<unsigned int>(prm.get_integer("Element degree"));
     preconditioner   = preconditioners.value(prm.get("Preconditioner"));
     interpolation    = interpolations.value(prm.get("Gap interpolation"));
@@ -167,6 +175,14 @@ namespace strait
       throw InputError("Fluid/Maximum unknowns is " +
                        std::to_string(static_cast<int>(maximum_unknowns)) +
                        " but must be at least 1.");
+    if (enabled && !mesh_file.empty() && bounds == FlowBounds::rigorous)
+      throw InputError(
+        "Fluid/Bounds = rigorous needs the cells of the contact grid, which Fluid/Mesh "
+        "replaces; set Bounds = asymptotic.");
+    if (enabled && !mesh_file.empty() && feedback.enabled)
+      throw InputError(
+        "Fluid/Wall feedback and Fluid/Mesh cannot be used together yet; switch one of "
+        "them off.");
     feedback.check();
   }
 } // namespace strait

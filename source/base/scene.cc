@@ -39,10 +39,11 @@ namespace strait
     void
     anchor_path(SceneEntry &entry)
     {
-      const bool is_path = entry.section == std::vector<std::string>{"Surface"} &&
-                           (entry.name == "File" || entry.name == "Second file") &&
-                           !entry.value.empty();
-      if (is_path)
+      const bool is_map = entry.section == std::vector<std::string>{"Surface"} &&
+                          (entry.name == "File" || entry.name == "Second file");
+      const bool is_mesh =
+        entry.section == std::vector<std::string>{"Fluid"} && entry.name == "Mesh";
+      if ((is_map || is_mesh) && !entry.value.empty())
         entry.value =
           (std::filesystem::path(entry.folder) / entry.value).lexically_normal().string();
     }
@@ -121,6 +122,14 @@ namespace strait
         "Load programme/Find blow-out raises the inlet pressure until the "
         "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
         "Contact/Control = load.");
+    if (fluid.enabled && !fluid.mesh_file.empty() && output.error_budget)
+      throw InputError(
+        "Output/Error budget repeats the flow on coarser grids, which Fluid/Mesh does not "
+        "support; switch one of them off.");
+    if (fluid.enabled && !fluid.mesh_file.empty() && theory.enabled)
+      throw InputError(
+        "Theory/Enabled predicts the leak rate of the whole box and not of Fluid/Mesh; "
+        "switch one of them off.");
     for (const std::string &name : output.leak_rate_units)
       {
         if (!units.are_complete())

@@ -44,8 +44,7 @@ namespace strait
   }
 
   void
-  PressureContinuation::classify(const SlabField              &flow_gap,
-                                 const std::vector<NodeState> &states)
+  PressureContinuation::classify(const SlabField &flow_gap)
   {
     constexpr double open_share = .5; // of the largest gap beside the point
     const int        nx = layout->grid().nx, n_rows = layout->n_rows();
@@ -58,15 +57,12 @@ namespace strait
     for (int row = 0, k = 0; row < n_rows; ++row)
       for (int ix = 0; ix < nx; ++ix, ++k)
         {
-          const bool in_pool = !states.empty() && states[k] == NodeState::pocket;
-          double     largest = 0;
+          double largest = 0;
           for (int b = 0; b < 3; ++b)
             for (int a = -1; a <= 1; ++a)
-              {
-                const double value =
-                  gap[static_cast<std::size_t>(row + b) * nx + (ix + a + nx) % nx];
-                largest = std::max(largest, in_pool ? std::abs(value) : value);
-              }
+              largest = std::max(
+                largest,
+                gap[static_cast<std::size_t>(row + b) * nx + (ix + a + nx) % nx]);
           const double ratio =
             largest > 0 ? std::max(flow_gap[k], 0.) / (open_share * largest) : 0.;
           spring[k] = ratio < 1 && !is_on_seam(ix, row)
@@ -76,15 +72,14 @@ namespace strait
   }
 
   int
-  PressureContinuation::extend(SlabField                    &pressure,
-                               const SlabField              &flow_gap,
-                               const double                  inlet_pressure,
-                               const double                  outlet_pressure,
-                               const std::vector<NodeState> &states)
+  PressureContinuation::extend(SlabField       &pressure,
+                               const SlabField &flow_gap,
+                               const double     inlet_pressure,
+                               const double     outlet_pressure)
   {
     constexpr double tolerance      = 1e-7; // of the boundary values' own residual
     constexpr int    max_iterations = 1000;
-    classify(flow_gap, states);
+    classify(flow_gap);
 
     // Boundary values and springs alone, which are the right-hand side.
     SlabField boundary_values(layout), load(layout);

@@ -25,6 +25,14 @@ namespace strait
         return sum(comm, local);
       };
     }
+
+    double
+    relative_change(const std::optional<double> &before, const double now)
+    {
+      if (now == 0)
+        return 0.;
+      return before ? std::abs(now - *before) / now : 1.;
+    }
   } // namespace
 
   WallFeedback::WallFeedback(const FeedbackParameters &feedback_parameters,
@@ -56,12 +64,10 @@ namespace strait
       {
         const FeedbackRound now = round(assumed);
         ++result.iterations;
-        result.change = difference(now.fluid_pressure, assumed);
-        const bool leak_agrees =
-          !goal.leak_rate || now.leak_rate == 0 ||
-          (last_leak_rate &&
-           std::abs(now.leak_rate - *last_leak_rate) <= goal.tolerance * now.leak_rate);
-        if (result.change <= goal.tolerance && leak_agrees)
+        result.change      = difference(now.fluid_pressure, assumed);
+        result.leak_change = relative_change(last_leak_rate, now.leak_rate);
+        if (result.change <= goal.tolerance &&
+            (!goal.leak_rate || result.leak_change <= goal.tolerance))
           {
             result.converged = true;
             if (!goal.to_the_end)

@@ -67,7 +67,7 @@ namespace strait
   }
 
   ContactState
-  AdhesiveSweep::state_for_search(const double load)
+  AdhesiveSweep::state_for_search(const double load, const FlowDomain &domain)
   {
     const bool loading = scene.programme.path != LoadPath::unloading;
     const bool usable =
@@ -78,7 +78,7 @@ namespace strait
     else
       solver.forget();
     ContactState state   = solver.solve(load);
-    const bool   is_open = find_bottleneck(state.gap, scene.fluid.direction).value > 0;
+    const bool   is_open = find_bottleneck(state.gap, domain).value > 0;
     if (is_open == loading && state.converged && !state.adhesion->detached)
       search_start = solver.memory();
     return state;

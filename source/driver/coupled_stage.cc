@@ -29,19 +29,21 @@ namespace strait
     // does so early, as what comes before is lost on a mesh too coarse.
     constexpr int max_meshes = 4;
     step.feedback.reset();
-    step.contact_seconds = 0;
+    step.contact_seconds   = 0;
+    const double tolerance = scene.fluid.feedback.tolerance;
     FeedbackGoal goal;
-    goal.tolerance  = std::sqrt(scene.fluid.feedback.tolerance);
+    goal.tolerance  = std::sqrt(tolerance);
     goal.to_the_end = false;
     for (int mesh = 0; mesh < max_meshes; ++mesh)
       {
-        iterate(step, target, goal);
+        const FeedbackResult result = iterate(step, target, goal);
         if (step.feedback->lifted_off)
           break;
         const bool refined = flow.certify(*step.flow, step.gap, step.slip_length);
-        if (!refined && goal.tolerance == scene.fluid.feedback.tolerance)
+        if (!refined && (goal.to_the_end ||
+                         (result.change <= tolerance && result.leak_change <= tolerance)))
           break;
-        goal.tolerance = scene.fluid.feedback.tolerance;
+        goal.tolerance = tolerance;
         goal.goes_on = goal.to_the_end = true;
       }
     if (step.feedback->undecided)
@@ -57,16 +59,17 @@ namespace strait
     iterate(step, target, goal);
   }
 
-  void
+  FeedbackResult
   CoupledStage::iterate(Step &step, const double target, const FeedbackGoal &goal)
   {
     if (!step.feedback)
       step.feedback.emplace();
     if (!goal.goes_on)
       pools.restart();
+    FeedbackResult result;
     try
       {
-        const FeedbackResult result = feedback.solve(
+        result = feedback.solve(
           [&](const SlabField &assumed) { return round(step, target, assumed); },
           largest_pressure(),
           goal);
@@ -80,6 +83,7 @@ namespace strait
       {
         lift_off(step, target);
       }
+    return result;
   }
 
   void
@@ -127,9 +131,11 @@ namespace strait
   }
 
   SlabField
-  CoupledStage::pressure_in(const Step &step, const SlabField &before)
+  CoupledStage::pressure_in(const Step &step, SlabField start)
   {
-    SlabField               start   = before;
+    const std::vector<NodeState> &states = step.flow->clusters.states;
+    pools.note(states);
+    SlabField               filled  = FlowStage::seen_gap(step.gap, step.slip_length);
     const double            inlet   = flow.fluid().inlet_pressure;
     const double            drop    = inlet - flow.fluid().outlet_pressure;
     const SlabLayoutPtr    &layout  = start.layout_pointer();
@@ -137,7 +143,7 @@ namespace strait
                                         ? pressure_on_grid(*step.flow->solver, layout)
                                         : GridDeposit::Sums();
     for (std::size_t k = 0; k < start.size(); ++k)
-      switch (step.flow->clusters.states[k])
+      switch (pools.contains(k) ? NodeState::closed : states[k])
         {
           case NodeState::percolating:
             // On the seam the channel may reach one side only; see extend().
@@ -152,23 +158,17 @@ namespace strait
             start[k] = flow.fluid().outlet_pressure;
             break;
           case NodeState::pocket:
+          case NodeState::outside: // there is none of them in the box
             start[k] = scene.fluid.feedback.pool_pressure;
             break;
           case NodeState::closed:
             if (!has_continued)
               start[k] = .5 * (inlet + flow.fluid().outlet_pressure);
+            filled[k] = std::min(filled[k], 0.);
             break;
         }
     has_continued = true;
-    pools.note(step.flow->clusters.states);
-    pools.limit_open(start, before);
-    const SlabField depth = openness(*step.contact, scene.contact.effective_modulus);
-    continuation.extend(start,
-                        FlowStage::seen_gap(depth, step.slip_length),
-                        inlet,
-                        flow.fluid().outlet_pressure,
-                        step.flow->clusters.states);
-    pools.limit_closed(start, before);
+    continuation.extend(start, filled, inlet, flow.fluid().outlet_pressure);
     return start;
   }
 

@@ -125,7 +125,7 @@ namespace strait
     out.add_data_vector(conductivity, "mean_conductivity");
     out.add_data_vector(level, "level");
     out.add_data_vector(leaks, "leaks");
-    out.build_patches(dofs.get_fe().degree);
+    out.build_patches(step.flow->solver->mesh().mapping(), dofs.get_fe().degree);
     const std::string name = numbered(directory, "flow", step.number);
     MPI_Comm          comm = step.gap.layout().communicator();
     // About what it takes, compressed; the library would print errors of its own.

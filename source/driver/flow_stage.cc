@@ -5,6 +5,7 @@
 #include <strait/driver/step_report.h>
 #include <strait/percolation/percolating_gap.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace strait
@@ -41,7 +42,35 @@ namespace strait
     , log(log_)
     , timers(timers_)
     , gap_field(layout, fluid)
+    , flow_domain(parameters.direction)
   {
+    if (!parameters.mesh_file.empty())
+      read_mesh(layout);
+  }
+
+  void
+  FlowStage::read_mesh(const SlabLayoutPtr &layout)
+  {
+    constexpr double    shape_accuracy = 1e-4;
+    const PeriodicGrid &grid           = layout->grid();
+    seal                               = std::make_unique<const SealMesh>(
+      read_seal_mesh(parameters.mesh_file, grid, layout->communicator()));
+    flow_domain = FlowDomain(std::make_shared<const FlowRegion>(
+      grid, seal->outline(.25 * std::min(grid.dx(), grid.dy())), layout->communicator()));
+
+    FluidParameters fluid = parameters;
+    fluid.element_degree  = 2; // where the solution is smooth
+    fluid.target_accuracy = std::min(fluid.target_accuracy, shape_accuracy);
+    GapField uniform(layout, fluid);
+    uniform.update(SlabField(layout, 1.), floor_share * uniform.conductivity_of(1.));
+    const FlowResult flow = ReynoldsSolver(fluid, uniform, {}, seal.get()).run();
+    shape_factor          = flow.leak_rate / (uniform.conductivity_of(1.) *
+                                     (fluid.inlet_pressure - fluid.outlet_pressure));
+    log.line(format("mesh %s: %s of %zu cells, shape factor %.5g",
+                    parameters.mesh_file.c_str(),
+                    seal->is_ring ? "a ring" : "a strip",
+                    seal->cells.size(),
+                    shape_factor));
   }
 
   StepFlow
@@ -81,7 +110,7 @@ namespace strait
       }
     std::vector<FlowPath> paths;
     if (flow.solver)
-      paths = find_flow_paths(open, parameters.direction, 1);
+      paths = find_flow_paths(open, flow_domain, 1);
     if (paths.empty() ||
         value_at(open, meshed_bottleneck) >= outdone * paths.front().bottleneck_gap)
       {
@@ -110,17 +139,19 @@ namespace strait
   SlabField
   FlowStage::find_channel(StepFlow &flow, const SlabField &seen) const
   {
-    flow.clusters = find_clusters(seen, parameters.direction);
+    flow.seal         = seal.get();
+    flow.shape_factor = shape_factor;
+    flow.clusters     = find_clusters(seen, flow_domain);
     if (!flow.clusters.percolates || !has_drive())
       return {};
-    return percolating_gap(seen, flow.clusters, parameters.direction);
+    return percolating_gap(seen, flow.clusters, flow_domain);
   }
 
   void
   FlowStage::find_paths(StepFlow &flow, const SlabField &open)
   {
     const auto scope  = timers.scope("paths");
-    flow.paths        = find_flow_paths(open, parameters.direction, n_paths_wanted);
+    flow.paths        = find_flow_paths(open, flow_domain, n_paths_wanted);
     meshed_bottleneck = flow.paths.front().bottleneck;
   }
 
@@ -129,7 +160,8 @@ namespace strait
   {
     const auto scope = timers.scope("mesh and solver");
     flow.solver.reset();
-    flow.solver = std::make_unique<ReynoldsSolver>(parameters, gap_field, flow.paths);
+    flow.solver =
+      std::make_unique<ReynoldsSolver>(parameters, gap_field, flow.paths, seal.get());
   }
 
   void

@@ -5,6 +5,7 @@
 #include <strait/surface/statistics.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace strait
@@ -272,12 +273,18 @@ namespace strait
       {
         step.doubts.emplace_back("unresolved-throat");
         log.warn(
-          format("at a reduced load of %.3g the throat has %.2g grid points along it, "
-                 "%.0f are needed: a grid finer by a factor of %.2g would do",
-                 reduced,
-                 points,
-                 points_needed,
-                 points_needed / points));
+          std::isnan(points)
+            ? format("at a reduced load of %.3g the narrowest point is no saddle of the "
+                     "gap, as on the boundary of a mesh: how well the grid resolves it "
+                     "cannot be told",
+                     reduced)
+            : format(
+                "at a reduced load of %.3g the throat has %.2g grid points along it, "
+                "%.0f are needed: a grid finer by a factor of %.2g would do",
+                reduced,
+                points,
+                points_needed,
+                points_needed / points));
       }
   }
 

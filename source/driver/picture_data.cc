@@ -3,6 +3,7 @@
 #include <strait/driver/disk_space.h>
 #include <strait/driver/picture_data.h>
 #include <strait/flow/grid_points.h>
+#include <strait/flow/mapped_points.h>
 
 #include <deal.II/base/hdf5.h>
 
@@ -86,6 +87,23 @@ namespace strait
           const auto psi_cell = of_psi++;
           if (!cell->is_locally_owned())
             continue;
+          const auto set = [&](const std::size_t k, const double s, const double t) {
+            result.pressure[k] =
+              static_cast<float>(interpolate_bilinearly(pressures, s, t));
+            result.current[k] = static_cast<float>(interpolate_bilinearly(slopes, s, t));
+          };
+          if (solver.mesh().seal() != nullptr)
+            {
+              cell->get_dof_values(solver.pressure().solution(), pressures);
+              psi_cell->get_dof_values(slope, slopes);
+              for (const MappedPoint &p :
+                   mapped_points(solver.mesh(), *cell, raster.stride))
+                if (p.ix < raster.stride * raster.nx && p.iy < raster.stride * raster.ny)
+                  if (const auto k = raster.index(p.ix, p.iy);
+                      p.inside || result.current[k] == 0.F)
+                    set(k, p.s, p.t);
+              continue;
+            }
           const GridCell     here = solver.mesh().grid_cell(*cell);
           const PointsOfCell x(here.i, here.exponent, raster.stride);
           const PointsOfCell y(here.j, here.exponent, raster.stride);
@@ -98,27 +116,26 @@ namespace strait
             for (int ix = x.first; ix < x.end; ix += raster.stride)
               {
                 const double s = ix / size - here.i, t = iy / size - here.j;
-                const auto   k = raster.index(ix, iy);
-                result.pressure[k] =
-                  static_cast<float>(interpolate_bilinearly(pressures, s, t));
-                result.current[k] =
-                  static_cast<float>(interpolate_bilinearly(slopes, s, t));
+                set(raster.index(ix, iy), s, t);
               }
         }
-      int rank = 0;
+      // Cells of a seal mesh share the points on their edges.
+      const MPI_Op operation = solver.mesh().seal() != nullptr ? MPI_MAX : MPI_SUM;
+      int          rank      = 0;
       MPI_Comm_rank(comm, &rank);
       for (std::vector<float> *field : {&result.pressure, &result.current})
         MPI_Reduce(rank == 0 ? MPI_IN_PLACE : field->data(),
                    field->data(),
                    static_cast<int>(field->size()),
                    MPI_FLOAT,
-                   MPI_SUM,
+                   operation,
                    0,
                    comm);
       return result;
     }
 
-    /** 0 closed, 1 open but not leaking, 2 percolating. */
+    /** 0 closed, 1 open but not leaking, 2 percolating, 3 where the fluid has no place.
+     */
     std::vector<double>
     openness(const Step &step)
     {
@@ -131,6 +148,7 @@ namespace strait
             const NodeState state = step.flow->clusters.states[k];
             result[k]             = state == NodeState::closed        ? 0
                                     : state == NodeState::percolating ? 2
+                                    : state == NodeState::outside     ? 3
                                                                       : 1;
           }
       return result;
@@ -161,7 +179,7 @@ namespace strait
       const double leak = std::abs(step.flow->result.leak_rate);
       for (std::size_t k = 0; k < fields.gap.size(); ++k)
         {
-          const bool leaks = fields.open[k] > 1;
+          const bool leaks = fields.open[k] == 2.F;
           fields.fluid_pressure.push_back(
             leaks ? static_cast<float>(fluid.outlet_pressure + drop * flow.pressure[k])
                   : none);
@@ -186,6 +204,24 @@ namespace strait
         .write(values);
     }
 
+    /** Pieces of the outline of a seal mesh: both ends, and the OutlineKind. */
+    void
+    write_outline(dealii::HDF5::File &file, const Step &step)
+    {
+      if (!step.flow || step.flow->seal == nullptr)
+        return;
+      const PeriodicGrid &grid = step.gap.grid();
+      std::vector<float>  values;
+      for (const OutlineEdge &e :
+           step.flow->seal->outline(std::min(grid.dx(), grid.dy())))
+        for (const double value :
+             {e.x0, e.y0, e.x1, e.y1, static_cast<double>(static_cast<int>(e.kind))})
+          values.push_back(static_cast<float>(value));
+      constexpr hsize_t n_columns = 5;
+      file.create_dataset<float>("outline", {values.size() / n_columns, n_columns})
+        .write(values);
+    }
+
     void
     write_attributes(dealii::HDF5::File    &file,
                      const Step            &step,
@@ -196,7 +232,9 @@ namespace strait
       file.set_attribute("inlet_pressure", fluid.inlet_pressure);
       file.set_attribute("outlet_pressure", fluid.outlet_pressure);
       file.set_attribute("direction",
-                         std::string(fluid.direction == FlowDirection::x ? "x" : "y"));
+                         std::string(!fluid.mesh_file.empty()              ? "mesh"
+                                     : fluid.direction == FlowDirection::x ? "x"
+                                                                           : "y"));
       if (step.contact)
         {
           file.set_attribute("nominal_pressure", step.contact->nominal_pressure);
@@ -236,6 +274,7 @@ namespace strait
       write_dataset(file, "pressure", raster, fields.contact_pressure);
       write_dataset(file, "fluid_pressure", raster, fields.fluid_pressure);
       write_dataset(file, "current", raster, fields.current);
+      write_outline(file, step);
       write_attributes(file, step, fluid);
     });
   }

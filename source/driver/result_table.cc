@@ -13,15 +13,17 @@ namespace strait
   {
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-    /** (12 η K_eff)^(1/3) with K_eff = Q L_along/(L_across Δp). */
+    /** (12 η K_eff)^(1/3) with K_eff = Q L_along/(L_across Δp); in a mesh the uniform gap
+     *  that leaks as much. */
     double
     effective_gap(const FluidParameters &fluid,
                   const PeriodicGrid    &grid,
-                  const double           leak)
+                  const StepFlow        &flow)
     {
-      const double aspect =
-        fluid.direction == FlowDirection::x ? grid.lx / grid.ly : grid.ly / grid.lx;
-      return std::cbrt(12. * fluid.viscosity * leak * aspect /
+      const double aspect = flow.shape_factor > 0                 ? 1. / flow.shape_factor
+                            : fluid.direction == FlowDirection::x ? grid.lx / grid.ly
+                                                                  : grid.ly / grid.lx;
+      return std::cbrt(12. * fluid.viscosity * flow.result.leak_rate * aspect /
                        (fluid.inlet_pressure - fluid.outlet_pressure));
     }
   } // namespace
@@ -102,7 +104,7 @@ namespace strait
         });
       }
     add("effective_gap", [fluid](const Step &step) {
-      return effective_gap(fluid, step.gap.grid(), step.flow->result.leak_rate);
+      return effective_gap(fluid, step.gap.grid(), *step.flow);
     });
     const auto add_constriction = [this](const std::string &name, auto value) {
       add(name, [value](const Step &step) {

@@ -67,8 +67,15 @@ namespace strait
       log.warn(format("the contact did not converge at a load of %.6g, residual %.1e",
                       load,
                       state.residual));
-    const SlabField      firmness = openness(state, scene.contact.effective_modulus);
-    const ThresholdProbe result{find_bottleneck(firmness, scene.fluid.direction),
+    // Under pressure a point is closed the more firmly the more its own spacing is
+    // indented: a length, like the gap, and of one slope with it.
+    const double softness =
+      std::max(grid.dx(), grid.dy()) / scene.contact.effective_modulus;
+    SlabField openness = state.gap;
+    for (std::size_t k = 0; k < openness.size(); ++k)
+      if (state.pressure[k] > 0)
+        openness[k] = -softness * state.pressure[k];
+    const ThresholdProbe result{find_bottleneck(openness, stages.flow->domain()),
                                 state.contact_area,
                                 state.fft_pairs};
     log.progress(format("  threshold: load %.8g %s",
@@ -83,7 +90,7 @@ namespace strait
     if (stages.coupling != nullptr)
       return state_with_fluid(load, slip_length);
     if (stages.adhesive != nullptr)
-      return stages.adhesive->state_for_search(load);
+      return stages.adhesive->state_for_search(load, stages.flow->domain());
     return stages.contact->solve(load);
   }
 

@@ -76,6 +76,25 @@ namespace strait
       report_surface(scene, heights, log);
       return heights;
     }
+
+    /** For a dry run; throws what the run would. */
+    void
+    describe_mesh(const Scene &scene, Log &log)
+    {
+      if (!scene.fluid.enabled || scene.fluid.mesh_file.empty())
+        return;
+      const PeriodicGrid grid = grid_of(scene);
+      const SealMesh   seal = read_seal_mesh(scene.fluid.mesh_file, grid, MPI_COMM_WORLD);
+      const FlowRegion region(grid,
+                              seal.outline(.25 * std::min(grid.dx(), grid.dy())),
+                              MPI_COMM_WORLD);
+      log.line(format("mesh %s: %s of %zu cells around %lld grid points",
+                      scene.fluid.mesh_file.c_str(),
+                      seal.is_ring ? "a ring" : "a strip",
+                      seal.cells.size(),
+                      region.n_inside()));
+    }
+
     /** For a dry run; throws if the grid does not resolve the range. */
     void
     describe_adhesion(const ContactParameters &contact,
@@ -237,6 +256,7 @@ namespace strait
       2 * 8. / 3 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
     const SlabField heights = make_heights(scene, log);
     describe_adhesion(scene.contact, heights, log);
+    describe_mesh(scene, log);
     const auto   n_points = static_cast<double>(grid_of(scene).n_points());
     const double bytes    = n_points * ((scene.contact.enabled ? bytes_contact : 8.) +
                                      (scene.fluid.enabled ? bytes_flow : 0.));

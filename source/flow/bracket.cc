@@ -76,38 +76,18 @@ namespace strait
           }
     }
 
+    /** Of a solution as it is. */
     CellEnergies
-    energies_of(const EnrichedSolution     &solution,
-                const Enrichment           &enrichment,
-                const GapField             &gap,
-                const GapField::Coefficient coefficient)
+    energies_of(const PotentialProblem &problem, const GapField &gap)
     {
-      const CellAnswers finer =
-        gap.ask(coefficient, enrichment.children(), GapField::Quadrature::finer);
-      CellEnergies energies{solution.cell_energies, {}, solution.energy};
-      for (std::size_t c = 0; c < solution.values.size(); ++c)
-        energies.finer.push_back(enrichment.cell_energy(solution, finer, c));
-      return energies;
-    }
-
-    CellEnergies
-    energies_of(const PotentialProblem     &problem,
-                const FlowMesh             &mesh,
-                const GapField             &gap,
-                const GapField::Coefficient coefficient)
-    {
-      const CellAnswers finer =
-        gap.ask(coefficient, mesh.owned_grid_cells(), GapField::Quadrature::finer);
-      CellEnergies        energies{{}, {}, problem.energy()};
+      CellEnergies        energies{{}, problem.finer_energies(gap), problem.energy()};
       std::vector<double> values;
-      std::size_t         c = 0;
       for (const auto &cell : problem.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
             problem.cell_values(cell, values);
-            energies.standard.push_back(problem.cell_energy(c, values));
-            energies.finer.push_back(problem.cell_energy(c, values, finer));
-            ++c;
+            energies.standard.push_back(
+              problem.cell_energy(energies.standard.size(), values));
           }
       return energies;
     }
@@ -151,16 +131,9 @@ namespace strait
   {
     constexpr unsigned int n_steps = 4;
     enrichment.set_up();
-    const EnrichedSolution p =
-      enrichment.relax(pressure,
-                       gap.ask(GapField::Coefficient::conductivity,
-                               enrichment.children()),
-                       n_steps);
-    const EnrichedSolution psi =
-      enrichment.relax(stream_function,
-                       gap.ask(GapField::Coefficient::resistivity, enrichment.children()),
-                       n_steps);
-    Bracket bracket = bracket_of(p.energy, psi.energy);
+    const EnrichedSolution p       = enrichment.relax(pressure, gap, n_steps);
+    const EnrichedSolution psi     = enrichment.relax(stream_function, gap, n_steps);
+    Bracket                bracket = bracket_of(p.energy, psi.energy);
     bracket.shares.reinit(mesh.triangulation().n_active_cells());
     std::size_t c = 0;
     for (const auto &cell : pressure.dof_handler().active_cell_iterators())
@@ -176,11 +149,14 @@ namespace strait
           ++c;
         }
     if (!gap.is_rigorous())
-      set_safe_bounds(
-        bracket,
-        mesh,
-        energies_of(p, enrichment, gap, GapField::Coefficient::conductivity),
-        energies_of(psi, enrichment, gap, GapField::Coefficient::resistivity));
+      set_safe_bounds(bracket,
+                      mesh,
+                      CellEnergies{p.cell_energies,
+                                   enrichment.finer_energies(pressure, p, gap),
+                                   p.energy},
+                      CellEnergies{psi.cell_energies,
+                                   enrichment.finer_energies(stream_function, psi, gap),
+                                   psi.energy});
     return bracket;
   }
 
@@ -192,10 +168,9 @@ namespace strait
                        const PotentialProblem &stream_function)
   {
     if (!gap.is_rigorous())
-      set_safe_bounds(
-        bracket,
-        mesh,
-        energies_of(pressure, mesh, gap, GapField::Coefficient::conductivity),
-        energies_of(stream_function, mesh, gap, GapField::Coefficient::resistivity));
+      set_safe_bounds(bracket,
+                      mesh,
+                      energies_of(pressure, gap),
+                      energies_of(stream_function, gap));
   }
 } // namespace strait

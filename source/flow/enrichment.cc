@@ -13,16 +13,12 @@ namespace strait
   {
     constexpr unsigned int n_vertices = 4, n_rim = 8, centre = 8;
 
-    /** Nodes at the corners of the children, deal.II's order throughout. */
-    constexpr std::array<std::array<unsigned int, 4>, 4> corners_of_child = {
-      {{{0, 6, 4, 8}}, {{6, 1, 8, 5}}, {{4, 8, 2, 7}}, {{8, 5, 7, 3}}}};
-
     std::vector<double>
     child_values(const EnrichedSolution::Nodes &nodes, const unsigned int child)
     {
       std::vector<double> values(n_vertices);
       for (unsigned int v = 0; v < n_vertices; ++v)
-        values[v] = nodes[corners_of_child[child][v]];
+        values[v] = nodes[ChildCoefficient::corners[child][v]];
       return values;
     }
 
@@ -34,6 +30,19 @@ namespace strait
                    c = vertices[3] - vertices[0];
       return {
         {0., a, b, c, .5 * b, .5 * (a + c), .5 * a, .5 * (b + c), .25 * (a + b + c)}};
+    }
+
+    RimSystems::Matrix
+    matrix_of(const CellCoefficient &coefficient, const std::size_t cell)
+    {
+      constexpr unsigned int     n_nodes = n_rim + 1;
+      dealii::FullMatrix<double> full(n_nodes, n_nodes);
+      RimSystems::Matrix         matrix;
+      coefficient.stiffness(cell, full);
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        for (unsigned int j = 0; j < n_nodes; ++j)
+          matrix[i][j] = full(i, j);
+      return matrix;
     }
 
     double
@@ -64,11 +73,7 @@ namespace strait
     constraints.clear();
     constraints.reinit(relevant);
     DoFTools::make_hanging_node_constraints(dofs, constraints);
-    DoFTools::make_periodicity_constraints(dofs,
-                                           FlowMesh::periodic_first,
-                                           FlowMesh::periodic_last,
-                                           1 - mesh.axis_along(),
-                                           constraints);
+    mesh.constrain_periodic(dofs, constraints);
     // The vertices of the mesh keep their values. A vertex that hangs on an edge is
     // the new node of that edge and follows it.
     std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
@@ -90,25 +95,23 @@ namespace strait
   void
   Enrichment::list_nodes()
   {
-    cells = mesh.owned_grid_cells();
-    child_cells.clear();
     nodes                                            = {};
     const auto                          &partitioner = *layout.get_partitioner();
     std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const GridCell parent = cells[nodes.cells.size()];
-          for (int child = 0; child < 4; ++child)
-            child_cells.push_back(
-              {parent.exponent - 1, 2 * parent.i + child % 2, 2 * parent.j + child / 2});
           EnrichmentNodes::Cell here;
           here.first_index      = nodes.indices.size();
           here.first_dependence = nodes.dependences.size();
           for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() &&
-                cell->face(f)->boundary_id() <= FlowMesh::outlet)
-              here.at_reservoir |= 1U << f;
+            if (cell->face(f)->at_boundary())
+              {
+                if (cell->face(f)->boundary_id() <= FlowMesh::outlet)
+                  here.at_reservoir |= 1U << f;
+                else if (mesh.seal() != nullptr)
+                  here.at_wall |= 1U << f;
+              }
           const auto add = [&](const unsigned int            node,
                                const types::global_dof_index dof,
                                const double                  weight) {
@@ -135,54 +138,33 @@ namespace strait
         }
   }
 
-  void
-  Enrichment::macro_matrix(const std::size_t   cell,
-                           const CellAnswers  &answers,
-                           RimSystems::Matrix &matrix) const
-  {
-    FullMatrix<double> small(n_vertices, n_vertices);
-    matrix = {};
-    for (unsigned int child = 0; child < 4; ++child)
-      {
-        element.stiffness(answers[4 * cell + child].moments,
-                          mesh.width(cells[cell]),
-                          mesh.height(cells[cell]),
-                          small);
-        const auto &corner = corners_of_child[child];
-        for (unsigned int i = 0; i < n_vertices; ++i)
-          for (unsigned int j = 0; j < n_vertices; ++j)
-            matrix[corner[i]][corner[j]] += small(i, j);
-      }
-  }
-
   EnrichedSolution
   Enrichment::relax(const PotentialProblem &problem,
-                    const CellAnswers      &answers,
+                    const GapField         &gap,
                     const unsigned int      n_steps) const
   {
-    const bool          is_pressure = problem.kind() == PotentialProblem::Kind::pressure;
+    const bool is_pressure = problem.kind() == PotentialProblem::Kind::pressure;
+    const auto coefficient = make_coefficient(problem);
+    coefficient->update(gap);
     EnrichedSolution    result;
     Vector              x(layout), r(layout), diagonal(layout);
     RimSystems          systems(nodes);
-    RimSystems::Matrix  matrix = {};
     std::vector<double> vertices;
-    const auto          is_open = [&](const std::size_t c) {
-      for (unsigned int child = 0; child < 4; ++child)
-        if (answers[4 * c + child].moments[0] > 0)
-          return true;
-      return false;
-    };
-    result.values.reserve(cells.size());
+    const auto is_open = [&](const std::size_t c) { return coefficient->mean(c) > 0; };
+    result.values.reserve(nodes.cells.size());
     for (const auto &cell : problem.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           const std::size_t c = result.values.size();
           problem.cell_values(cell, vertices);
           result.values.push_back(interpolate(vertices));
-          if (is_open(c))
-            macro_matrix(c, answers, matrix);
-          systems.append(
-            matrix, result.values.back(), !is_open(c), is_pressure, r, diagonal);
+          systems.append(matrix_of(*coefficient, c),
+                         result.values.back(),
+                         !is_open(c),
+                         is_pressure ? nodes.cells[c].at_reservoir
+                                     : nodes.cells[c].at_wall,
+                         r,
+                         diagonal);
         }
     r.compress(VectorOperation::add);
     diagonal.compress(VectorOperation::add);
@@ -190,7 +172,7 @@ namespace strait
     constraints.distribute(x);
     x.update_ghost_values();
 
-    result.cell_energies.assign(cells.size(), 0.);
+    result.cell_energies.assign(nodes.cells.size(), 0.);
     std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
     std::size_t                          c = 0;
     for (const auto &cell : dofs.active_cell_iterators())
@@ -202,8 +184,8 @@ namespace strait
               cell->get_dof_indices(local);
               for (unsigned int node = 0; node < n_rim; ++node)
                 values[node] += x(local[node]);
-              macro_matrix(c, answers, matrix);
-              double at_centre = 0;
+              const RimSystems::Matrix matrix    = matrix_of(*coefficient, c);
+              double                   at_centre = 0;
               for (unsigned int node = 0; node < n_rim; ++node)
                 at_centre -= matrix[centre][node] * values[node];
               values[centre]          = at_centre / matrix[centre][centre];
@@ -217,14 +199,23 @@ namespace strait
     return result;
   }
 
-  double
-  Enrichment::cell_energy(const EnrichedSolution &solution,
-                          const CellAnswers      &answers,
-                          const std::size_t       cell) const
+  std::unique_ptr<CellCoefficient>
+  Enrichment::make_coefficient(const PotentialProblem &problem) const
   {
-    RimSystems::Matrix matrix;
-    macro_matrix(cell, answers, matrix);
-    return energy_of(matrix, solution.values[cell]);
+    return make_child_coefficient(mesh, fe, problem.coefficient_kind());
+  }
+
+  std::vector<double>
+  Enrichment::finer_energies(const PotentialProblem &problem,
+                             const EnrichedSolution &solution,
+                             const GapField         &gap) const
+  {
+    const auto finer = make_coefficient(problem);
+    finer->update(gap, GapField::Quadrature::finer);
+    std::vector<double> energies;
+    for (const Nodes &values : solution.values)
+      energies.push_back(energy_of(matrix_of(*finer, energies.size()), values));
+    return energies;
   }
 
   double

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/flow_mesh.h>
+#include <strait/flow/seal_triangulation.h>
 
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
@@ -11,6 +13,10 @@ namespace strait
 {
   namespace
   {
+    // With quartic edges an arc is off its circle by 1e-6 of its radius for a quarter of
+    // a turn, and 32 times less with each refinement.
+    constexpr unsigned int degree_of_arcs = 4;
+
     // Periodicity in deal.II wants two coarse cells across.
     int
     coarsest_exponent(const PeriodicGrid &grid, const int n_halvings)
@@ -22,11 +28,24 @@ namespace strait
     }
   } // namespace
 
-  FlowMesh::FlowMesh(const GapField &gap, const FlowDirection direction)
+  FlowMesh::FlowMesh(const GapField     &gap,
+                     const FlowDirection direction,
+                     const SealMesh     *seal)
     : periodic_grid(gap.layout().grid())
     , flow_direction(direction)
+    , seal_mesh(seal)
     , root_exponent(coarsest_exponent(periodic_grid, gap.n_halvings()))
+    , cell_mapping(seal != nullptr && !seal->circles.empty() ? degree_of_arcs : 1)
     , tria(gap.layout().communicator())
+  {
+    if (seal_mesh == nullptr)
+      make_box();
+    else
+      make_triangulation(*seal_mesh, tria);
+  }
+
+  void
+  FlowMesh::make_box()
   {
     const std::vector<unsigned int> n_roots = {
       static_cast<unsigned int>(periodic_grid.nx >> root_exponent),
@@ -79,9 +98,23 @@ namespace strait
   void
   FlowMesh::refine_uniformly(const int exponent)
   {
+    if (seal_mesh != nullptr)
+      {
+        refine_to_size(tria, periodic_grid, std::exp2(exponent));
+        return;
+      }
     const int n = root_exponent - exponent;
     if (n > 0)
       tria.refine_global(n);
+  }
+
+  void
+  FlowMesh::constrain_periodic(const dealii::DoFHandler<2>       &dofs,
+                               dealii::AffineConstraints<double> &constraints) const
+  {
+    if (seal_mesh == nullptr)
+      dealii::DoFTools::make_periodicity_constraints(
+        dofs, periodic_first, periodic_last, 1 - axis_along(), constraints);
   }
 
   void
@@ -89,6 +122,11 @@ namespace strait
                              const std::vector<GridCell> &critical)
   {
     refine_uniformly(largest_exponent);
+    if (seal_mesh != nullptr)
+      {
+        refine_critical(tria, periodic_grid, critical);
+        return;
+      }
     for (int exponent = std::min(largest_exponent, root_exponent); exponent > 0;
          --exponent)
       {

@@ -1,20 +1,57 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/grid_points.h>
+#include <strait/flow/mapped_points.h>
 #include <strait/flow/path_pressure.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
 namespace strait
 {
+  namespace
+  {
+    std::vector<double>
+    pressure_in_seal(const ReynoldsSolver &solver, const FlowPath &path)
+    {
+      constexpr double                           unknown = -1.;
+      std::map<std::pair<int, int>, std::size_t> wanted;
+      for (std::size_t k = 0; k < path.points.size(); ++k)
+        wanted[{path.points[k].ix, path.points[k].iy}] = k;
+      std::vector<double>    result(path.points.size(), unknown);
+      const auto            &dofs = solver.pressure().dof_handler();
+      dealii::Vector<double> corners(dofs.get_fe().n_dofs_per_cell());
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const MappedPoint &p : mapped_points(solver.mesh(), *cell))
+            if (const auto point = wanted.find({p.ix, p.iy});
+                point != wanted.end() && (p.inside || result[point->second] == unknown))
+              {
+                cell->get_dof_values(solver.pressure().solution(), corners);
+                result[point->second] = interpolate_bilinearly(corners, p.s, p.t);
+              }
+      dealii::Utilities::MPI::max(result,
+                                  solver.mesh().triangulation().get_communicator(),
+                                  result);
+      // The path may end beyond the outline, in the reservoirs.
+      if (result.front() == unknown)
+        result.front() = 1.;
+      for (double &value : result)
+        value = std::max(value, 0.);
+      return result;
+    }
+  } // namespace
+
   std::vector<double>
   pressure_along(const ReynoldsSolver &solver, const FlowPath &path)
   {
     const FlowMesh     &mesh = solver.mesh();
     const PeriodicGrid &grid = mesh.grid();
+    if (mesh.seal() != nullptr)
+      return pressure_in_seal(solver, path);
 
     // Points by row and column; the outlet's copies keep their pressure, zero.
     std::map<std::pair<int, int>, std::size_t> wanted;

@@ -10,6 +10,7 @@
 #include <deal.II/numerics/vector_tools_boundary.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace strait
@@ -24,8 +25,14 @@ namespace strait
     , element(set)
     , fe(set.degree())
     , dofs(mesh.triangulation())
-    , answers(set.size(), 0)
+    , coefficient(make_cell_coefficient())
   {
+  }
+
+  std::unique_ptr<CellCoefficient>
+  PotentialProblem::make_cell_coefficient() const
+  {
+    return make_coefficient(mesh, MomentSet(fe.degree), fe, coefficient_kind());
   }
 
   void
@@ -35,6 +42,9 @@ namespace strait
     dofs.distribute_dofs(fe);
     owned = dofs.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+    if (problem_kind == Kind::stream_function && mesh.seal() != nullptr &&
+        mesh.seal()->is_ring)
+      ring.emplace().set_up(mesh, dofs, owned, relevant);
     make_constraints();
     right_hand_side.reinit(owned, comm);
     distributed.reinit(owned, comm);
@@ -60,24 +70,27 @@ namespace strait
     constraints.clear();
     constraints.reinit(relevant);
     DoFTools::make_hanging_node_constraints(dofs, constraints);
-    DoFTools::make_periodicity_constraints(dofs,
-                                           FlowMesh::periodic_first,
-                                           FlowMesh::periodic_last,
-                                           1 - mesh.axis_along(),
-                                           constraints);
+    mesh.constrain_periodic(dofs, constraints);
+    const auto set_boundary = [this](const types::boundary_id id, const double value) {
+      VectorTools::interpolate_boundary_values(
+        mesh.mapping(), dofs, id, Functions::ConstantFunction<2>(value), constraints);
+    };
     if (problem_kind == Kind::pressure)
       {
-        VectorTools::interpolate_boundary_values(dofs,
-                                                 FlowMesh::inlet,
-                                                 Functions::ConstantFunction<2>(1.),
-                                                 constraints);
-        VectorTools::interpolate_boundary_values(dofs,
-                                                 FlowMesh::outlet,
-                                                 Functions::ZeroFunction<2>(),
-                                                 constraints);
+        set_boundary(FlowMesh::inlet, 1.);
+        set_boundary(FlowMesh::outlet, 0.);
+      }
+    else if (mesh.seal() != nullptr && !mesh.seal()->is_ring)
+      {
+        set_boundary(FlowMesh::right_wall, 0.);
+        set_boundary(FlowMesh::left_wall, 1.);
       }
     else
-      pin_one_value();
+      {
+        if (ring)
+          ring->complete(constraints, relevant);
+        pin_one_value();
+      }
     constraints.close();
   }
 
@@ -97,16 +110,19 @@ namespace strait
   }
 
   void
-  PotentialProblem::affine_part(const GridCell &cell, std::vector<double> &values) const
+  PotentialProblem::background(const Iterator &cell, std::vector<double> &values) const
   {
     values.assign(fe.n_dofs_per_cell(), 0.);
-    if (problem_kind == Kind::pressure)
+    if (ring)
+      ring->values(cell, values);
+    if (problem_kind == Kind::pressure || mesh.seal() != nullptr)
       return;
     // The corner of the cell is as good an origin as any other, and keeps the
     // values of a small cell small.
+    const GridCell     here   = mesh.grid_cell(*cell);
     const unsigned int across = 1 - mesh.axis_along();
-    const double       step   = across == 1 ? mesh.height(cell) / mesh.grid().ly
-                                            : -mesh.width(cell) / mesh.grid().lx;
+    const double       step   = across == 1 ? mesh.height(here) / mesh.grid().ly
+                                            : -mesh.width(here) / mesh.grid().lx;
     const auto        &points = fe.get_unit_support_points();
     for (unsigned int i = 0; i < values.size(); ++i)
       values[i] = step * points[i][across];
@@ -130,10 +146,7 @@ namespace strait
   void
   PotentialProblem::assemble(const GapField &gap, const Source &source)
   {
-    cells   = mesh.owned_grid_cells();
-    answers = gap.ask(problem_kind == Kind::pressure ? GapField::Coefficient::conductivity
-                                                     : GapField::Coefficient::resistivity,
-                      cells);
+    coefficient->update(gap);
     const unsigned int                   n = fe.n_dofs_per_cell();
     FullMatrix<double>                   local_matrix(n, n);
     dealii::Vector<double>               local_rhs(n);
@@ -148,11 +161,8 @@ namespace strait
           const std::size_t here = c++;
           if (!is_active(here))
             continue;
-          element.stiffness(answers[here].moments,
-                            mesh.width(cells[here]),
-                            mesh.height(cells[here]),
-                            local_matrix);
-          affine_part(cells[here], affine);
+          coefficient->stiffness(here, local_matrix);
+          background(cell, affine);
           for (unsigned int i = 0; i < n; ++i)
             {
               local_rhs(i) = 0;
@@ -241,11 +251,27 @@ namespace strait
   void
   PotentialProblem::cell_values(const Iterator &cell, std::vector<double> &values) const
   {
-    affine_part(mesh.grid_cell(*cell), values);
+    background(cell, values);
     dealii::Vector<double> periodic(fe.n_dofs_per_cell());
     cell->get_dof_values(ghosted, periodic);
     for (unsigned int i = 0; i < values.size(); ++i)
       values[i] += periodic(i);
+  }
+
+  double
+  PotentialProblem::slope_at_vertex(const Iterator            &cell,
+                                    const unsigned int         vertex,
+                                    const std::vector<double> &values) const
+  {
+    // The two edges that meet at the vertex, which is at (vertex % 2, vertex / 2).
+    const unsigned int right = vertex | 1U, left = vertex & 2U;
+    const unsigned int upper = vertex | 2U, lower = vertex & 1U;
+    const Tensor<1, 2> a       = cell->vertex(right) - cell->vertex(left);
+    const Tensor<1, 2> b       = cell->vertex(upper) - cell->vertex(lower);
+    const double       along_a = values[right] - values[left];
+    const double       along_b = values[upper] - values[lower];
+    // The gradient that rises by these along the edges.
+    return (along_a * b - along_b * a).norm() / std::abs(a[0] * b[1] - a[1] * b[0]);
   }
 
   PotentialProblem::Vector
@@ -261,16 +287,11 @@ namespace strait
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const GridCell here = mesh.grid_cell(*cell);
           cell_values(cell, values);
           cell->get_dof_indices(indices);
           for (unsigned int v = 0; v < n_vertices; ++v)
             {
-              // The two edges that meet at vertex v, which is at (v % 2, v / 2).
-              const double along_x = values[v | 1U] - values[v & 2U];
-              const double along_y = values[v | 2U] - values[v & 1U];
-              sums(indices[v]) +=
-                std::hypot(along_x / mesh.width(here), along_y / mesh.height(here));
+              sums(indices[v]) += slope_at_vertex(cell, v, values);
               counts(indices[v]) += 1.;
             }
         }
@@ -289,14 +310,26 @@ namespace strait
   double
   PotentialProblem::cell_energy(const std::size_t          owned_cell,
                                 const std::vector<double> &values,
-                                const CellAnswers         &others) const
+                                const CellCoefficient     &others) const
   {
     FullMatrix<double> local_matrix(fe.n_dofs_per_cell(), fe.n_dofs_per_cell());
-    element.stiffness(others[owned_cell].moments,
-                      mesh.width(cells[owned_cell]),
-                      mesh.height(cells[owned_cell]),
-                      local_matrix);
+    others.stiffness(owned_cell, local_matrix);
     return ElementMatrix::energy(local_matrix, values);
+  }
+
+  std::vector<double>
+  PotentialProblem::finer_energies(const GapField &gap) const
+  {
+    const auto finer = make_cell_coefficient();
+    finer->update(gap, GapField::Quadrature::finer);
+    std::vector<double> energies, values;
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell_values(cell, values);
+          energies.push_back(cell_energy(energies.size(), values, *finer));
+        }
+    return energies;
   }
 
   double

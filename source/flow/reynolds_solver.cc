@@ -18,11 +18,12 @@ namespace strait
 
   ReynoldsSolver::ReynoldsSolver(const FluidParameters       &fluid,
                                  const GapField              &gap,
-                                 const std::vector<FlowPath> &paths)
+                                 const std::vector<FlowPath> &paths,
+                                 const SealMesh              *seal)
     : parameters(fluid)
     , gap_field(gap)
     , pressure_drop(fluid.inlet_pressure - fluid.outlet_pressure)
-    , flow_mesh(gap, fluid.direction)
+    , flow_mesh(gap, fluid.direction, seal)
     , pressure_problem(PotentialProblem::Kind::pressure, flow_mesh, gap.moment_set())
     , stream_problem(PotentialProblem::Kind::stream_function, flow_mesh, gap.moment_set())
   {

@@ -19,7 +19,7 @@ namespace strait
   RimSystems::append(const Matrix                &matrix,
                      const std::array<double, 9> &base,
                      const bool                   closed,
-                     const bool                   fixed_at_reservoirs,
+                     const unsigned int           fixed_faces,
                      Vector                      &r,
                      Vector                      &d)
   {
@@ -48,8 +48,7 @@ namespace strait
     double             *entry    = entries.data() + first_entry[first_entry.size() - 2];
     const unsigned int *index    = nodes.indices.data() + here.first_index;
     const auto          is_fixed = [&](const unsigned int node) {
-      return fixed_at_reservoirs && node >= n_vertices &&
-             (here.at_reservoir >> (node - n_vertices) & 1U) != 0;
+      return node >= n_vertices && (fixed_faces >> (node - n_vertices) & 1U) != 0;
     };
     for (unsigned int k = 0; k < here.n_dependences; ++k)
       {

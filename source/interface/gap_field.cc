@@ -28,7 +28,7 @@ namespace strait
     , interpolant(fluid.interpolation, fluid.direction)
     , viscosity(fluid.viscosity)
     , rigorous(fluid.bounds == FlowBounds::rigorous)
-    , halvings(slab_layout->grid().n_halvings())
+    , halvings(fluid.mesh_file.empty() ? slab_layout->grid().n_halvings() : 0)
     , conductivity(slab_layout, set, halvings)
   {
     const dealii::QGauss<1> gauss(fluid.element_degree + 1);
@@ -247,6 +247,25 @@ namespace strait
                     n_entry,
                     answers.entry(asked_of[rank][q]));
     return answers;
+  }
+
+  GapWindow
+  GapField::window(const double y_low, const double y_high) const
+  {
+    const double     dy = slab_layout->grid().dy();
+    const int        ny = slab_layout->grid().ny, nx = slab_layout->grid().nx;
+    const int        first = std::clamp(static_cast<int>(y_low / dy), 0, ny - 1) - 1;
+    std::vector<int> wanted;
+    if (y_low <= y_high)
+      for (int row = first; row <= std::min(static_cast<int>(y_high / dy), ny - 1) + 2;
+           ++row)
+        wanted.push_back(row);
+    // The rows of this rank follow the one before them.
+    return {slab_layout->grid(),
+            interpolant,
+            first,
+            fetch_rows(
+              *slab_layout, gap_rows.data() + (gap_rows.empty() ? 0 : nx), nx, wanted)};
   }
 
   std::size_t

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
 #include <strait/percolation/bottleneck.h>
 
 #include <limits>
@@ -25,37 +26,37 @@ namespace strait
             shore.emplace(lattice[k], k);
           }
       };
-      for (int b = 0; b < lattice.n_across(); ++b)
-        reach(lattice.index(0, b));
+      for (const std::size_t k : lattice.inlet_points())
+        reach(k);
 
       Bottleneck worst{{}, std::numeric_limits<double>::infinity()};
-      while (true)
+      while (!shore.empty())
         {
           const auto [value, k] = shore.top();
           shore.pop();
           if (value < worst.value)
             worst = {lattice.point(k), value};
           const int a = lattice.along(k), b = lattice.across_of(k);
-          if (a == lattice.width() - 1)
+          if (lattice.is_outlet(k))
             return worst;
-          reach(lattice.index(a + 1, b));
-          if (a > 0)
-            reach(lattice.index(a - 1, b));
-          reach(lattice.index(a, b + 1));
-          reach(lattice.index(a, b - 1));
+          for (const auto &[da, db] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
+            if (lattice.can_step(k, da, db))
+              reach(lattice.index(a + da, b + db));
         }
+      throw InputError(
+        "The contact grid is too coarse for Fluid/Mesh: no chain of grid points leads "
+        "from the inlet to the outlet; raise Contact/Grid points.");
     }
   } // namespace
 
   Bottleneck
-  find_bottleneck(const SlabField &openness, const FlowDirection direction)
+  find_bottleneck(const SlabField &openness, const FlowDomain &domain)
   {
     MPI_Comm                  comm  = openness.layout().communicator();
     const std::vector<double> whole = gather_on_root(openness);
     Bottleneck                result;
-    run_on_root(comm, [&]() {
-      result = flood(FlowLattice(whole, openness.grid(), direction));
-    });
+    run_on_root(comm,
+                [&]() { result = flood(FlowLattice(whole, openness.grid(), domain)); });
     MPI_Bcast(&result.point, 2, MPI_INT, 0, comm);
     MPI_Bcast(&result.value, 1, MPI_DOUBLE, 0, comm);
     return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/percolation/clusters.h>
+#include <strait/percolation/region_clusters.h>
 
 #include <algorithm>
 #include <numeric>
@@ -232,9 +233,12 @@ namespace strait
   } // namespace
 
   Clusters
-  find_clusters(const SlabField &flow_gap, const FlowDirection direction)
+  find_clusters(const SlabField &flow_gap, const FlowDomain &domain)
   {
-    std::vector<Label> labels = label_slab(flow_gap, direction);
+    if (domain.region != nullptr)
+      return find_clusters_in_region(flow_gap, domain);
+    const FlowDirection direction = domain.direction;
+    std::vector<Label>  labels    = label_slab(flow_gap, direction);
     merge_slabs(flow_gap, labels, direction);
     const ReservoirLabels reservoirs = find_reservoir_labels(flow_gap, labels, direction);
 

@@ -254,7 +254,7 @@ namespace strait
     // pressure: coarse cells do, and the bracket tells where they do not.
     bool has_contact = false;
     for (std::size_t k = 0; k < gap.size() && !has_contact; ++k)
-      has_contact = !(gap[k] > 0);
+      has_contact = gap.is_point(k) && !(gap[k] > 0);
     if (!has_contact)
       return {};
     // At low loads many channels share the flow, and the one path that is known

@@ -86,8 +86,12 @@ namespace strait
       if (step.across == 0)
         return mean_ends * gap.spacing_along();
       // Two corners that merely touch are no channel.
-      const double side_1 = gap[gap.index(a + step.along, b)];
-      const double side_2 = gap[gap.index(a, b + step.across)];
+      const auto side = [&](const int da, const int db) {
+        return gap.can_go_around(here, step.along, step.across, da != 0)
+                 ? gap[gap.index(a + da, b + db)]
+                 : 0.;
+      };
+      const double side_1 = side(step.along, 0), side_2 = side(0, step.across);
       if (!(side_1 > 0) && !(side_2 > 0))
         return infinity;
       const double middle =
@@ -103,8 +107,8 @@ namespace strait
       resistance.assign(gap.size(), infinity);
       std::vector<std::uint8_t> came_by(gap.size(), start_of_path);
       std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-      for (int b = 0; b < gap.n_across(); ++b)
-        if (const std::size_t k = gap.index(0, b); is_open(k))
+      for (const std::size_t k : gap.inlet_points())
+        if (is_open(k))
           {
             resistance[k] = 0;
             queue.emplace(0., k);
@@ -116,7 +120,7 @@ namespace strait
           if (so_far > resistance[k])
             continue;
           const int a = gap.along(k), b = gap.across_of(k);
-          if (a == gap.width() - 1)
+          if (gap.is_outlet(k))
             {
               FlowPath path        = trace_back(k, came_by);
               path.path_resistance = so_far;
@@ -124,11 +128,10 @@ namespace strait
             }
           for (std::size_t s = 0; s < steps.size(); ++s)
             {
-              const int to_a = a + steps[s].along;
-              if (to_a < 0 || to_a >= gap.width())
+              if (!gap.can_step(k, steps[s].along, steps[s].across))
                 continue;
               const double total = so_far + step_resistance(a, b, steps[s]);
-              const auto   to    = gap.index(to_a, b + steps[s].across);
+              const auto   to    = gap.index(a + steps[s].along, b + steps[s].across);
               if (total < resistance[to])
                 {
                   resistance[to] = total;
@@ -204,9 +207,9 @@ namespace strait
   } // namespace
 
   std::vector<FlowPath>
-  find_flow_paths(const SlabField    &gap,
-                  const FlowDirection direction,
-                  const unsigned int  n_paths)
+  find_flow_paths(const SlabField   &gap,
+                  const FlowDomain  &domain,
+                  const unsigned int n_paths)
   {
     constexpr double          largest_ratio = 2e4;
     MPI_Comm                  comm          = gap.layout().communicator();
@@ -214,7 +217,7 @@ namespace strait
     std::vector<FlowPath>     paths;
     std::vector<double>       resistances;
     run_on_root(comm, [&]() {
-      const FlowLattice lattice(whole, gap.grid(), direction);
+      const FlowLattice lattice(whole, gap.grid(), domain);
       PathSearch        search(lattice);
       while (paths.size() < n_paths)
         {
@@ -229,8 +232,12 @@ namespace strait
           paths.push_back(std::move(path));
         }
       if (!paths.empty())
-        paths.front().critical_cells = find_critical_cells(
-          lattice, resistances, paths, direction, largest_start_exponent(gap.grid()));
+        paths.front().critical_cells =
+          find_critical_cells(lattice,
+                              resistances,
+                              paths,
+                              domain.direction,
+                              largest_start_exponent(gap.grid()));
     });
     auto n_found = static_cast<int>(paths.size());
     MPI_Bcast(&n_found, 1, MPI_INT, 0, comm);

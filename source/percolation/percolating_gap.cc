@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/percolating_gap.h>
+#include <strait/percolation/region_clusters.h>
 
 #include <algorithm>
 #include <limits>
@@ -63,10 +64,16 @@ namespace strait
   } // namespace
 
   SlabField
-  percolating_gap(const SlabField    &flow_gap,
-                  const Clusters     &clusters,
-                  const FlowDirection direction)
+  percolating_gap(const SlabField  &flow_gap,
+                  const Clusters   &clusters,
+                  const FlowDomain &domain)
   {
+    if (domain.region != nullptr)
+      {
+        SlabField in_region = gap_around_region(flow_gap, clusters);
+        limit_closed_values(in_region);
+        return in_region;
+      }
     SlabField kept(flow_gap.layout_pointer());
     for (std::size_t k = 0; k < kept.size(); ++k)
       {
@@ -74,7 +81,7 @@ namespace strait
         if (state == NodeState::percolating || state == NodeState::closed)
           kept[k] = flow_gap[k];
       }
-    keep_seam(kept, flow_gap, direction);
+    keep_seam(kept, flow_gap, domain.direction);
     limit_closed_values(kept);
     return kept;
   }

@@ -56,7 +56,7 @@ namespace strait
           const int a = gap.along(k), b = gap.across_of(k);
           for (const auto &[da, db] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
             {
-              if (a + da < 0 || a + da >= gap.width())
+              if (!gap.can_step(k, da, db))
                 continue;
               const std::size_t to = gap.index(a + da, b + db);
               if (!(gap[to] > 0) || pressure[to] != unknown)

@@ -158,11 +158,7 @@ namespace
         pressure.assemble(prepared.field);
         pressure.solve(fluid.preconditioner, ReynoldsSolver::linear_share * accuracy);
         enrichment.set_up();
-        const EnrichedSolution enriched =
-          enrichment.relax(pressure,
-                           prepared.field.ask(GapField::Coefficient::conductivity,
-                                              enrichment.children()),
-                           4);
+        const EnrichedSolution enriched = enrichment.relax(pressure, prepared.field, 4);
         cost.flow.upper = cost.flow.leak_rate = enriched.energy;
         cost.flow.unknowns                    = pressure.n_unknowns();
         if (std::abs(enriched.energy / reference - 1) <= accuracy)

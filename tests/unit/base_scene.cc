@@ -238,8 +238,20 @@ TEST(Scene, UnknownNamesSuggestTheNearest)
 
 TEST(Scene, EffectsThatAreNotThereAreUnknown)
 {
-  for (const char *name : {"Contact/Friction/Enabled=true", "Fluid/Mesh=a.msh"})
+  for (const char *name : {"Contact/Friction/Enabled=true", "Fluid/Turbulence=true"})
     expect_in("unknown", error_of("", {name}));
+}
+
+TEST(Scene, MeshAndWhatGoesWithIt)
+{
+  EXPECT_TRUE(scene_of("").fluid.mesh_file.empty());
+  const std::string mesh = "Fluid/Mesh=/seals/a.msh";
+  EXPECT_EQ(scene_of("", {mesh}).fluid.mesh_file, "/seals/a.msh");
+  for (const char *other : {"Fluid/Bounds=rigorous",
+                            "Fluid/Wall feedback/Enabled=true",
+                            "Theory/Enabled=true",
+                            "Output/Error budget=true"})
+    expect_in("Fluid/Mesh", error_of("", {mesh, other}));
 }
 
 TEST(Scene, Theory)

@@ -103,29 +103,5 @@ namespace strait
         }
       EXPECT_NEAR(means[0], means[1], 1e-6);
     }
-
-    TEST(PressureContinuation, DoesNotJumpWhenAPoolOpensUnderTheContact)
-    {
-      // In the middle of the disc, where only closed points are beside it.
-      const SlabLayoutPtr  layout = layout_for(40, 40);
-      PressureContinuation continuation(layout, FlowDirection::x);
-      const auto           means = [&](const double opening) {
-        const SlabField gap = field_of(layout, [opening](const double x, const double y) {
-          return x == .6 && y == .5 ? opening : gap_at(x, y);
-        });
-        SlabField       pressure(layout, 1.);
-        std::vector<NodeState> states(gap.size(), NodeState::inlet_side);
-        for (std::size_t k = 0; k < gap.size(); ++k)
-          if (gap[k] == opening && opening > 0)
-            {
-              states[k]   = NodeState::pocket;
-              pressure[k] = 0;
-            }
-        continuation.extend(pressure, gap, 1., 1., states);
-        return mean(pressure);
-      };
-      EXPECT_NEAR(means(1e-5), means(-1e-5), 1e-8);
-      EXPECT_LT(means(1.), means(-1.) - 1e-3); // once open, it is dry
-    }
   } // namespace
 } // namespace strait

@@ -307,6 +307,22 @@ class Pictures(PlotTest):
         self.assertGreater(share(flow, (255, 255, 255)), 0.002)  # the word "sealed" on white
         self.assertAlmostEqual(share(flow, plot_pictures.POCKET), pockets, delta=0.03)
 
+    def test_mesh_is_outlined_and_the_rest_masked(self):
+        fields = channel(100, 100)
+        outside = np.zeros((100, 100), dtype=bool)
+        outside[:, :40] = True
+        fields["open"][outside] = 3
+        for name in ("fluid_pressure", "current"):
+            fields[name][outside] = np.nan
+        fields["outline"] = np.array([[0.4, 0, 0.4, 1, 0], [1, 0, 1, 1, 1], [0.4, 0, 1, 0, 2]])
+        gap, flow = self.assert_draws(fields, direction="mesh", worst_x=None)
+        self.assertAlmostEqual(share(flow, plot_pictures.OUTSIDE), 0.4, delta=0.03)
+        # The gap is shown outside the mesh as well, with its contact.
+        contact = np.mean(fields["gap"] <= 0)
+        self.assertAlmostEqual(share(gap, plot_pictures.CONTACT), contact, delta=0.03)
+        inlet = tuple(int(plot_pictures.OUTLINES[0]["color"][k:k + 2], 16) for k in (1, 3, 5))
+        self.assertGreater(share(flow, inlet), 0.003)
+
     def test_dry_contact_shows_its_pressure(self):
         fields = channel(100, 100, flow=False)
         dry = dict.fromkeys(("worst_x", "worst_y", "leak_rate", "percolates"))

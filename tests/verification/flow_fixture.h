@@ -3,6 +3,7 @@
 #define strait_tests_flow_fixture_h
 
 #include <strait/flow/reynolds_solver.h>
+#include <strait/percolation/bottleneck.h>
 #include <strait/percolation/clusters.h>
 #include <strait/percolation/flow_path.h>
 #include <strait/percolation/percolating_gap.h>

@@ -4,6 +4,7 @@
 
 #include <strait/base/feedback_parameters.h>
 
+#include <string>
 #include <vector>
 
 namespace dealii
@@ -51,13 +52,14 @@ namespace strait
   /** The section Fluid of a scene: Reynolds flow through the gap. */
   struct FluidParameters
   {
-    bool                enabled          = true;
-    bool                is_gas           = false;
-    double              viscosity        = 1.;
-    double              inlet_pressure   = 1.;
-    double              outlet_pressure  = 0.;
-    std::vector<double> slip_lengths     = {0.}; // <= 0, one row of results for each
-    FlowDirection       direction        = FlowDirection::x;
+    bool                enabled         = true;
+    bool                is_gas          = false;
+    double              viscosity       = 1.;
+    double              inlet_pressure  = 1.;
+    double              outlet_pressure = 0.;
+    std::vector<double> slip_lengths    = {0.}; // <= 0, one row of results for each
+    FlowDirection       direction       = FlowDirection::x;
+    std::string         mesh_file; // empty: the whole box
     unsigned int        element_degree   = 1;
     FlowPreconditioner  preconditioner   = FlowPreconditioner::boomeramg;
     GapInterpolation    interpolation    = GapInterpolation::monotone_cubic;

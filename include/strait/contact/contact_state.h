@@ -5,8 +5,6 @@
 #include <strait/spectral/slab_field.h>
 #include <strait/spectral/state_archive.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -65,23 +63,6 @@ namespace strait
 
   /** Put @p state in an archive, or take it out. Collective. */
   void transfer(StateArchive &archive, ContactState &state, const SlabLayoutPtr &layout);
-
-  /**
-   * How far each point is from the other state [length]: the gap where there is one; at
-   * a closed point, less than zero, what its own spacing is indented by the pressure,
-   * p max(dx, dy)/E*, of one slope with the gap across the contact line.
-   */
-  inline SlabField
-  openness(const ContactState &state, const double effective_modulus)
-  {
-    const PeriodicGrid &grid     = state.gap.grid();
-    const double        softness = std::max(grid.dx(), grid.dy()) / effective_modulus;
-    SlabField           result   = state.gap;
-    for (std::size_t k = 0; k < result.size(); ++k)
-      if (state.pressure[k] > 0)
-        result[k] = -softness * state.pressure[k];
-    return result;
-  }
 } // namespace strait
 
 #endif

@@ -3,7 +3,6 @@
 #define strait_coupling_pressure_continuation_h
 
 #include <strait/base/fluid_parameters.h>
-#include <strait/percolation/clusters.h>
 #include <strait/spectral/fourier_transform.h>
 
 #include <vector>
@@ -20,9 +19,7 @@ namespace strait
    * of contact and flow jumps to and fro with it. Points at the contact line, whose gap
    * is less than half of the largest beside them, are therefore tied to the fluid by a
    * spring: −∇²p + κ (p − p_f) = 0, with κ from 0 where the gap vanishes to infinity
-   * where the point counts as open. In a pool the pressure differs from that around it,
-   * and one that opens under the contact has no point beside it to be measured by: there,
-   * closed points beside it count as well, with the depth to which they are closed.
+   * where the point counts as open.
    *
    * Conjugate gradients, preconditioned with the inverse Laplacian of the whole
    * box; about as many FFT pairs as the widest contact patch has grid points to
@@ -34,18 +31,15 @@ namespace strait
     PressureContinuation(SlabLayoutPtr layout, FlowDirection direction);
 
     /**
-     * @p flow_gap: the gap, and below zero how deep a point is closed (openness());
-     * @p states, one per local grid point: which points belong to pools; none if empty.
      * @p pressure: on entry that of the fluid where @p flow_gap > 0 and a start
      * elsewhere; on return that everywhere. On the seam, which is inlet and outlet at
      * once, every point gets the mean of the two reservoirs, as the sum over the grid
      * is a trapezoidal rule. Returns the number of iterations. Collective.
      */
-    int extend(SlabField                    &pressure,
-               const SlabField              &flow_gap,
-               double                        inlet_pressure,
-               double                        outlet_pressure,
-               const std::vector<NodeState> &states = {});
+    int extend(SlabField       &pressure,
+               const SlabField &flow_gap,
+               double           inlet_pressure,
+               double           outlet_pressure);
 
     /** Bytes on this rank. */
     std::size_t memory_consumption() const;
@@ -54,7 +48,7 @@ namespace strait
     bool is_on_seam(int ix, int local_row) const;
 
     /** The strength of all springs. */
-    void classify(const SlabField &flow_gap, const std::vector<NodeState> &states);
+    void classify(const SlabField &flow_gap);
 
     /** −Laplacian times dx·dy, and the springs' pull towards 0, where the pressure is
      *  sought, zero elsewhere; the seam counts as @p inlet from its one side and as

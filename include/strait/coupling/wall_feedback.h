@@ -30,9 +30,10 @@ namespace strait
   /** How the iteration ended. */
   struct FeedbackResult
   {
-    int    iterations = 0; // rounds
-    double change     = 0; // of the fluid pressure in the last round, see Tolerance
-    bool   converged  = false;
+    int    iterations  = 0; // rounds
+    double change      = 0; // of the fluid pressure in the last round, see Tolerance
+    double leak_change = 1; // likewise of the leak rate, relative
+    bool   converged   = false;
 
     /**
      * The channel is open without its own pressure and closed with it, or the other way

@@ -5,6 +5,7 @@
 #include <strait/base/scene.h>
 #include <strait/contact/adhesive_contact_solver.h>
 #include <strait/driver/branch_follower.h>
+#include <strait/percolation/flow_domain.h>
 
 namespace strait
 {
@@ -39,7 +40,7 @@ namespace strait
      * the nearest one on this side of it, so that no trial beyond it leaves a trace.
      * Collective.
      */
-    ContactState state_for_search(double load);
+    ContactState state_for_search(double load, const FlowDomain &domain);
 
     /** Forget where the search was. */
     void

@@ -3,8 +3,8 @@
 #define strait_driver_coupled_stage_h
 
 #include <strait/contact/contact_solver.h>
-#include <strait/coupling/pool_damping.h>
 #include <strait/coupling/pressure_continuation.h>
+#include <strait/coupling/unsettled_pools.h>
 #include <strait/coupling/wall_feedback.h>
 #include <strait/driver/flow_stage.h>
 
@@ -59,11 +59,11 @@ namespace strait
     {
     };
 
-    void          iterate(Step &step, double target, const FeedbackGoal &goal);
-    double        largest_pressure() const;
-    FeedbackRound round(Step &step, double target, const SlabField &assumed);
-    SlabField     pressure_in(const Step &step, const SlabField &before);
-    void          lift_off(Step &step, double target) const;
+    FeedbackResult iterate(Step &step, double target, const FeedbackGoal &goal);
+    double         largest_pressure() const;
+    FeedbackRound  round(Step &step, double target, const SlabField &assumed);
+    SlabField      pressure_in(const Step &step, SlabField start);
+    void           lift_off(Step &step, double target) const;
 
     const Scene         &scene;
     ContactSolver       &contact;
@@ -71,7 +71,7 @@ namespace strait
     Log                 &log;
     WallFeedback         feedback;
     PressureContinuation continuation;
-    PoolDamping          pools;
+    UnsettledPools       pools;
     bool                 has_continued = false; // so that its result is a start
   };
 } // namespace strait

@@ -46,6 +46,13 @@ namespace strait
      */
     bool certify(StepFlow &flow, const SlabField &gap, double slip_length);
 
+    /** Where the fluid flows. */
+    const FlowDomain &
+    domain() const
+    {
+      return flow_domain;
+    }
+
     const FluidParameters &
     fluid() const
     {
@@ -73,6 +80,8 @@ namespace strait
     }
 
   private:
+    void read_mesh(const SlabLayoutPtr &layout);
+
     /** Sets the verdict; the gap of the channel alone. */
     SlabField find_channel(StepFlow &flow, const SlabField &seen) const;
 
@@ -82,12 +91,15 @@ namespace strait
     void make_mesh(StepFlow &flow);
     void bracket(StepFlow &flow, const SlabField &seen);
 
-    FluidParameters parameters;
-    Log            &log;
-    Timers         &timers;
-    GapField        gap_field;
-    GridPoint       meshed_bottleneck; // that the last mesh was made for
-    bool            watches_constrictions = false;
+    FluidParameters                 parameters;
+    Log                            &log;
+    Timers                         &timers;
+    GapField                        gap_field;
+    std::unique_ptr<const SealMesh> seal; // null: the box
+    FlowDomain                      flow_domain;
+    double    shape_factor = 0.; // of the seal: Q/(K Δp) at a uniform K
+    GridPoint meshed_bottleneck; // that the last mesh was made for
+    bool      watches_constrictions = false;
   };
 } // namespace strait
 

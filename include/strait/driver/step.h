@@ -24,6 +24,10 @@ namespace strait
     std::vector<FlowPath> paths;  // empty where nothing percolates
     FlowResult            result; // zero leak rate where nothing percolates
 
+    /** The mesh that the scene names, where the fluid flows; null: the box. */
+    const SealMesh *seal         = nullptr;
+    double          shape_factor = 0.; // of that mesh: Q/(K Δp) at a uniform K
+
     /** If the scene looks for the threshold and something percolates. */
     std::optional<ConstrictionReport> constrictions;
 

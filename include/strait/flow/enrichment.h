@@ -8,6 +8,7 @@
 #include <deal.II/fe/fe_q_iso_q1.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace strait
@@ -42,25 +43,17 @@ namespace strait
     /** Number the new nodes of the current mesh, for both problems. Collective. */
     void set_up();
 
-    /** The children of the owned cells, four after four. */
-    const std::vector<GridCell> &
-    children() const
-    {
-      return child_cells;
-    }
-
-    /**
-     * Relax the solution of @p problem. @p answers hold its coefficient on
-     * children(). Collective.
-     */
+    /** Relax the solution of @p problem, with its coefficient taken anew from @p gap.
+     *  Collective. */
     EnrichedSolution relax(const PotentialProblem &problem,
-                           const CellAnswers      &answers,
+                           const GapField         &gap,
                            unsigned int            n_steps) const;
 
-    /** The energy of an owned cell with the coefficient of @p answers on children(). */
-    double cell_energy(const EnrichedSolution &solution,
-                       const CellAnswers      &answers,
-                       std::size_t             cell) const;
+    /** Energies of all owned cells with the coefficient that the finer quadrature
+     *  finds. Collective. */
+    std::vector<double> finer_energies(const PotentialProblem &problem,
+                                       const EnrichedSolution &solution,
+                                       const GapField         &gap) const;
 
     /** ∫ ∇u·curl v over an owned cell of two enriched solutions. */
     double gradient_times_curl(const EnrichedSolution::Nodes &u,
@@ -70,17 +63,15 @@ namespace strait
     using Vector = RimSystems::Vector;
     using Nodes  = EnrichedSolution::Nodes;
 
-    void                              list_nodes();
-    void                              macro_matrix(std::size_t         cell,
-                                                   const CellAnswers  &answers,
-                                                   RimSystems::Matrix &matrix) const;
+    void                             list_nodes();
+    std::unique_ptr<CellCoefficient> make_coefficient(const PotentialProblem &) const;
+
     const FlowMesh                   &mesh;
     ElementMatrix                     element;
     dealii::FE_Q_iso_Q1<2>            fe;
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
     Vector                            layout;
-    std::vector<GridCell>             cells, child_cells;
     EnrichmentNodes                   nodes;
   };
 } // namespace strait

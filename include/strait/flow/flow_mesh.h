@@ -3,9 +3,13 @@
 #define strait_flow_flow_mesh_h
 
 #include <strait/base/fluid_parameters.h>
+#include <strait/flow/seal_mesh.h>
 #include <strait/interface/gap_field.h>
 
 #include <deal.II/distributed/tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/lac/affine_constraints.h>
 
 #include <cmath>
 #include <vector>
@@ -13,9 +17,10 @@
 namespace strait
 {
   /**
-   * The quadtree mesh (p4est) of the box on which the fluid flows. Its cells are
-   * cells of the quadtree over the grid of the gap; it is periodic across the flow,
-   * with boundary id 0 at the inlet and 1 at the outlet.
+   * The quadtree mesh (p4est) on which the fluid flows, with boundary id 0 at the inlet
+   * and 1 at the outlet. That of the box is periodic across the flow, and its cells are
+   * cells of the quadtree over the grid of the gap. A seal mesh has walls instead, cells
+   * of any shape, and curved edges where its boundary is a circle.
    */
   class FlowMesh
   {
@@ -26,9 +31,32 @@ namespace strait
     static constexpr dealii::types::boundary_id outlet         = 1;
     static constexpr dealii::types::boundary_id periodic_first = 2;
     static constexpr dealii::types::boundary_id periodic_last  = 3;
+    static constexpr dealii::types::boundary_id right_wall     = 2;
+    static constexpr dealii::types::boundary_id left_wall      = 3;
 
-    /** The coarsest mesh, of at least 2 × 2 cells. */
-    FlowMesh(const GapField &gap, FlowDirection direction);
+    /** The coarsest mesh: of the box, of at least 2 × 2 cells, or @p seal, which must
+     *  outlive this object. */
+    FlowMesh(const GapField &gap,
+             FlowDirection   direction,
+             const SealMesh *seal = nullptr);
+
+    /** What the mesh was made from; null: the box. */
+    const SealMesh *
+    seal() const
+    {
+      return seal_mesh;
+    }
+
+    /** From the unit cell to a cell. */
+    const dealii::Mapping<2> &
+    mapping() const
+    {
+      return cell_mapping;
+    }
+
+    /** Make unknowns agree across the periodic boundary, if there is one. */
+    void constrain_periodic(const dealii::DoFHandler<2>       &dofs,
+                            dealii::AffineConstraints<double> &constraints) const;
 
     Triangulation &
     triangulation()
@@ -61,7 +89,7 @@ namespace strait
       return periodic_grid;
     }
 
-    /** The cell of the grid's quadtree that @p cell is. */
+    /** The cell of the grid's quadtree that @p cell is; not of a seal mesh. */
     GridCell grid_cell(const dealii::CellAccessor<2> &cell) const;
 
     /** The locally owned active cells, in the order of iteration. */
@@ -89,7 +117,8 @@ namespace strait
      */
     void refine_initially(int largest_exponent, const std::vector<GridCell> &critical);
 
-    /** Refine every cell until it is a cell of 2^exponent grid spacings. */
+    /** Refine every cell until it has 2^exponent grid spacings or, of a seal mesh, at
+     *  most that. */
     void refine_uniformly(int exponent);
 
   private:
@@ -99,10 +128,14 @@ namespace strait
       return root_exponent - level;
     }
 
-    PeriodicGrid  periodic_grid;
-    FlowDirection flow_direction;
-    int           root_exponent;
-    Triangulation tria;
+    void make_box();
+
+    PeriodicGrid        periodic_grid;
+    FlowDirection       flow_direction;
+    const SealMesh     *seal_mesh;
+    int                 root_exponent;
+    dealii::MappingQ<2> cell_mapping;
+    Triangulation       tria;
   };
 } // namespace strait
 

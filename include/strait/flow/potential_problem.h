@@ -2,9 +2,11 @@
 #ifndef strait_flow_potential_problem_h
 #define strait_flow_potential_problem_h
 
+#include <strait/flow/cell_coefficient.h>
 #include <strait/flow/element_matrix.h>
 #include <strait/flow/flow_mesh.h>
 #include <strait/flow/linear_solver.h>
+#include <strait/flow/ring_background.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/distributed/solution_transfer.h>
@@ -14,6 +16,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace strait
@@ -25,7 +28,8 @@ namespace strait
    *   minimum is Q/Δp;
    * - stream_function: ψ = ±(coordinate across)/(length across) + periodic part,
    *   free at the reservoirs; its curl is a flux of total 1 without sources, and
-   *   it minimises ∫ |∇ψ|²/K, whose minimum is Δp/Q.
+   *   it minimises ∫ |∇ψ|²/K, whose minimum is Δp/Q. On a strip ψ is 0 at the right and
+   *   1 at the left wall; around a ring it is ±(angle)/2π + a function of one value.
    * Both are conforming, so each energy is too large and falls under refinement:
    * the first gives an upper, the second a lower bound of the leak rate.
    */
@@ -74,13 +78,17 @@ namespace strait
     double
     cell_energy(const std::size_t owned_cell, const std::vector<double> &values) const
     {
-      return cell_energy(owned_cell, values, answers);
+      return cell_energy(owned_cell, values, *coefficient);
     }
 
-    /** The same with another coefficient, that of @p others on the owned cells. */
+    /** The same with the coefficient @p others. */
     double cell_energy(std::size_t                owned_cell,
                        const std::vector<double> &values,
-                       const CellAnswers         &others) const;
+                       const CellCoefficient     &others) const;
+
+    /** Energies of all owned cells with the coefficient that the finer quadrature
+     *  finds. Collective. */
+    std::vector<double> finer_energies(const GapField &gap) const;
 
     /**
      * |∇| of the potential at the vertices, the mean over the cells that meet
@@ -92,20 +100,28 @@ namespace strait
     double
     mean_coefficient(const std::size_t owned_cell) const
     {
-      return answers[owned_cell].moments[0];
+      return coefficient->mean(owned_cell);
     }
 
     /** True where the coefficient does not vanish. */
     bool
     is_active(const std::size_t owned_cell) const
     {
-      return answers[owned_cell].moments[0] > 0;
+      return coefficient->mean(owned_cell) > 0;
     }
 
     Kind
     kind() const
     {
       return problem_kind;
+    }
+
+    /** Conductivity for the pressure, resistivity for the stream function. */
+    GapField::Coefficient
+    coefficient_kind() const
+    {
+      return problem_kind == Kind::pressure ? GapField::Coefficient::conductivity
+                                            : GapField::Coefficient::resistivity;
     }
 
     /** Unknowns that the solver really solves for. */
@@ -135,14 +151,19 @@ namespace strait
     }
 
   private:
-    void number_unknowns();
-    void make_constraints();
-    void pin_one_value();
-    void pin_unreached_rows();
-    void affine_part(const GridCell &cell, std::vector<double> &values) const;
-    void add_source(const Iterator         &cell,
-                    const Source           &source,
-                    dealii::Vector<double> &rhs) const;
+    void                             number_unknowns();
+    void                             make_constraints();
+    void                             pin_one_value();
+    void                             pin_unreached_rows();
+    std::unique_ptr<CellCoefficient> make_cell_coefficient() const;
+
+    void   background(const Iterator &cell, std::vector<double> &values) const;
+    double slope_at_vertex(const Iterator            &cell,
+                           unsigned int               vertex,
+                           const std::vector<double> &values) const;
+    void   add_source(const Iterator         &cell,
+                      const Source           &source,
+                      dealii::Vector<double> &rhs) const;
 
     Kind                                         problem_kind;
     FlowMesh                                    &mesh;
@@ -154,10 +175,10 @@ namespace strait
     Multigrid::Matrix                            matrix; // between assemble() and solve()
     std::vector<dealii::types::global_dof_index> unreached; // by no open cell
     Vector                                       right_hand_side, distributed, ghosted;
-    std::vector<GridCell>           cells; // owned, in the order of iteration
-    CellAnswers                     answers;
-    dealii::types::global_dof_index n_active_unknowns = 0;
-    bool                            is_numbered       = false;
+    std::unique_ptr<CellCoefficient>             coefficient;
+    std::optional<RingBackground>                ring; // of the stream function on one
+    dealii::types::global_dof_index              n_active_unknowns = 0;
+    bool                                         is_numbered       = false;
 
     using Transfer = dealii::parallel::distributed::SolutionTransfer<2, Vector>;
     std::unique_ptr<Transfer> transfer;

@@ -56,10 +56,11 @@ namespace strait
     /** Called after each mesh with what is known so far. */
     using Observer = std::function<void(const FlowResult &)>;
 
-    /** @p gap and @p fluid must outlive the solver. */
+    /** In the box or in @p seal. @p gap, @p fluid and @p seal must outlive the solver. */
     ReynoldsSolver(const FluidParameters       &fluid,
                    const GapField              &gap,
-                   const std::vector<FlowPath> &paths);
+                   const std::vector<FlowPath> &paths,
+                   const SealMesh              *seal = nullptr);
 
     /**
      * Run the adaptive cycle, from the mesh and the solution that are there if it ran

@@ -29,6 +29,7 @@ namespace strait
       std::size_t  first_dependence = 0;
       unsigned int n_dependences    = 0;
       unsigned int at_reservoir     = 0; // bit f: face f is at inlet or outlet
+      unsigned int at_wall          = 0; // likewise
     };
 
     std::vector<Cell>         cells;
@@ -51,13 +52,13 @@ namespace strait
 
     /**
      * Append the next cell, and add its share to residual and diagonal. @p base are
-     * the values before enrichment; a closed cell has no share. Nodes at a reservoir
-     * are kept if @p fixed_at_reservoirs.
+     * the values before enrichment; a closed cell has no share. The nodes of
+     * @p fixed_faces, bit f for face f, are kept.
      */
     void append(const Matrix                &matrix,
                 const std::array<double, 9> &base,
                 bool                         closed,
-                bool                         fixed_at_reservoirs,
+                unsigned int                 fixed_faces,
                 Vector                      &residual,
                 Vector                      &diagonal);
 

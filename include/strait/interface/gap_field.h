@@ -4,6 +4,7 @@
 
 #include <strait/base/fluid_parameters.h>
 #include <strait/interface/gap_interpolant.h>
+#include <strait/interface/gap_window.h>
 #include <strait/interface/moment_pyramid.h>
 #include <strait/interface/moment_set.h>
 #include <strait/spectral/slab_field.h>
@@ -64,6 +65,9 @@ namespace strait
    * quadrature, on the quarters of such a square, tells by how much that errs. For
    * rigorous bounds each such square is divided into 4 × 4, on which K is taken to be as
    * large, or for the reciprocal as small, as it is anywhere in it.
+   *
+   * Where the fluid flows on a mesh of its own there are no such cells and no pyramid;
+   * the mesh's ranks take the rows of the grid that they touch, as a GapWindow.
    */
   class GapField
   {
@@ -102,6 +106,12 @@ namespace strait
       return rigorous;
     }
 
+    /** The gap for points with @p y_low <= y <= @p y_high; each rank may ask for others.
+     *  Collective. */
+    GapWindow window(double y_low, double y_high) const;
+
+    double coefficient_of(Coefficient coefficient, double gap) const;
+
     const MomentSet &
     moment_set() const
     {
@@ -132,8 +142,6 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    double coefficient_of(const Coefficient coefficient, const double gap) const;
-
     /** Coefficient at the n × n Gauss points of the square at (x0, y0), as it is to be
      *  weighted: point values, or the value that makes the bound rigorous. */
     void sample(Coefficient       coefficient,

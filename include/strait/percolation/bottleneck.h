@@ -25,7 +25,7 @@ namespace strait
    * far it is. Runs on rank 0, whose memory it needs for 20 B a grid point; the
    * result is the same on all ranks. Collective.
    */
-  Bottleneck find_bottleneck(const SlabField &openness, FlowDirection direction);
+  Bottleneck find_bottleneck(const SlabField &openness, const FlowDomain &domain);
 } // namespace strait
 
 #endif

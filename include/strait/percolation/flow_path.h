@@ -39,7 +39,7 @@ namespace strait
    * Collective.
    */
   std::vector<FlowPath>
-  find_flow_paths(const SlabField &gap, FlowDirection direction, unsigned int n_paths);
+  find_flow_paths(const SlabField &gap, const FlowDomain &domain, unsigned int n_paths);
 } // namespace strait
 
 #endif

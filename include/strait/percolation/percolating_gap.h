@@ -14,11 +14,13 @@ namespace strait
    * one point wide stays open for half a spacing to each side.
    *
    * A point on the seam belongs to the inlet and, as a copy, to the outlet; it is
-   * kept if either of the two percolates. Collective.
+   * kept if either of the two percolates. Points outside a region that are no more than
+   * two spacings from a percolating one keep their value, since the gap between that
+   * and the outline is interpolated with them. Collective.
    */
-  SlabField percolating_gap(const SlabField &flow_gap,
-                            const Clusters  &clusters,
-                            FlowDirection    direction);
+  SlabField percolating_gap(const SlabField  &flow_gap,
+                            const Clusters   &clusters,
+                            const FlowDomain &domain);
 } // namespace strait
 
 #endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_flow_seal_triangulation_h
+#define strait_flow_seal_triangulation_h
+
+#include <strait/flow/seal_mesh.h>
+#include <strait/spectral/grid_cell.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <vector>
+
+namespace strait
+{
+  using SealTriangulation = dealii::parallel::distributed::Triangulation<2>;
+
+  /** Boundary ids: 0 inlet, 1 outlet, 2 right and 3 left wall. */
+  dealii::types::boundary_id boundary_id(SealMesh::Part part);
+
+  /** Make @p tria the coarse mesh @p seal, with a manifold for each of its circles. */
+  void make_triangulation(const SealMesh &seal, SealTriangulation &tria);
+
+  /** The length of the longest edge of @p cell in spacings of @p grid. */
+  double size_in_spacings(const dealii::CellAccessor<2> &cell, const PeriodicGrid &grid);
+
+  /** Refine all cells until none is larger than @p largest spacings. Collective. */
+  void refine_to_size(SealTriangulation &tria, const PeriodicGrid &grid, double largest);
+
+  /** Refine cells, of the sizes of 2 spacings and more, that touch a cell of their size
+   *  among the sorted @p critical ones. Collective. */
+  void refine_critical(SealTriangulation           &tria,
+                       const PeriodicGrid          &grid,
+                       const std::vector<GridCell> &critical);
+} // namespace strait
+
+#endif

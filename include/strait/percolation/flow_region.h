@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_percolation_flow_region_h
+#define strait_percolation_flow_region_h
+
+#include <strait/spectral/periodic_grid.h>
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace strait
+{
+  /** What the fluid meets at the outline of a region. */
+  enum class OutlineKind : std::uint8_t
+  {
+    inlet,
+    outlet,
+    wall
+  };
+
+  /** A straight piece of the outline of a region, in the scene's unit of length. */
+  struct OutlineEdge
+  {
+    double      x0 = 0., y0 = 0., x1 = 0., y1 = 0.;
+    OutlineKind kind = OutlineKind::wall;
+  };
+
+  /**
+   * The part of the contact grid that lies in a region of the box, as the fluid sees
+   * it: a lattice of (nx + 1) × (ny + 1) points, the last ones being copies across the
+   * periodic seam, which the fluid does not cross. Point (ix, iy) has the number
+   * iy·(nx + 1) + ix.
+   *
+   * Points on the outline lie inside. Two neighbours are joined if both lie inside and
+   * so does the middle between them. The fluid enters at the points on the inlet, and
+   * at points outside from which a step to a neighbour inside crosses the inlet: such
+   * a point belongs to the lattice, joined to that neighbour alone. Likewise for the
+   * outlet.
+   */
+  class FlowRegion
+  {
+  public:
+    /**
+     * The region that the closed curves of @p outline enclose, which lie in the box.
+     * Rank 0 of @p comm alone holds its points: for a moment 8 B a grid point, 1 B then.
+     * Throws InputError if the grid is too coarse to tell inlet and outlet apart.
+     * Collective.
+     */
+    FlowRegion(const PeriodicGrid             &grid,
+               const std::vector<OutlineEdge> &outline,
+               MPI_Comm                        comm = MPI_COMM_SELF);
+
+    /** Number of points, those outside included. */
+    std::size_t
+    size() const
+    {
+      return flags.size();
+    }
+
+    bool
+    is_inside(const std::size_t k) const
+    {
+      return (flags[k] & inside) != 0;
+    }
+
+    bool
+    is_inlet(const std::size_t k) const
+    {
+      return (flags[k] & at_inlet) != 0;
+    }
+
+    bool
+    is_outlet(const std::size_t k) const
+    {
+      return (flags[k] & at_outlet) != 0;
+    }
+
+    /** Whether the fluid may pass the point at all. */
+    bool
+    is_point(const std::size_t k) const
+    {
+      return (flags[k] & (inside | at_inlet | at_outlet)) != 0;
+    }
+
+    /** Whether point @p k is joined to its neighbour at (@p dx, @p dy), one of which is
+     *  ±1 and the other 0. */
+    bool is_joined(std::size_t k, int dx, int dy) const;
+
+    /** Number of different grid points inside, known on all ranks. */
+    long long
+    n_inside() const
+    {
+      return n_points_inside;
+    }
+
+  private:
+    static constexpr std::uint8_t inside = 1, at_inlet = 2, at_outlet = 4, right = 8,
+                                  up = 16;
+
+    void find_points(const PeriodicGrid &grid, const std::vector<OutlineEdge> &outline);
+
+    int                       width;
+    std::vector<std::uint8_t> flags;
+    long long                 n_points_inside = 0;
+  };
+} // namespace strait
+
+#endif

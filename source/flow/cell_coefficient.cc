@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/flow/cell_coefficient.h>
+#include <strait/flow/seal_triangulation.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace strait
+{
+  using namespace dealii;
+
+  GridCoefficient::GridCoefficient(const FlowMesh             &mesh_,
+                                   const MomentSet            &set,
+                                   const GapField::Coefficient coefficient_)
+    : mesh(mesh_)
+    , element(set)
+    , coefficient(coefficient_)
+    , answers(set.size(), 0)
+  {
+  }
+
+  void
+  GridCoefficient::update(const GapField &gap, const GapField::Quadrature quadrature)
+  {
+    cells   = mesh.owned_grid_cells();
+    answers = gap.ask(coefficient, cells, quadrature);
+  }
+
+  double
+  GridCoefficient::mean(const std::size_t cell) const
+  {
+    return answers[cell].moments[0];
+  }
+
+  void
+  GridCoefficient::stiffness(const std::size_t cell, FullMatrix<double> &matrix) const
+  {
+    element.stiffness(answers[cell].moments,
+                      mesh.width(cells[cell]),
+                      mesh.height(cells[cell]),
+                      matrix);
+  }
+
+  ChildCoefficient::ChildCoefficient(const FlowMesh             &mesh_,
+                                     const GapField::Coefficient coefficient_)
+    : mesh(mesh_)
+    , element(MomentSet(1))
+    , coefficient(coefficient_)
+    , answers(MomentSet(1).size(), 0)
+  {
+  }
+
+  void
+  ChildCoefficient::update(const GapField &gap, const GapField::Quadrature quadrature)
+  {
+    cells = mesh.owned_grid_cells();
+    std::vector<GridCell> children;
+    for (const GridCell &parent : cells)
+      for (int child = 0; child < 4; ++child)
+        children.push_back(
+          {parent.exponent - 1, 2 * parent.i + child % 2, 2 * parent.j + child / 2});
+    answers = gap.ask(coefficient, children, quadrature);
+  }
+
+  double
+  ChildCoefficient::mean(const std::size_t cell) const
+  {
+    double sum = 0;
+    for (std::size_t child = 0; child < 4; ++child)
+      sum += answers[4 * cell + child].moments[0];
+    return .25 * sum;
+  }
+
+  void
+  ChildCoefficient::stiffness(const std::size_t cell, FullMatrix<double> &matrix) const
+  {
+    FullMatrix<double> small(4, 4);
+    matrix = 0.;
+    for (std::size_t child = 0; child < 4; ++child)
+      {
+        element.stiffness(answers[4 * cell + child].moments,
+                          mesh.width(cells[cell]),
+                          mesh.height(cells[cell]),
+                          small);
+        for (unsigned int i = 0; i < 4; ++i)
+          for (unsigned int j = 0; j < 4; ++j)
+            matrix(corners[child][i], corners[child][j]) += small(i, j);
+      }
+  }
+
+  MappedCoefficient::MappedCoefficient(const FlowMesh             &mesh_,
+                                       const FiniteElement<2>     &fe_,
+                                       const GapField::Coefficient coefficient_,
+                                       const int                   fewest_parts_)
+    : mesh(mesh_)
+    , fe(fe_)
+    , coefficient(coefficient_)
+    , fewest_parts(fewest_parts_)
+    , n(fe.n_dofs_per_cell())
+  {
+  }
+
+  FEValues<2> &
+  MappedCoefficient::values_for(const CellAccessor<2>     &cell,
+                                const GapField::Quadrature quadrature)
+  {
+    constexpr int    most_parts = 64;
+    constexpr double small      = 4.;
+    const double     size       = size_in_spacings(cell, mesh.grid());
+    const double     wanted     = size < small ? 2. * size : size;
+    int              n_parts    = fewest_parts;
+    while (n_parts < wanted && n_parts < most_parts)
+      n_parts *= 2;
+    if (size < small && quadrature == GapField::Quadrature::finer)
+      n_parts *= 2;
+    // Without a curved edge the map is bilinear, which costs less to say so.
+    bool is_curved = false;
+    for (const unsigned int f : cell.face_indices())
+      is_curved = is_curved || cell.face(f)->manifold_id() != numbers::flat_manifold_id;
+    std::unique_ptr<FEValues<2>> &entry = values[{n_parts, is_curved}];
+    if (!entry)
+      entry = std::make_unique<FEValues<2>>(
+        mesh.mapping(),
+        fe,
+        QIterated<2>(QGauss<1>(fe.degree / fewest_parts + 1), n_parts),
+        update_quadrature_points | update_gradients | update_JxW_values);
+    return *entry;
+  }
+
+  void
+  MappedCoefficient::update(const GapField &gap, const GapField::Quadrature quadrature)
+  {
+    const auto &tria = mesh.triangulation();
+    double      low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const auto &cell : tria.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const auto box = mesh.mapping().get_bounding_box(cell).get_boundary_points();
+          low            = std::min(low, box.first[1]);
+          high           = std::max(high, box.second[1]);
+        }
+    const GapWindow window = gap.window(low, high);
+    means.clear();
+    entries.clear();
+    std::vector<double> sums(n * (n + 1) / 2);
+    for (const auto &cell : tria.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          FEValues<2> &at = values_for(*cell, quadrature);
+          at.reinit(cell);
+          double area = 0., total = 0.;
+          std::fill(sums.begin(), sums.end(), 0.);
+          for (const unsigned int q : at.quadrature_point_indices())
+            {
+              const Point<2> &x = at.quadrature_point(q);
+              const double    c =
+                gap.coefficient_of(coefficient, window(x[0], x[1])) * at.JxW(q);
+              area += at.JxW(q);
+              total += c;
+              if (!(c > 0))
+                continue;
+              double *entry = sums.data();
+              for (unsigned int i = 0; i < n; ++i)
+                for (unsigned int j = 0; j <= i; ++j)
+                  *entry++ += c * (at.shape_grad(i, q) * at.shape_grad(j, q));
+            }
+          means.push_back(total / area);
+          entries.insert(entries.end(), sums.begin(), sums.end());
+        }
+  }
+
+  double
+  MappedCoefficient::mean(const std::size_t cell) const
+  {
+    return means[cell];
+  }
+
+  void
+  MappedCoefficient::stiffness(const std::size_t cell, FullMatrix<double> &matrix) const
+  {
+    const double *entry = entries.data() + cell * (n * (n + 1) / 2);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        matrix(i, j) = matrix(j, i) = *entry++;
+  }
+
+  std::unique_ptr<CellCoefficient>
+  make_coefficient(const FlowMesh             &mesh,
+                   const MomentSet            &set,
+                   const FiniteElement<2>     &fe,
+                   const GapField::Coefficient coefficient)
+  {
+    if (mesh.seal() == nullptr)
+      return std::make_unique<GridCoefficient>(mesh, set, coefficient);
+    return std::make_unique<MappedCoefficient>(mesh, fe, coefficient);
+  }
+
+  std::unique_ptr<CellCoefficient>
+  make_child_coefficient(const FlowMesh             &mesh,
+                         const FiniteElement<2>     &fe,
+                         const GapField::Coefficient coefficient)
+  {
+    if (mesh.seal() == nullptr)
+      return std::make_unique<ChildCoefficient>(mesh, coefficient);
+    return std::make_unique<MappedCoefficient>(mesh, fe, coefficient, 2);
+  }
+} // namespace strait

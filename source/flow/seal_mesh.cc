@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/base/text.h>
+#include <strait/flow/circle_fit.h>
+#include <strait/flow/seal_mesh.h>
+#include <strait/flow/seal_shape.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    using dealii::Point;
+    using Part = SealMesh::Part;
+
+    constexpr int inlet_id = 0, outlet_id = 1;
+
+    /** Makes a SealMesh, step by step. */
+    class Builder
+    {
+    public:
+      Builder(const MeshFile &file_, const std::string &name_)
+        : file(file_)
+        , name(name_)
+      {
+        for (const auto &p : file.points)
+          mesh.points.emplace_back(p[0], p[1]);
+      }
+
+      SealMesh
+      build()
+      {
+        take_cells();
+        find_edges();
+        find_circles();
+        for (const auto &[from, edge] : boundary)
+          mesh.edges.push_back(edge);
+        recognise_shape(mesh, name);
+        return std::move(mesh);
+      }
+
+    private:
+      using PointPair = std::pair<unsigned int, unsigned int>;
+
+      [[noreturn]] void
+      fail(const std::string &what) const
+      {
+        throw InputError("The mesh '" + name + "' " + what + ".");
+      }
+
+      std::string
+      place(const unsigned int p) const
+      {
+        return format("(%.6g, %.6g)", mesh.points[p][0], mesh.points[p][1]);
+      }
+
+      void
+      take_cells()
+      {
+        for (std::array<unsigned int, 4> corners : file.quadrilaterals)
+          {
+            int n_left_turns = 0;
+            for (unsigned int v = 0; v < 4; ++v)
+              {
+                const auto a =
+                  mesh.points[corners[(v + 1) % 4]] - mesh.points[corners[v]];
+                const auto b =
+                  mesh.points[corners[(v + 2) % 4]] - mesh.points[corners[(v + 1) % 4]];
+                const double turn = a[0] * b[1] - a[1] * b[0];
+                n_left_turns += turn > 0 ? 1 : turn < 0 ? -1 : 0;
+              }
+            if (n_left_turns == -4)
+              std::swap(corners[1], corners[3]);
+            else if (n_left_turns != 4)
+              fail("has a cell at " + place(corners[0]) +
+                   " that is no convex quadrilateral");
+            mesh.cells.push_back(corners);
+          }
+      }
+
+      /** The boundary edges, by their first point. */
+      void
+      find_edges()
+      {
+        std::map<PointPair, int> n_cells; // to the left of an edge
+        for (const auto &corners : mesh.cells)
+          for (unsigned int v = 0; v < 4; ++v)
+            if (++n_cells[{corners[v], corners[(v + 1) % 4]}] > 1)
+              fail("has cells that overlap at " + place(corners[v]));
+        for (const auto &[ends, n] : n_cells)
+          if (n_cells.count({ends.second, ends.first}) == 0)
+            {
+              SealMesh::Edge edge;
+              edge.from = ends.first;
+              edge.to   = ends.second;
+              if (!boundary.emplace(edge.from, edge).second)
+                fail("touches itself at " + place(edge.from));
+            }
+      }
+
+      SealMesh::Edge *
+      find(const MeshFile::Line &line)
+      {
+        for (unsigned int end = 0; end < 2; ++end)
+          {
+            const auto edge = boundary.find(line.points[end]);
+            if (edge != boundary.end() && edge->second.to == line.points[1 - end])
+              return &edge->second;
+          }
+        return nullptr;
+      }
+
+      void
+      find_circles()
+      {
+        std::map<int, std::vector<SealMesh::Edge *>> edges_of;
+        for (const MeshFile::Line &line : file.lines)
+          if (SealMesh::Edge *edge = find(line))
+            {
+              edges_of[line.curve].push_back(edge);
+              if (line.boundary_id == inlet_id)
+                edge->part = Part::inlet;
+              else if (line.boundary_id == outlet_id)
+                edge->part = Part::outlet;
+            }
+          else if (line.boundary_id == inlet_id || line.boundary_id == outlet_id)
+            fail("has an inlet or outlet at " + place(line.points[0]) +
+                 " that is not on its boundary");
+        for (const auto &[curve, edges] : edges_of)
+          {
+            std::vector<Point<2>> points;
+            for (const SealMesh::Edge *edge : edges)
+              {
+                points.push_back(mesh.points[edge->from]);
+                points.push_back(mesh.points[edge->to]);
+              }
+            const auto circle =
+              edges.size() > 1 ? fit_circle(points) : std::optional<SealMesh::Circle>();
+            if (!circle)
+              continue;
+            for (SealMesh::Edge *edge : edges)
+              edge->circle = static_cast<int>(mesh.circles.size());
+            mesh.circles.push_back(*circle);
+          }
+      }
+
+      const MeshFile                        &file;
+      const std::string                     &name;
+      SealMesh                               mesh;
+      std::map<unsigned int, SealMesh::Edge> boundary; // by the first point
+    };
+  } // namespace
+
+  SealMesh
+  make_seal_mesh(const MeshFile &file, const std::string &name)
+  {
+    return Builder(file, name).build();
+  }
+
+  std::vector<OutlineEdge>
+  SealMesh::outline(const double longest) const
+  {
+    std::vector<OutlineEdge> result;
+    for (const Edge &edge : edges)
+      {
+        const Point<2>       &to    = points[edge.to];
+        std::vector<Point<2>> chain = {points[edge.from]};
+        if (edge.circle >= 0)
+          chain = divide_arc(circles[edge.circle], points[edge.from], to, longest);
+        chain.push_back(to);
+        const OutlineKind kind = edge.part == Part::inlet    ? OutlineKind::inlet
+                                 : edge.part == Part::outlet ? OutlineKind::outlet
+                                                             : OutlineKind::wall;
+        for (std::size_t k = 0; k + 1 < chain.size(); ++k)
+          result.push_back(
+            {chain[k][0], chain[k][1], chain[k + 1][0], chain[k + 1][1], kind});
+      }
+    return result;
+  }
+
+  SealMesh
+  read_seal_mesh(const std::string &path, const PeriodicGrid &grid, MPI_Comm comm)
+  {
+    std::string text;
+    run_on_root(comm, [&]() {
+      std::ifstream in(path);
+      if (!in || std::filesystem::is_directory(path))
+        throw InputError("Cannot read the mesh '" + path +
+                         "'; check Fluid/Mesh, which counts from the scene's folder.");
+      std::ostringstream content;
+      content << in.rdbuf();
+      text = content.str();
+    });
+    SealMesh mesh = make_seal_mesh(parse_mesh_file(broadcast(comm, text), path), path);
+    const double slack = 1e-9 * std::max(grid.lx, grid.ly);
+    for (const OutlineEdge &e : mesh.outline(.25 * std::min(grid.dx(), grid.dy())))
+      if (!(e.x0 >= -slack && e.x0 <= grid.lx + slack && e.y0 >= -slack &&
+            e.y0 <= grid.ly + slack))
+        throw InputError(
+          "The mesh '" + path + "' leaves the box" +
+          format(" of %.6g × %.6g at (%.6g, %.6g)", grid.lx, grid.ly, e.x0, e.y0) +
+          "; both are in the scene's unit of length (Surface/Size).");
+    return mesh;
+  }
+} // namespace strait

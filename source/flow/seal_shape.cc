@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/flow/seal_shape.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    using dealii::Point;
+    using Part = SealMesh::Part;
+    using Loop = std::vector<SealMesh::Edge>;
+
+    /** The closed boundaries, each from edge to edge. */
+    std::vector<Loop>
+    find_loops(const std::vector<SealMesh::Edge> &edges)
+    {
+      std::vector<Loop>                      loops;
+      std::map<unsigned int, SealMesh::Edge> left;
+      for (const SealMesh::Edge &edge : edges)
+        left.emplace(edge.from, edge);
+      while (!left.empty())
+        {
+          Loop loop;
+          for (auto edge = left.begin(); edge != left.end();)
+            {
+              loop.push_back(edge->second);
+              left.erase(edge);
+              edge = left.find(loop.back().to);
+            }
+          loops.push_back(std::move(loop));
+        }
+      return loops;
+    }
+
+    bool
+    has(const SealMesh &mesh, const Part part)
+    {
+      return std::any_of(mesh.edges.begin(), mesh.edges.end(), [part](const auto &e) {
+        return e.part == part;
+      });
+    }
+
+    bool
+    consists_of(const Loop &loop, const Part part)
+    {
+      return std::all_of(loop.begin(), loop.end(), [part](const SealMesh::Edge &e) {
+        return e.part == part;
+      });
+    }
+
+    double
+    enclosed_area(const SealMesh &mesh, const Loop &loop)
+    {
+      double area = 0.;
+      for (const SealMesh::Edge &e : loop)
+        {
+          const Point<2> &a = mesh.points[e.from], &b = mesh.points[e.to];
+          area += .5 * (a[0] * b[1] - a[1] * b[0]);
+        }
+      return area;
+    }
+
+    /** Walls are right of the flow after the inlet, left after the outlet. */
+    bool
+    name_walls_of_strip(Loop &loop)
+    {
+      const auto is_start = [&loop](const std::size_t k) {
+        return loop[k].part == Part::inlet &&
+               loop[(k + loop.size() - 1) % loop.size()].part != Part::inlet;
+      };
+      std::size_t start = 0;
+      while (start < loop.size() && !is_start(start))
+        ++start;
+      std::rotate(loop.begin(),
+                  loop.begin() + static_cast<std::ptrdiff_t>(start % loop.size()),
+                  loop.end());
+      Part              last     = Part::inlet;
+      std::vector<Part> sequence = {last};
+      for (SealMesh::Edge &edge : loop)
+        {
+          const bool is_wall = edge.part != Part::inlet && edge.part != Part::outlet;
+          if (is_wall && (last == Part::inlet || last == Part::right_wall))
+            edge.part = Part::right_wall;
+          else if (is_wall)
+            edge.part = Part::left_wall;
+          if (edge.part != last)
+            sequence.push_back(edge.part);
+          last = edge.part;
+        }
+      return sequence == std::vector<Part>{Part::inlet,
+                                           Part::right_wall,
+                                           Part::outlet,
+                                           Part::left_wall};
+    }
+
+    /** The middle of the widest part of the hole half-way up. */
+    Point<2>
+    point_in_hole(const SealMesh &mesh, const Loop &loop)
+    {
+      double low = mesh.points[loop.front().from][1], high = low;
+      for (const SealMesh::Edge &e : loop)
+        {
+          low  = std::min(low, mesh.points[e.from][1]);
+          high = std::max(high, mesh.points[e.from][1]);
+        }
+      const double        y = .5 * (low + high);
+      std::vector<double> crossings;
+      for (const SealMesh::Edge &e : loop)
+        {
+          const Point<2> &a = mesh.points[e.from], &b = mesh.points[e.to];
+          if ((a[1] <= y) != (b[1] <= y))
+            crossings.push_back(a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1]));
+        }
+      std::sort(crossings.begin(), crossings.end());
+      std::size_t widest = 0;
+      for (std::size_t c = 2; c + 1 < crossings.size(); c += 2)
+        if (crossings[c + 1] - crossings[c] > crossings[widest + 1] - crossings[widest])
+          widest = c;
+      return {.5 * (crossings[widest] + crossings[widest + 1]), y};
+    }
+
+    /** @return whether it is a ring. */
+    bool
+    recognise_ring(SealMesh &mesh, std::vector<Loop> &loops)
+    {
+      if (loops.size() != 2)
+        return false;
+      if (enclosed_area(mesh, loops[0]) < 0)
+        std::swap(loops[0], loops[1]);
+      // The mesh is to the left of its edges, so a hole is run around clockwise.
+      if (!(enclosed_area(mesh, loops[0]) > 0 && enclosed_area(mesh, loops[1]) < 0))
+        return false;
+      mesh.is_ring        = true;
+      mesh.flows_outwards = consists_of(loops[1], Part::inlet);
+      mesh.pole           = point_in_hole(mesh, loops[1]);
+      return mesh.flows_outwards ? consists_of(loops[0], Part::outlet)
+                                 : consists_of(loops[0], Part::inlet) &&
+                                     consists_of(loops[1], Part::outlet);
+    }
+  } // namespace
+
+  void
+  recognise_shape(SealMesh &mesh, const std::string &name)
+  {
+    for (const Part part : {Part::inlet, Part::outlet})
+      if (!has(mesh, part))
+        throw InputError("The mesh '" + name + "' has no boundary edge with the id " +
+                         (part == Part::inlet ? "0, the inlet" : "1, the outlet") +
+                         "; in the .geo file of Gmsh write Physical Curve(0) = {...} and "
+                         "Physical Curve(1) = {...}, without names.");
+    std::vector<Loop> loops = find_loops(mesh.edges);
+    if (!(loops.size() == 1 && name_walls_of_strip(loops.front())) &&
+        !recognise_ring(mesh, loops))
+      throw InputError(
+        "The mesh '" + name +
+        "' is neither a strip (one closed boundary: inlet, wall, outlet, wall) nor a ring "
+        "(two closed boundaries, one the inlet and the other the outlet); of other shapes "
+        "the leak rate cannot be bounded.");
+    mesh.edges.clear();
+    for (const Loop &loop : loops)
+      mesh.edges.insert(mesh.edges.end(), loop.begin(), loop.end());
+  }
+} // namespace strait

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/percolation/flow_lattice.h>
+#include <strait/percolation/region_clusters.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    /** The open points that are joined to the open ones among @p sources. */
+    std::vector<bool>
+    flood(const FlowLattice &gap, std::vector<std::size_t> sources)
+    {
+      std::vector<bool> reached(gap.size(), false);
+      const auto        visit = [&](const std::size_t k) {
+        if (!(gap[k] > 0) || reached[k])
+          return false;
+        return static_cast<bool>(reached[k] = true);
+      };
+      sources.erase(std::remove_if(sources.begin(),
+                                   sources.end(),
+                                   [&](const std::size_t k) { return !visit(k); }),
+                    sources.end());
+      while (!sources.empty())
+        {
+          const std::size_t k = sources.back();
+          sources.pop_back();
+          for (const auto &[da, db] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
+            if (gap.can_step(k, da, db))
+              if (const std::size_t to =
+                    gap.index(gap.along(k) + da, gap.across_of(k) + db);
+                  visit(to))
+                sources.push_back(to);
+        }
+      return reached;
+    }
+
+    /** States at the grid points as numbers; of copies the one that carries more. */
+    std::vector<double>
+    label(const FlowLattice &gap, const FlowRegion &region, const PeriodicGrid &grid)
+    {
+      std::vector<std::size_t> outlet_points;
+      for (std::size_t k = 0; k < gap.size(); ++k)
+        if (gap.is_outlet(k))
+          outlet_points.push_back(k);
+      const std::vector<bool> from_inlet  = flood(gap, gap.inlet_points());
+      const std::vector<bool> from_outlet = flood(gap, std::move(outlet_points));
+      std::vector<double>     states(grid.n_points(),
+                                 static_cast<double>(NodeState::outside));
+      for (std::size_t k = 0; k < gap.size(); ++k)
+        if (region.is_inside(k))
+          {
+            const NodeState state = !(gap[k] > 0) ? NodeState::closed
+                                    : from_inlet[k] && from_outlet[k]
+                                      ? NodeState::percolating
+                                    : from_inlet[k]  ? NodeState::inlet_side
+                                    : from_outlet[k] ? NodeState::outlet_side
+                                                     : NodeState::pocket;
+            double         &here =
+              states[static_cast<std::size_t>(gap.across_of(k) % grid.ny) * grid.nx +
+                     gap.along(k) % grid.nx];
+            const auto value = static_cast<double>(state);
+            here             = here == static_cast<double>(NodeState::outside)
+                                 ? value
+                                 : std::max(here, value);
+          }
+      return states;
+    }
+  } // namespace
+
+  Clusters
+  find_clusters_in_region(const SlabField &flow_gap, const FlowDomain &domain)
+  {
+    MPI_Comm                  comm  = flow_gap.layout().communicator();
+    const std::vector<double> whole = gather_on_root(flow_gap);
+    std::vector<double>       states;
+    run_on_root(comm, [&]() {
+      states = label(FlowLattice(whole, flow_gap.grid(), domain),
+                     *domain.region,
+                     flow_gap.grid());
+    });
+    Clusters  clusters;
+    long long n_open = 0, n_percolating = 0;
+    for (const double value : scatter_from_root(flow_gap.layout_pointer(), states))
+      {
+        clusters.states.push_back(static_cast<NodeState>(static_cast<int>(value)));
+        const NodeState state = clusters.states.back();
+        n_open += state != NodeState::closed && state != NodeState::outside ? 1 : 0;
+        n_percolating += state == NodeState::percolating ? 1 : 0;
+      }
+    n_percolating                 = sum(comm, n_percolating);
+    const auto n_points           = static_cast<double>(domain.region->n_inside());
+    clusters.percolates           = n_percolating > 0;
+    clusters.open_fraction        = static_cast<double>(sum(comm, n_open)) / n_points;
+    clusters.percolating_fraction = static_cast<double>(n_percolating) / n_points;
+    return clusters;
+  }
+
+  SlabField
+  gap_around_region(const SlabField &flow_gap, const Clusters &clusters)
+  {
+    constexpr int       reach  = 2;
+    const SlabLayout   &layout = flow_gap.layout();
+    const int           nx = flow_gap.grid().nx, n_rows = layout.n_rows();
+    std::vector<double> states;
+    for (const NodeState state : clusters.states)
+      states.push_back(static_cast<double>(state));
+    std::vector<int> rows;
+    for (int row = -reach; n_rows > 0 && row < n_rows + reach; ++row)
+      rows.push_back(layout.first_row() + row);
+    const std::vector<double> around = fetch_rows(layout, states.data(), nx, rows);
+    const auto                is_near_percolating = [&](const int ix, const int row) {
+      for (int b = 0; b <= 2 * reach; ++b)
+        for (int a = -reach; a <= reach; ++a)
+          if (around[static_cast<std::size_t>(row + b) * nx + (ix + a + nx) % nx] ==
+              static_cast<double>(NodeState::percolating))
+            return true;
+      return false;
+    };
+    SlabField kept(flow_gap.layout_pointer());
+    for (int row = 0; row < n_rows; ++row)
+      for (int ix = 0; ix < nx; ++ix)
+        {
+          const double    value = flow_gap(ix, row);
+          const NodeState state =
+            clusters.states[static_cast<std::size_t>(row) * nx + ix];
+          const bool is_kept =
+            state == NodeState::percolating || !(value > 0) ||
+            (state == NodeState::outside && is_near_percolating(ix, row));
+          kept(ix, row) = is_kept ? value : 0.;
+        }
+    return kept;
+  }
+} // namespace strait

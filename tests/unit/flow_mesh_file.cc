@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/flow/circle_fit.h>
+#include <strait/flow/seal_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+namespace strait
+{
+  namespace
+  {
+    std::string
+    text_of(const std::string &name)
+    {
+      std::ifstream in(std::string(STRAIT_TEST_DATA) + "/../meshes/" + name + ".msh");
+      std::ostringstream text;
+      text << in.rdbuf();
+      return text.str();
+    }
+
+    std::string
+    replaced(std::string text, const std::string &what, const std::string &by)
+    {
+      const std::size_t at = text.find(what);
+      EXPECT_NE(at, std::string::npos) << what;
+      return text.replace(at, what.size(), by);
+    }
+
+    std::string
+    message_of(const std::function<void()> &action)
+    {
+      try
+        {
+          action();
+        }
+      catch (const InputError &error)
+        {
+          return error.what();
+        }
+      return "";
+    }
+
+    TEST(MeshFile, AStripAsGmshWritesIt)
+    {
+      const MeshFile file = parse_mesh_file(text_of("strip"), "strip");
+      EXPECT_EQ(file.points.size(), 15U);
+      EXPECT_EQ(file.quadrilaterals.size(), 8U);
+      EXPECT_EQ(file.lines.size(), 12U);
+      const SealMesh mesh = make_seal_mesh(file, "strip");
+      EXPECT_FALSE(mesh.is_ring);
+      EXPECT_TRUE(mesh.circles.empty());
+      // Along x the right wall is the lower one.
+      for (const SealMesh::Edge &edge : mesh.edges)
+        {
+          const double y = .5 * (mesh.points[edge.from][1] + mesh.points[edge.to][1]);
+          EXPECT_EQ(edge.part == SealMesh::Part::right_wall, y == .25);
+          EXPECT_EQ(edge.part == SealMesh::Part::left_wall, y == .75);
+        }
+    }
+
+    TEST(MeshFile, ARingAndItsCircles)
+    {
+      const SealMesh mesh =
+        make_seal_mesh(parse_mesh_file(text_of("ring"), "ring"), "ring");
+      EXPECT_TRUE(mesh.is_ring);
+      EXPECT_TRUE(mesh.flows_outwards);
+      EXPECT_LT(mesh.pole.distance({.5, .5}), .1);
+      EXPECT_EQ(mesh.circles.size(), 8U); // four arcs each
+      for (const SealMesh::Circle &circle : mesh.circles)
+        EXPECT_LT(circle.centre.distance({.5, .5}), 1e-9);
+      double area = 0.;
+      for (const OutlineEdge &e : mesh.outline(1e-3))
+        area += .5 * (e.x0 * e.y1 - e.x1 * e.y0);
+      EXPECT_NEAR(area / (std::acos(-1.) * (.16 - .04)), 1., 1e-5);
+    }
+
+    TEST(MeshFile, TheOtherWayRoundWallsAndSenseAreSwapped)
+    {
+      const std::string text = text_of("ring");
+      const SealMesh    mesh = make_seal_mesh(parse_mesh_file(text, "ring"), "ring");
+      MeshFile          file = parse_mesh_file(text, "ring");
+      for (MeshFile::Line &line : file.lines)
+        line.boundary_id = 1 - line.boundary_id;
+      EXPECT_FALSE(make_seal_mesh(file, "inwards").flows_outwards);
+      // Cells may be numbered clockwise.
+      for (auto &corners : file.quadrilaterals)
+        std::swap(corners[1], corners[3]);
+      EXPECT_EQ(make_seal_mesh(file, "clockwise").cells.size(), mesh.cells.size());
+    }
+
+    TEST(MeshFile, WhatIsWrongIsSaid)
+    {
+      const std::string good  = text_of("strip");
+      const auto        parse = [](const std::string &text) {
+        return message_of([&]() { make_seal_mesh(parse_mesh_file(text, "m"), "m"); });
+      };
+      EXPECT_EQ(parse(good), "");
+      EXPECT_NE(parse("").find("is no Gmsh file"), std::string::npos);
+      EXPECT_NE(parse(replaced(good, "4.1 0 8", "4.1 1 8")).find("binary"),
+                std::string::npos);
+      EXPECT_NE(parse(replaced(good, "\n1 0.75 0\n0 4", "\n0 4")).find("mesh 'm'"),
+                std::string::npos);
+      EXPECT_NE(parse(replaced(good, "$EndNodes", "$EndNode")).find("$Nodes"),
+                std::string::npos);
+      EXPECT_NE(
+        parse(replaced(good, "\n0 0.25 0\n0 2", "\n0 0.25 0.1\n0 2")).find("z = 0"),
+        std::string::npos);
+      EXPECT_NE(
+        parse(replaced(good, "\n0 0.25 0\n0 2", "\n0.3 0.6 0\n0 2")).find("convex"),
+        std::string::npos);
+      // Cut anywhere, it is refused and not misread.
+      for (std::size_t n = 0; n + 20 < good.size(); n += 7)
+        EXPECT_NE(parse(good.substr(0, n)), "") << n;
+    }
+
+    TEST(CircleFit, FindsCirclesAndNothingElse)
+    {
+      std::vector<dealii::Point<2>> points;
+      for (const double t : {.3, .4, .5, .7})
+        points.emplace_back(2. + 3. * std::cos(t), 1. + 3. * std::sin(t));
+      const auto circle = fit_circle(points);
+      ASSERT_TRUE(circle.has_value());
+      EXPECT_NEAR(circle->radius, 3., 1e-9);
+      EXPECT_NEAR(circle->centre[0], 2., 1e-9);
+      for (const dealii::Point<2> &p : divide_arc(*circle, points[0], points[3], .1))
+        EXPECT_NEAR(p.distance(circle->centre), 3., 1e-9);
+      points[1] += dealii::Point<2>(1e-3, 0.);
+      EXPECT_FALSE(fit_circle(points).has_value());
+      EXPECT_FALSE(fit_circle({{0., 0.}, {1., 1.}, {2., 2.}}).has_value());
+      EXPECT_FALSE(fit_circle({{0., 0.}, {1., 1.}}).has_value());
+    }
+  } // namespace
+} // namespace strait
