@@ -10,7 +10,7 @@ namespace strait
 {
   namespace
   {
-    constexpr int rounds_combined = 12;
+    constexpr int rounds_combined = 6;
 
     // So often the verdict may change before the two sides are enclosed.
     constexpr int changes_allowed = 3;
@@ -24,14 +24,6 @@ namespace strait
           local += static_cast<double>(a[i]) * b[i];
         return sum(comm, local);
       };
-    }
-
-    double
-    relative_change(const std::optional<double> &before, const double now)
-    {
-      if (now == 0)
-        return 0.;
-      return before ? std::abs(now - *before) / now : 1.;
     }
   } // namespace
 
@@ -64,16 +56,15 @@ namespace strait
       {
         const FeedbackRound now = round(assumed);
         ++result.iterations;
-        result.change      = difference(now.fluid_pressure, assumed);
-        result.leak_change = relative_change(last_leak_rate, now.leak_rate);
-        if (result.change <= goal.tolerance &&
-            (!goal.leak_rate || result.leak_change <= goal.tolerance))
+        result.change = difference(now.fluid_pressure, assumed);
+        // Without a round before, an unchanged pressure says it all.
+        const double leak_before = last_leak_rate.value_or(now.leak_rate);
+        const bool   leak_agrees =
+          !goal.leak_rate ||
+          std::abs(now.leak_rate - leak_before) <= parameters.tolerance * now.leak_rate;
+        if (result.change <= parameters.tolerance && leak_agrees)
           {
             result.converged = true;
-            if (!goal.to_the_end)
-              fixed_point.advance(assumed.data(),
-                                  now.fluid_pressure.data(),
-                                  assumed.size());
             return result;
           }
         if (last_verdict && *last_verdict != now.percolates)
@@ -84,7 +75,7 @@ namespace strait
           }
         (now.percolates ? open_side : closed_side) = assumed;
         if (changes_of_verdict > changes_allowed)
-          return bisect(round, goal.tolerance, result);
+          return bisect(round, result);
         last_verdict   = now.percolates;
         last_leak_rate = now.leak_rate;
         fixed_point.advance(assumed.data(), now.fluid_pressure.data(), assumed.size());
@@ -93,9 +84,9 @@ namespace strait
   }
 
   FeedbackResult
-  WallFeedback::bisect(const Round &round, const double tolerance, FeedbackResult result)
+  WallFeedback::bisect(const Round &round, FeedbackResult result)
   {
-    while (difference(open_side, closed_side) > tolerance &&
+    while (difference(open_side, closed_side) > parameters.tolerance &&
            result.iterations < parameters.maximum_iterations)
       {
         for (std::size_t i = 0; i < assumed.size(); ++i)
@@ -103,7 +94,7 @@ namespace strait
         const FeedbackRound now = round(assumed);
         ++result.iterations;
         result.change = difference(now.fluid_pressure, assumed);
-        if (result.change <= tolerance)
+        if (result.change <= parameters.tolerance)
           {
             result.converged = true;
             return result;

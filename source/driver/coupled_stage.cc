@@ -25,26 +25,18 @@ namespace strait
   void
   CoupledStage::solve(Step &step, const double target)
   {
-    // The bracket may ask for a finer mesh, whose pressure then differs a little. It
-    // does so early, as what comes before is lost on a mesh too coarse.
-    constexpr int max_meshes = 4;
+    // The bracket may ask for a finer mesh, whose pressure then differs a little.
+    constexpr int max_meshes = 3;
     step.feedback.reset();
-    step.contact_seconds   = 0;
-    const double tolerance = scene.fluid.feedback.tolerance;
+    step.contact_seconds = 0;
     FeedbackGoal goal;
-    goal.tolerance  = std::sqrt(tolerance);
-    goal.to_the_end = false;
     for (int mesh = 0; mesh < max_meshes; ++mesh)
       {
-        const FeedbackResult result = iterate(step, target, goal);
-        if (step.feedback->lifted_off)
+        iterate(step, target, goal);
+        goal.goes_on = true;
+        if (step.feedback->lifted_off ||
+            !flow.certify(*step.flow, step.gap, step.slip_length))
           break;
-        const bool refined = flow.certify(*step.flow, step.gap, step.slip_length);
-        if (!refined && (goal.to_the_end ||
-                         (result.change <= tolerance && result.leak_change <= tolerance)))
-          break;
-        goal.tolerance = tolerance;
-        goal.goes_on = goal.to_the_end = true;
       }
     if (step.feedback->undecided)
       step.flow->result.lower = 0; // it is closed at times
@@ -53,23 +45,19 @@ namespace strait
   void
   CoupledStage::settle(Step &step, const double target)
   {
-    FeedbackGoal goal;
-    goal.tolerance = scene.fluid.feedback.tolerance;
-    goal.leak_rate = false;
-    iterate(step, target, goal);
+    iterate(step, target, {false, false});
   }
 
-  FeedbackResult
+  void
   CoupledStage::iterate(Step &step, const double target, const FeedbackGoal &goal)
   {
     if (!step.feedback)
       step.feedback.emplace();
     if (!goal.goes_on)
       pools.restart();
-    FeedbackResult result;
     try
       {
-        result = feedback.solve(
+        const FeedbackResult result = feedback.solve(
           [&](const SlabField &assumed) { return round(step, target, assumed); },
           largest_pressure(),
           goal);
@@ -83,7 +71,6 @@ namespace strait
       {
         lift_off(step, target);
       }
-    return result;
   }
 
   void
@@ -135,13 +122,13 @@ namespace strait
   {
     const std::vector<NodeState> &states = step.flow->clusters.states;
     pools.note(states);
-    SlabField               filled  = FlowStage::seen_gap(step.gap, step.slip_length);
-    const double            inlet   = flow.fluid().inlet_pressure;
-    const double            drop    = inlet - flow.fluid().outlet_pressure;
-    const SlabLayoutPtr    &layout  = start.layout_pointer();
-    const GridDeposit::Sums channel = step.flow->solver
-                                        ? pressure_on_grid(*step.flow->solver, layout)
-                                        : GridDeposit::Sums();
+    SlabField               open_gap = FlowStage::seen_gap(step.gap, step.slip_length);
+    const double            inlet    = flow.fluid().inlet_pressure;
+    const double            drop     = inlet - flow.fluid().outlet_pressure;
+    const SlabLayoutPtr    &layout   = start.layout_pointer();
+    const GridDeposit::Sums channel  = step.flow->solver
+                                         ? pressure_on_grid(*step.flow->solver, layout)
+                                         : GridDeposit::Sums();
     for (std::size_t k = 0; k < start.size(); ++k)
       switch (pools.contains(k) ? NodeState::closed : states[k])
         {
@@ -164,11 +151,11 @@ namespace strait
           case NodeState::closed:
             if (!has_continued)
               start[k] = .5 * (inlet + flow.fluid().outlet_pressure);
-            filled[k] = std::min(filled[k], 0.);
+            open_gap[k] = std::min(open_gap[k], 0.);
             break;
         }
     has_continued = true;
-    continuation.extend(start, filled, inlet, flow.fluid().outlet_pressure);
+    continuation.extend(start, open_gap, inlet, flow.fluid().outlet_pressure);
     return start;
   }
 

@@ -62,7 +62,8 @@ namespace strait
   ThresholdProbe
   SealSearch::probe(const double load, const double slip_length)
   {
-    const ContactState state = state_under(load, slip_length);
+    const ContactState  state = state_under(load, slip_length);
+    const PeriodicGrid &grid  = state.gap.grid();
     if (!state.converged)
       log.warn(format("the contact did not converge at a load of %.6g, residual %.1e",
                       load,

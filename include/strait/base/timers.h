@@ -53,6 +53,7 @@ namespace strait
     /** Seconds spent in the finished scopes of the part @p path; 0 if none. */
     double seconds(const std::string &path) const;
 
+    /** Wall-clock seconds. */
     static double
     seconds_since(const Clock::time_point start)
     {

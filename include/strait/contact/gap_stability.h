@@ -12,9 +12,9 @@ namespace strait
    * Whether a stationary gap is a minimum of the energy.
    *
    * Points in contact are held by the wall. On the others the smallest eigenvalue μ of
-   * (K + γ'') v = μ (K + mean_stiffness() <·>) v is sought by a descent of the Rayleigh
-   * quotient in the space of v, its preconditioned gradient and the last change of v
-   * (LOBPCG for one vector, Knyazev 2001). It is at most 1; a minimum has μ > 0. The
+   * (K + γ'') v = μ (K + mean_stiffness() M) v, M the mean, is sought by a descent of the
+   * Rayleigh quotient in the space of v, its preconditioned gradient and the last change
+   * of v (LOBPCG for one vector, Knyazev 2001). It is at most 1; a minimum has μ > 0. The
    * quotient bounds μ from above, so a negative one is proof that the gap is no minimum.
    */
   class GapStability

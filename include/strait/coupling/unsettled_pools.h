@@ -17,8 +17,8 @@ namespace strait
    * once the fluid is in: its pressure jumps with each round of the iteration between
    * contact and flow. In truth it fills, and stays at the pressure at which it is cut
    * off, which is that around it. The same goes for a gap that only opens under the
-   * pressure that is continued across a contact. So what has become a pool or ceased to be
-   * one more than @c changes_allowed times does not count as a pool any more: the
+   * pressure that is continued across a contact. So what has become a pool or ceased to
+   * be one more than @c changes_allowed times does not count as a pool any more: the
    * pressure is continued across it as across a contact, which is without a jump.
    */
   class UnsettledPools
@@ -45,7 +45,7 @@ namespace strait
     }
 
   private:
-    static constexpr int changes_allowed = 2;
+    static constexpr int changes_allowed = 1;
 
     std::vector<std::uint8_t> was_pool; // in the last round
     std::vector<std::uint8_t> n_changes;

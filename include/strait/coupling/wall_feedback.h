@@ -21,19 +21,16 @@ namespace strait
   /** How far to iterate. */
   struct FeedbackGoal
   {
-    double tolerance  = 1e-4;
-    bool   leak_rate  = true;  // that it has settled, too
-    bool   goes_on    = false; // at the load of the iteration before
-    bool   to_the_end = true;  // false: another iteration goes on
+    bool leak_rate = true;  // until that has settled, too
+    bool goes_on   = false; // the iteration before, with a map that has changed a little
   };
 
   /** How the iteration ended. */
   struct FeedbackResult
   {
-    int    iterations  = 0; // rounds
-    double change      = 0; // of the fluid pressure in the last round, see Tolerance
-    double leak_change = 1; // likewise of the leak rate, relative
-    bool   converged   = false;
+    int    iterations = 0; // rounds
+    double change     = 0; // of the fluid pressure in the last round, see Tolerance
+    bool   converged  = false;
 
     /**
      * The channel is open without its own pressure and closed with it, or the other way
@@ -79,7 +76,7 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    FeedbackResult bisect(const Round &round, double tolerance, FeedbackResult so_far);
+    FeedbackResult bisect(const Round &round, FeedbackResult so_far);
     double         difference(const SlabField &a, const SlabField &b) const;
 
     const FeedbackParameters parameters;

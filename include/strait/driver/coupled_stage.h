@@ -16,10 +16,10 @@ namespace strait
    * Wall feedback.
    *
    * The fluid's pressure is that of the flow in the channel, that of the reservoir in
-   * regions that only one of them reaches, the pool pressure in those that none does,
-   * and continued under the contact. Contact is then the dry problem for the wall that
-   * this pressure has displaced, under the load that it leaves (Step::contact holds
-   * the pressure of the solid beyond the fluid's).
+   * regions that only one of them reaches, the pool pressure in those that none does
+   * (but see UnsettledPools), and continued under the contact. Contact is then the dry
+   * problem for the wall that this pressure has displaced, under the load that it leaves
+   * (Step::contact holds the pressure of the solid beyond the fluid's).
    */
   class CoupledStage
   {
@@ -59,11 +59,11 @@ namespace strait
     {
     };
 
-    FeedbackResult iterate(Step &step, double target, const FeedbackGoal &goal);
-    double         largest_pressure() const;
-    FeedbackRound  round(Step &step, double target, const SlabField &assumed);
-    SlabField      pressure_in(const Step &step, SlabField start);
-    void           lift_off(Step &step, double target) const;
+    void          iterate(Step &step, double target, const FeedbackGoal &goal);
+    double        largest_pressure() const;
+    FeedbackRound round(Step &step, double target, const SlabField &assumed);
+    SlabField     pressure_in(const Step &step, SlabField start);
+    void          lift_off(Step &step, double target) const;
 
     const Scene         &scene;
     ContactSolver       &contact;

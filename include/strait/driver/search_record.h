@@ -26,12 +26,14 @@ namespace strait
       return next < answers.size();
     }
 
+    /** The answer to the next probe, which must be known. */
     Answer
     recall()
     {
       return answers[next++];
     }
 
+    /** Add the answer to a new probe. */
     void
     note(const Answer &answer)
     {

@@ -26,6 +26,7 @@ namespace strait
    */
   struct SealMesh
   {
+    /** Parts of the boundary. */
     enum class Part
     {
       inlet,
@@ -34,6 +35,7 @@ namespace strait
       left_wall
     };
 
+    /** [length] */
     struct Circle
     {
       dealii::Point<2> centre;

@@ -11,6 +11,7 @@
 
 namespace strait
 {
+  /** Distributed over the ranks, like that of the box. */
   using SealTriangulation = dealii::parallel::distributed::Triangulation<2>;
 
   /** Boundary ids: 0 inlet, 1 outlet, 2 right and 3 left wall. */

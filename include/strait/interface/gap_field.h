@@ -79,6 +79,7 @@ namespace strait
       resistivity
     };
 
+    /** How finely moments are integrated. */
     enum class Quadrature
     {
       standard,
@@ -110,6 +111,7 @@ namespace strait
      *  Collective. */
     GapWindow window(double y_low, double y_high) const;
 
+    /** Of one @p gap. */
     double coefficient_of(Coefficient coefficient, double gap) const;
 
     const MomentSet &

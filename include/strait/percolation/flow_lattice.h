@@ -78,6 +78,7 @@ namespace strait
       return region == nullptr || region->is_point(k);
     }
 
+    /** Whether the fluid leaves at point @p k. */
     bool
     is_outlet(const std::size_t k) const
     {

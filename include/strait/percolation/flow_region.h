@@ -59,18 +59,21 @@ namespace strait
       return flags.size();
     }
 
+    /** Whether point @p k lies inside the outline. */
     bool
     is_inside(const std::size_t k) const
     {
       return (flags[k] & inside) != 0;
     }
 
+    /** Whether the fluid enters at point @p k. */
     bool
     is_inlet(const std::size_t k) const
     {
       return (flags[k] & at_inlet) != 0;
     }
 
+    /** Whether it leaves there. */
     bool
     is_outlet(const std::size_t k) const
     {
