@@ -40,6 +40,12 @@ namespace strait
       Bool(),
       "With Fluid/Wall feedback: for each of Pressures find the inlet pressure at which "
       "the seal begins to leak when it is raised, before the steps; see blow_out.csv.");
+    prm.declare_entry(
+      "Find re-sealing",
+      "false",
+      Bool(),
+      "With Find blow-out: find the inlet pressure, too, at which the seal that has blown "
+      "out closes again when it is lowered; about as many solves more.");
     prm.declare_entry("Threshold tolerance",
                       "1e-4",
                       Double(),
@@ -80,6 +86,7 @@ namespace strait
     pressures           = parse_numbers(prm.get("Pressures"));
     find_threshold      = prm.get_bool("Find threshold");
     find_blow_out       = prm.get_bool("Find blow-out");
+    find_resealing      = prm.get_bool("Find re-sealing");
     threshold_tolerance = prm.get_double("Threshold tolerance");
     reduced_loads       = parse_numbers(prm.get("Reduced loads"));
     largest_fitted      = prm.get_double("Largest reduced load of fits");

@@ -112,6 +112,10 @@ namespace strait
       throw InputError(
         "Fluid/Wall feedback and Contact/Adhesion cannot be enabled "
         "together yet; switch one of them off.");
+    if (programme.find_resealing && !programme.find_blow_out)
+      throw InputError(
+        "Load programme/Find re-sealing looks for the pressure at which a "
+        "seal that has blown out closes again; it needs Find blow-out.");
     if (programme.find_blow_out &&
         (!fluid.feedback.enabled || contact.control != ContactControl::load))
       throw InputError(

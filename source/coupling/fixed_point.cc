@@ -80,6 +80,12 @@ namespace strait
   FixedPoint::restart()
   {
     differences.clear();
+    move_on();
+  }
+
+  void
+  FixedPoint::move_on()
+  {
     last_residual.clear();
     last_x.clear();
   }

@@ -10,7 +10,7 @@ namespace strait
 {
   namespace
   {
-    constexpr int rounds_combined = 4;
+    constexpr int rounds_combined = 6;
 
     // So often the verdict may change before the two sides are enclosed.
     constexpr int changes_allowed = 3;
@@ -38,16 +38,19 @@ namespace strait
   }
 
   FeedbackResult
-  WallFeedback::solve(const Round &round,
-                      const double largest_pressure,
-                      const bool   verdict_only)
+  WallFeedback::solve(const Round        &round,
+                      const double        largest_pressure,
+                      const FeedbackGoal &goal)
   {
     scale = largest_pressure;
     FeedbackResult        result;
     std::optional<double> last_leak_rate;
     std::optional<bool>   last_verdict;
     int                   changes_of_verdict = 0;
-    fixed_point.restart();
+    if (goal.goes_on)
+      fixed_point.move_on();
+    else
+      fixed_point.restart();
     fixed_point.relax(parameters.relaxation);
     while (result.iterations < parameters.maximum_iterations)
       {
@@ -56,8 +59,9 @@ namespace strait
         result.change = difference(now.fluid_pressure, assumed);
         // Without a round before, an unchanged pressure says it all.
         const double leak_before = last_leak_rate.value_or(now.leak_rate);
-        const bool leak_agrees = verdict_only || std::abs(now.leak_rate - leak_before) <=
-                                                   parameters.tolerance * now.leak_rate;
+        const bool   leak_agrees =
+          !goal.leak_rate ||
+          std::abs(now.leak_rate - leak_before) <= parameters.tolerance * now.leak_rate;
         if (result.change <= parameters.tolerance && leak_agrees)
           {
             result.converged = true;

@@ -3,8 +3,16 @@
 #include <strait/base/text.h>
 #include <strait/driver/blow_out.h>
 
+#include <algorithm>
+
 namespace strait
 {
+  namespace
+  {
+    // Of a usual pressure: what leaks with so little leaks by itself.
+    constexpr double negligible = 1e-6;
+  } // namespace
+
   void
   transfer_probe(StateArchive &archive, BlowOutProbe &probe)
   {
@@ -19,8 +27,7 @@ namespace strait
                 const double                               first,
                 const double                               tolerance)
   {
-    // What leaks with next to no pressure leaks by itself.
-    constexpr double negligible = 1e-6, excessive = 1e3;
+    constexpr double excessive = 1e3;
     BlowOut          result;
     const auto       leaks = [&](const double pressure) {
       const BlowOutProbe found = probe(pressure);
@@ -50,6 +57,31 @@ namespace strait
         if (pressure > excessive * first)
           throw ComputationError("An inlet pressure of " + to_text(result.lower) +
                                  " is held; no blow-out pressure was found.");
+      }
+    while (result.upper - result.lower > tolerance * result.upper)
+      leaks(.5 * (result.lower + result.upper));
+    return result;
+  }
+
+  Resealing
+  find_resealing(const std::function<BlowOutProbe(double)> &probe,
+                 const double                               leaking,
+                 const double                               tolerance,
+                 int                                       &n_solves)
+  {
+    Resealing  result{0., leaking};
+    const auto leaks = [&](const double pressure) {
+      ++n_solves;
+      const bool open                      = probe(pressure).leaks;
+      (open ? result.upper : result.lower) = pressure;
+      return open;
+    };
+    // Where there is no hysteresis it closes at once.
+    for (double step = tolerance; leaks((1. - std::min(step, .5)) * result.upper);)
+      {
+        step *= 2;
+        if (result.upper < negligible * leaking)
+          return {};
       }
     while (result.upper - result.lower > tolerance * result.upper)
       leaks(.5 * (result.lower + result.upper));

@@ -29,9 +29,11 @@ namespace strait
     constexpr int max_meshes = 3;
     step.feedback.reset();
     step.contact_seconds = 0;
+    FeedbackGoal goal;
     for (int mesh = 0; mesh < max_meshes; ++mesh)
       {
-        settle(step, target, false);
+        iterate(step, target, goal);
+        goal.goes_on = true;
         if (step.feedback->lifted_off ||
             !flow.certify(*step.flow, step.gap, step.slip_length))
           break;
@@ -41,16 +43,24 @@ namespace strait
   }
 
   void
-  CoupledStage::settle(Step &step, const double target, const bool verdict_only)
+  CoupledStage::settle(Step &step, const double target)
+  {
+    iterate(step, target, {false, false});
+  }
+
+  void
+  CoupledStage::iterate(Step &step, const double target, const FeedbackGoal &goal)
   {
     if (!step.feedback)
       step.feedback.emplace();
+    if (!goal.goes_on)
+      pools.restart();
     try
       {
         const FeedbackResult result = feedback.solve(
           [&](const SlabField &assumed) { return round(step, target, assumed); },
           largest_pressure(),
-          verdict_only);
+          goal);
         step.feedback->converged  = result.converged;
         step.feedback->undecided  = result.undecided;
         step.feedback->fluid_load = mean(feedback.pressure());
@@ -110,14 +120,17 @@ namespace strait
   SlabField
   CoupledStage::pressure_in(const Step &step, SlabField start)
   {
-    const double            inlet   = flow.fluid().inlet_pressure;
-    const double            drop    = inlet - flow.fluid().outlet_pressure;
-    const SlabLayoutPtr    &layout  = start.layout_pointer();
-    const GridDeposit::Sums channel = step.flow->solver
-                                        ? pressure_on_grid(*step.flow->solver, layout)
-                                        : GridDeposit::Sums();
+    const std::vector<NodeState> &states = step.flow->clusters.states;
+    pools.note(states);
+    SlabField               open_gap = FlowStage::seen_gap(step.gap, step.slip_length);
+    const double            inlet    = flow.fluid().inlet_pressure;
+    const double            drop     = inlet - flow.fluid().outlet_pressure;
+    const SlabLayoutPtr    &layout   = start.layout_pointer();
+    const GridDeposit::Sums channel  = step.flow->solver
+                                         ? pressure_on_grid(*step.flow->solver, layout)
+                                         : GridDeposit::Sums();
     for (std::size_t k = 0; k < start.size(); ++k)
-      switch (step.flow->clusters.states[k])
+      switch (pools.contains(k) ? NodeState::closed : states[k])
         {
           case NodeState::percolating:
             // On the seam the channel may reach one side only; see extend().
@@ -138,13 +151,11 @@ namespace strait
           case NodeState::closed:
             if (!has_continued)
               start[k] = .5 * (inlet + flow.fluid().outlet_pressure);
+            open_gap[k] = std::min(open_gap[k], 0.);
             break;
         }
     has_continued = true;
-    continuation.extend(start,
-                        FlowStage::seen_gap(step.gap, step.slip_length),
-                        inlet,
-                        flow.fluid().outlet_pressure);
+    continuation.extend(start, open_gap, inlet, flow.fluid().outlet_pressure);
     return start;
   }
 

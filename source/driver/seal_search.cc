@@ -99,14 +99,14 @@ namespace strait
   SealSearch::state_with_fluid(const double load, const double slip_length)
   {
     // Each probe starts from the fluid on the side that the path comes from.
+    const bool       loading = scene.programme.path != LoadPath::unloading;
+    const SlabField &start   = loading ? open_fluid : held_fluid;
     if (!start.empty())
       stages.coupling->fluid_pressure() = start;
     Step step;
     step.slip_length = slip_length;
     stages.coupling->settle(step, load);
-    const bool open = step.flow->clusters.percolates;
-    if (open == (scene.programme.path != LoadPath::unloading))
-      start = stages.coupling->fluid_pressure();
+    keep_fluid(step.flow->clusters.percolates);
     if (!step.feedback->converged && !step.feedback->undecided)
       log.warn(format("contact and flow did not agree at a load of %.6g", load));
     return std::move(*step.contact);
@@ -119,15 +119,9 @@ namespace strait
     std::vector<BlowOut> result;
     for (const double load : scene.programme.pressures)
       {
-        // The pressure rises: each probe starts from the fluid of the last held one.
-        if (!pressures.is_known())
-          start = SlabField(stages.contact->layout());
-        result.push_back(find_blow_out(
-          [&](const double pressure) { return probe_pressure(load, pressure); },
-          load,
-          scene.programme.threshold_tolerance));
-        BlowOut &found = result.back();
-        found.load     = load;
+        BlowOut found = blow_out(load);
+        if (scene.programme.find_resealing)
+          found.resealing = resealing(found);
         found.lower += outlet;
         found.upper += outlet;
         log.line(
@@ -137,18 +131,59 @@ namespace strait
                  found.lower,
                  found.upper,
                  found.n_solves));
+        if (found.resealing)
+          {
+            found.resealing->lower += outlet;
+            found.resealing->upper += outlet;
+            log.line(format("it closes again between %.8g and %.8g",
+                            found.resealing->lower,
+                            found.resealing->upper));
+          }
+        result.push_back(found);
       }
     stages.flow->set_inlet_pressure(scene.fluid.inlet_pressure);
     stages.coupling->fluid_pressure() = SlabField(stages.contact->layout());
     return result;
   }
 
+  BlowOut
+  SealSearch::blow_out(const double load)
+  {
+    // The pressure rises: each probe starts from the fluid of the last held one.
+    if (!pressures.is_known())
+      held_fluid = SlabField(stages.contact->layout());
+    BlowOut found = find_blow_out(
+      [&](const double pressure) { return probe_pressure(load, pressure, held_fluid); },
+      load,
+      scene.programme.threshold_tolerance);
+    found.load = load;
+    return found;
+  }
+
+  Resealing
+  SealSearch::resealing(BlowOut &found)
+  {
+    if (found.upper == 0)
+      return {}; // it leaks without any pressure
+    // The pressure falls: from the fluid of the last one that leaked.
+    return find_resealing(
+      [&](const double pressure) {
+        return probe_pressure(found.load, pressure, open_fluid);
+      },
+      found.upper,
+      scene.programme.threshold_tolerance,
+      found.n_solves);
+  }
+
   BlowOutProbe
-  SealSearch::probe_pressure(const double load, const double pressure_difference)
+  SealSearch::probe_pressure(const double     load,
+                             const double     pressure_difference,
+                             const SlabField &start)
   {
     if (pressures.is_known())
       return pressures.recall();
-    const BlowOutProbe answer = pressurise(load, pressure_difference);
+    const BlowOutProbe answer = pressurise(load, pressure_difference, start);
+    keep_fluid(answer.leaks);
     pressures.note(answer);
     look_up();
     return answer;
@@ -160,11 +195,20 @@ namespace strait
     loads.transfer(archive);
     pressures.transfer(archive);
     if (stages.coupling != nullptr)
-      archive.field(start, stages.contact->layout());
+      for (SlabField *fluid : {&open_fluid, &held_fluid})
+        archive.field(*fluid, stages.contact->layout());
+  }
+
+  void
+  SealSearch::keep_fluid(const bool leaks)
+  {
+    (leaks ? open_fluid : held_fluid) = stages.coupling->fluid_pressure();
   }
 
   BlowOutProbe
-  SealSearch::pressurise(const double load, const double pressure_difference)
+  SealSearch::pressurise(const double     load,
+                         const double     pressure_difference,
+                         const SlabField &start)
   {
     const double inlet = scene.fluid.outlet_pressure + pressure_difference;
     stages.flow->set_inlet_pressure(inlet);
@@ -175,9 +219,7 @@ namespace strait
     BlowOutProbe result;
     result.leaks        = step.flow->clusters.percolates;
     result.contact_area = step.contact->contact_area;
-    if (!result.leaks)
-      start = stages.coupling->fluid_pressure();
-    else if (!step.flow->paths.empty())
+    if (result.leaks && !step.flow->paths.empty())
       result.constriction = step.flow->paths.front().bottleneck;
     log.progress(format("  blow-out: inlet pressure %.6g %s",
                         inlet,

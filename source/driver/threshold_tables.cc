@@ -39,23 +39,32 @@ namespace strait
                   const std::vector<BlowOut> &blow_outs,
                   const PeriodicGrid         &grid)
   {
-    CsvFile file;
-    file.open(path,
-              {"pressure",
-               "blow_out_pressure_lower",
-               "blow_out_pressure_upper",
-               "contact_area",
-               "x",
-               "y",
-               "solves"});
+    CsvFile                  file;
+    std::vector<std::string> names = {"pressure",
+                                      "blow_out_pressure_lower",
+                                      "blow_out_pressure_upper",
+                                      "contact_area",
+                                      "x",
+                                      "y",
+                                      "solves"};
+    if (!blow_outs.empty() && blow_outs.front().resealing)
+      names.insert(names.end(), {"resealing_pressure_lower", "resealing_pressure_upper"});
+    file.open(path, names);
     for (const BlowOut &found : blow_outs)
-      file.append({full_precision(found.load),
-                   full_precision(found.lower),
-                   full_precision(found.upper),
-                   full_precision(found.contact_area),
-                   full_precision(found.constriction.ix * grid.dx()),
-                   full_precision(found.constriction.iy * grid.dy()),
-                   std::to_string(found.n_solves)});
+      {
+        std::vector<std::string> row = {full_precision(found.load),
+                                        full_precision(found.lower),
+                                        full_precision(found.upper),
+                                        full_precision(found.contact_area),
+                                        full_precision(found.constriction.ix * grid.dx()),
+                                        full_precision(found.constriction.iy * grid.dy()),
+                                        std::to_string(found.n_solves)};
+        if (found.resealing)
+          row.insert(row.end(),
+                     {full_precision(found.resealing->lower),
+                      full_precision(found.resealing->upper)});
+        file.append(row);
+      }
   }
 
   void

@@ -64,6 +64,24 @@ namespace strait
       EXPECT_EQ(x, image);
     }
 
+    TEST(FixedPoint, KeepsItsDirectionsWhenItMovesOn)
+    {
+      // The map of another fixed point: only the plain round to begin with is new.
+      FixedPoint          iteration(product, 4, 1.);
+      std::vector<double> x = {0, 0, 0};
+      for (int round = 0; round < 5; ++round)
+        iteration.advance(x.data(), affine(x).data(), x.size());
+      iteration.move_on();
+      std::vector<double> y = {1, 1, 1};
+      for (int round = 0; round < 2; ++round)
+        {
+          std::vector<double> image = affine({y[0] + .1, y[1] - .1, y[2] + .2});
+          image                     = {image[0] - .1, image[1] + .1, image[2] - .2};
+          iteration.advance(y.data(), image.data(), y.size());
+        }
+      EXPECT_LT(error({y[0] + .1, y[1] - .1, y[2] + .2}), 1e-3);
+    }
+
     TEST(FixedPoint, BearsRoundsThatSayTheSame)
     {
       FixedPoint          iteration(product, 4, 1.);

@@ -25,6 +25,7 @@ namespace strait
     std::vector<double> pressures           = {0.05, 0.1};
     bool                find_threshold      = false;
     bool                find_blow_out       = false;
+    bool                find_resealing      = false; // after blow-out
     double              threshold_tolerance = 1e-4;
     std::vector<double> reduced_loads;         // 1 − L/L_c
     double              largest_fitted = 0.02; // reduced load

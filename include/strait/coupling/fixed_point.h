@@ -39,6 +39,10 @@ namespace strait
     /** Forget the rounds before, because the map has changed. */
     void restart();
 
+    /** Begin at another point or with a map that has changed a little: what the rounds
+     *  before say about directions still holds. */
+    void move_on();
+
     /** Take only this share of each residual from now on. */
     void relax(double new_relaxation);
 

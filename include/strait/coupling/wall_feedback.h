@@ -18,6 +18,13 @@ namespace strait
     SlabField fluid_pressure;     // that follows from this gap
   };
 
+  /** How far to iterate. */
+  struct FeedbackGoal
+  {
+    bool leak_rate = true;  // until that has settled, too
+    bool goes_on   = false; // the iteration before, with a map that has changed a little
+  };
+
   /** How the iteration ended. */
   struct FeedbackResult
   {
@@ -53,10 +60,10 @@ namespace strait
     /**
      * Iterate from pressure() on. The last call of @p round is for the pressure()
      * that is left. @p largest_pressure, that of a reservoir, is the measure of
-     * changes. With @p verdict_only the leak rate need not have settled. Collective.
+     * changes. Collective.
      */
     FeedbackResult
-    solve(const Round &round, double largest_pressure, bool verdict_only = false);
+    solve(const Round &round, double largest_pressure, const FeedbackGoal &goal);
 
     /** The pressure that is assumed, on the grid; a start for solve(). */
     SlabField &

@@ -6,9 +6,17 @@
 #include <strait/spectral/state_archive.h>
 
 #include <functional>
+#include <optional>
 
 namespace strait
 {
+  /** The inlet pressure at which an open seal closes when it falls. */
+  struct Resealing
+  {
+    double lower = 0.; // largest inlet pressure known to be held
+    double upper = 0.; // smallest known to leak
+  };
+
   /** The inlet pressure at which a seal under a given load begins to leak. */
   struct BlowOut
   {
@@ -18,6 +26,9 @@ namespace strait
     double    contact_area = 0.; // at lower
     GridPoint constriction;      // the first to open, at upper
     int       n_solves = 0;      // of contact and flow together
+
+    /** How far the pressure must fall for the open seal to close, if asked for. */
+    std::optional<Resealing> resealing;
   };
 
   /** What one inlet pressure does. */
@@ -40,6 +51,16 @@ namespace strait
   BlowOut find_blow_out(const std::function<BlowOutProbe(double)> &probe,
                         double                                     first,
                         double                                     tolerance);
+
+  /**
+   * Lower the inlet pressure from @p leaking, at which the seal leaks, until it closes,
+   * then bisect. Of what leaks with next to no pressure both bounds are 0. The rest as
+   * for find_blow_out(); @p n_solves is raised by the number of probes.
+   */
+  Resealing find_resealing(const std::function<BlowOutProbe(double)> &probe,
+                           double                                     leaking,
+                           double                                     tolerance,
+                           int                                       &n_solves);
 } // namespace strait
 
 #endif

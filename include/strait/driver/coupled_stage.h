@@ -4,6 +4,7 @@
 
 #include <strait/contact/contact_solver.h>
 #include <strait/coupling/pressure_continuation.h>
+#include <strait/coupling/unsettled_pools.h>
 #include <strait/coupling/wall_feedback.h>
 #include <strait/driver/flow_stage.h>
 
@@ -15,10 +16,10 @@ namespace strait
    * Wall feedback.
    *
    * The fluid's pressure is that of the flow in the channel, that of the reservoir in
-   * regions that only one of them reaches, the pool pressure in those that none does,
-   * and continued under the contact. Contact is then the dry problem for the wall that
-   * this pressure has displaced, under the load that it leaves (Step::contact holds
-   * the pressure of the solid beyond the fluid's).
+   * regions that only one of them reaches, the pool pressure in those that none does
+   * (but see UnsettledPools), and continued under the contact. Contact is then the dry
+   * problem for the wall that this pressure has displaced, under the load that it leaves
+   * (Step::contact holds the pressure of the solid beyond the fluid's).
    */
   class CoupledStage
   {
@@ -32,9 +33,8 @@ namespace strait
      */
     void solve(Step &step, double target);
 
-    /** The same without the bracket of the leak rate, and with @p verdict_only to the
-     *  accuracy of a verdict. Collective. */
-    void settle(Step &step, double target, bool verdict_only = true);
+    /** The same to the accuracy of a verdict, without the leak rate. Collective. */
+    void settle(Step &step, double target);
 
     /** The pressure of the fluid on the grid [pressure]. */
     SlabField &
@@ -50,7 +50,8 @@ namespace strait
     std::size_t
     memory_consumption() const
     {
-      return feedback.memory_consumption() + continuation.memory_consumption();
+      return feedback.memory_consumption() + continuation.memory_consumption() +
+             pools.memory_consumption();
     }
 
   private:
@@ -58,6 +59,7 @@ namespace strait
     {
     };
 
+    void          iterate(Step &step, double target, const FeedbackGoal &goal);
     double        largest_pressure() const;
     FeedbackRound round(Step &step, double target, const SlabField &assumed);
     SlabField     pressure_in(const Step &step, SlabField start);
@@ -69,6 +71,7 @@ namespace strait
     Log                 &log;
     WallFeedback         feedback;
     PressureContinuation continuation;
+    UnsettledPools       pools;
     bool                 has_continued = false; // so that its result is a start
   };
 } // namespace strait

@@ -68,15 +68,23 @@ namespace strait
     ThresholdProbe probe(double load, double slip_length);
     ContactState   state_under(double load, double slip_length);
     ContactState   state_with_fluid(double load, double slip_length);
-    BlowOutProbe   probe_pressure(double load, double pressure_difference);
-    BlowOutProbe   pressurise(double load, double pressure_difference);
-    void           report(const Threshold &found) const;
+    BlowOut        blow_out(double load);
+    Resealing      resealing(BlowOut &found);
+    BlowOutProbe
+    probe_pressure(double load, double pressure_difference, const SlabField &start);
+    BlowOutProbe
+         pressurise(double load, double pressure_difference, const SlabField &start);
+    void keep_fluid(bool leaks);
+    void report(const Threshold &found) const;
 
     const Scene &scene;
     const Stages stages;
     Log         &log;
-    SlabField    start; // fluid pressure that each probe begins with, with coupling
     AfterProbe   look_up = []() {};
+
+    // With coupling: the fluid's pressure in the last probes that leaked and did not,
+    // from which the next ones start.
+    SlabField open_fluid, held_fluid;
 
     SearchRecord<ThresholdProbe> loads;
     SearchRecord<BlowOutProbe>   pressures;
