@@ -175,6 +175,10 @@ namespace strait
       throw InputError("Fluid/Maximum unknowns is " +
                        std::to_string(static_cast<int>(maximum_unknowns)) +
                        " but must be at least 1.");
+    if (enabled && !mesh_file.empty() && direction != FlowDirection::x)
+      throw InputError(
+        "Fluid/Direction = y goes without Fluid/Mesh: the boundary ids of "
+        "the mesh say where inlet and outlet are; leave it at x.");
     if (enabled && !mesh_file.empty() && bounds == FlowBounds::rigorous)
       throw InputError(
         "Fluid/Bounds = rigorous needs the cells of the contact grid, which Fluid/Mesh "

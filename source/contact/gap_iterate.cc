@@ -2,6 +2,7 @@
 #include <strait/contact/gap_iterate.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace strait
@@ -123,7 +124,8 @@ namespace strait
     for (std::size_t i = 0, n = problem.size(); i < n; ++i)
       {
         r[i] += p0;
-        worst = std::max(worst, g[i] > 0 ? std::abs(r[i]) : -r[i]);
+        if (const double here = g[i] > 0 ? std::abs(r[i]) : -r[i]; !(here <= worst))
+          worst = std::isnan(here) ? std::numeric_limits<double>::infinity() : here;
       }
     largest_violation = problem.largest_over_ranks(worst);
     smallest_gap      = -problem.largest_over_ranks(-least);

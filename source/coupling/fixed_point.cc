@@ -22,7 +22,7 @@ namespace strait
     for (std::size_t i = 0; i < n; ++i)
       residual[i] = static_cast<float>(image[i] - x[i]);
 
-    if (history > 0 && last_residual.size() == n && !last_x.empty())
+    if (history > 0 && has_last)
       {
         if (differences.size() == static_cast<std::size_t>(history))
           differences.erase(differences.begin());
@@ -51,6 +51,7 @@ namespace strait
         x[i] = from + share * change;
       }
     last_residual = std::move(residual);
+    has_last      = true;
   }
 
   std::vector<double>
@@ -88,6 +89,7 @@ namespace strait
   {
     last_residual.clear();
     last_x.clear();
+    has_last = false;
   }
 
   void

@@ -45,15 +45,22 @@ namespace strait
   {
     const ProgrammeParameters &programme = scene.programme;
     const std::size_t          n_loads   = programme.pressures.size();
-    return (programme.path == LoadPath::cycle ? 2 * n_loads - 1 : n_loads) +
-           (programme.find_threshold ? programme.reduced_loads.size() : 0);
+    const bool                 is_cycle  = programme.path == LoadPath::cycle;
+    return (is_cycle && n_loads > 0 ? 2 * n_loads - 1 : n_loads) +
+           (programme.find_threshold ? programme.reduced_loads.size() * n_slips() : 0);
+  }
+
+  std::size_t
+  CostPrediction::n_slips() const
+  {
+    return scene.fluid.enabled ? scene.fluid.slip_lengths.size() : 1;
   }
 
   CostPrediction::Range
   CostPrediction::pairs_per_contact() const
   {
     if (scene.contact.adhesion.enabled)
-      return {30., 300.};
+      return {20., 300.};
     if (scene.contact.method == ContactMethod::polonsky_keer)
       return {110., 820.};
     return {18., 60.};
@@ -62,17 +69,19 @@ namespace strait
   CostPrediction::Range
   CostPrediction::pairs_of_run() const
   {
-    const auto  n      = static_cast<double>(n_steps());
-    Range       solves = {n, n};
-    const Range rounds = {4., 9.}, probes = {7., 16.};
+    const auto n      = static_cast<double>(n_steps());
+    Range      solves = {n, n};
+    // Contacts between rounds differ little.
+    const Range coupled_pairs = {40., 900.}, probes = {7., 16.};
     if (scene.programme.find_threshold)
       {
         solves.lowest += probes.lowest;
         solves.highest += probes.highest;
       }
-    if (scene.fluid.feedback.enabled)
-      solves = solves * rounds;
-    return solves * pairs_per_contact();
+    // What the fluid does to the wall depends on the slip length.
+    const auto slips = static_cast<double>(n_slips());
+    return scene.fluid.feedback.enabled ? solves * Range{slips, slips} * coupled_pairs
+                                        : solves * pairs_per_contact();
   }
 
   CostPrediction::Range
@@ -182,8 +191,8 @@ namespace strait
     if (scene.contact.enabled)
       result.push_back(limiting_error());
     result.emplace_back(
-      "these are ranges from runs listed in doc/accuracy.md and "
-      "doc/paper.md, not from this scene");
+      "these are ranges from runs listed in doc/accuracy.md, paper.md, adhesion.md and "
+      "feedback.md, not from this scene");
     return result;
   }
 } // namespace strait

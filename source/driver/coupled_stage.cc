@@ -54,7 +54,7 @@ namespace strait
     if (!step.feedback)
       step.feedback.emplace();
     if (!goal.goes_on)
-      pools.restart();
+      begin(target);
     try
       {
         const FeedbackResult result = feedback.solve(
@@ -71,6 +71,18 @@ namespace strait
       {
         lift_off(step, target);
       }
+  }
+
+  void
+  CoupledStage::begin(const double target)
+  {
+    // What carried another load is not to lift this one off before it was tried.
+    constexpr double largest_share = .99;
+    const double     fluid_load    = mean(feedback.pressure());
+    if (scene.contact.control == ContactControl::load && fluid_load >= target)
+      for (double &pressure : feedback.pressure())
+        pressure *= largest_share * target / fluid_load;
+    pools.restart();
   }
 
   void

@@ -61,11 +61,19 @@ namespace strait
     FluidParameters fluid = parameters;
     fluid.element_degree  = 2; // where the solution is smooth
     fluid.target_accuracy = std::min(fluid.target_accuracy, shape_accuracy);
+    fluid.refinement      = Refinement::adaptive;
+    fluid.inlet_pressure  = 1.;
+    fluid.outlet_pressure = 0.;
     GapField uniform(layout, fluid);
     uniform.update(SlabField(layout, 1.), floor_share * uniform.conductivity_of(1.));
     const FlowResult flow = ReynoldsSolver(fluid, uniform, {}, seal.get()).run();
-    shape_factor          = flow.leak_rate / (uniform.conductivity_of(1.) *
-                                     (fluid.inlet_pressure - fluid.outlet_pressure));
+    shape_factor          = flow.leak_rate / uniform.conductivity_of(1.);
+    if (!flow.reason.empty())
+      log.warn(
+        format("effective gaps are uncertain, as the shape of the mesh is known to "
+               "%.2g %% only because %s",
+               50. * flow.relative_width(),
+               flow.reason.c_str()));
     log.line(format("mesh %s: %s of %zu cells, shape factor %.5g",
                     parameters.mesh_file.c_str(),
                     seal->is_ring ? "a ring" : "a strip",
@@ -81,6 +89,7 @@ namespace strait
     const SlabField open = find_channel(flow, seen);
     if (!open.empty())
       mesh_and_bracket(flow, seen, open);
+    warn_of_width(flow.result);
     return flow;
   }
 
@@ -133,6 +142,7 @@ namespace strait
     const SlabField open = find_channel(flow, seen);
     update_bridge(open, flow.paths.front(), true);
     bracket(flow, seen);
+    warn_of_width(flow.result);
     return flow.result.refinements > 0;
   }
 
@@ -182,12 +192,17 @@ namespace strait
     const auto scope = timers.scope("mesh and solver");
     flow.result =
       flow.solver->run([this](const FlowResult &now) { report_flow(now, log); });
-    if (!flow.result.reason.empty())
-      log.warn(format("the leak rate is known to %.1f %% only because %s",
-                      50. * flow.result.relative_width(),
-                      flow.result.reason.c_str()));
     if (watches_constrictions)
       flow.constrictions = report_constrictions(seen, flow.paths.front(), *flow.solver);
+  }
+
+  void
+  FlowStage::warn_of_width(const FlowResult &result)
+  {
+    if (!result.reason.empty())
+      log.warn(format("the leak rate is known to %.1f %% only because %s",
+                      50. * result.relative_width(),
+                      result.reason.c_str()));
   }
 
   void

@@ -107,9 +107,20 @@ namespace strait
     step.slip_length = slip_length;
     stages.coupling->settle(step, load);
     keep_fluid(step.flow->clusters.percolates);
-    if (!step.feedback->converged && !step.feedback->undecided)
-      log.warn(format("contact and flow did not agree at a load of %.6g", load));
+    warn_of_disagreement(step, load);
     return std::move(*step.contact);
+  }
+
+  void
+  SealSearch::warn_of_disagreement(const Step &step, const double load) const
+  {
+    const StepFeedback &feedback = *step.feedback;
+    if (!feedback.converged && !feedback.undecided && !feedback.lifted_off)
+      log.warn(
+        format("contact and flow did not agree at a load of %.6g and an inlet "
+               "pressure of %.6g",
+               load,
+               stages.flow->fluid().inlet_pressure));
   }
 
   std::vector<BlowOut>
@@ -216,6 +227,7 @@ namespace strait
     Step step;
     step.slip_length = scene.fluid.slip_lengths.front();
     stages.coupling->settle(step, load);
+    warn_of_disagreement(step, load);
     BlowOutProbe result;
     result.leaks        = step.flow->clusters.percolates;
     result.contact_area = step.contact->contact_area;

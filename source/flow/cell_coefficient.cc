@@ -123,7 +123,7 @@ namespace strait
     std::unique_ptr<FEValues<2>> &entry = values[{n_parts, is_curved}];
     if (!entry)
       entry = std::make_unique<FEValues<2>>(
-        mesh.mapping(),
+        is_curved ? mesh.mapping() : static_cast<const Mapping<2> &>(bilinear),
         fe,
         QIterated<2>(QGauss<1>(fe.degree / fewest_parts + 1), n_parts),
         update_quadrature_points | update_gradients | update_JxW_values);

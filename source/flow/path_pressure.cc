@@ -21,21 +21,27 @@ namespace strait
       std::map<std::pair<int, int>, std::size_t> wanted;
       for (std::size_t k = 0; k < path.points.size(); ++k)
         wanted[{path.points[k].ix, path.points[k].iy}] = k;
-      std::vector<double>    result(path.points.size(), unknown);
+      // Of cells that hold the point, and of those beside it, which serve where no other
+      // does, on any rank.
+      std::vector<double>    result(path.points.size(), unknown), beside(result);
       const auto            &dofs = solver.pressure().dof_handler();
       dealii::Vector<double> corners(dofs.get_fe().n_dofs_per_cell());
       for (const auto &cell : dofs.active_cell_iterators())
         if (cell->is_locally_owned())
           for (const MappedPoint &p : mapped_points(solver.mesh(), *cell))
-            if (const auto point = wanted.find({p.ix, p.iy});
-                point != wanted.end() && (p.inside || result[point->second] == unknown))
+            if (const auto point = wanted.find({p.ix, p.iy}); point != wanted.end())
               {
                 cell->get_dof_values(solver.pressure().solution(), corners);
-                result[point->second] = interpolate_bilinearly(corners, p.s, p.t);
+                (p.inside ? result : beside)[point->second] =
+                  interpolate_bilinearly(corners, p.s, p.t);
               }
-      dealii::Utilities::MPI::max(result,
-                                  solver.mesh().triangulation().get_communicator(),
-                                  result);
+      for (std::vector<double> *values : {&result, &beside})
+        dealii::Utilities::MPI::max(*values,
+                                    solver.mesh().triangulation().get_communicator(),
+                                    *values);
+      for (std::size_t k = 0; k < result.size(); ++k)
+        if (result[k] == unknown)
+          result[k] = beside[k];
       // The path may end beyond the outline, in the reservoirs.
       if (result.front() == unknown)
         result.front() = 1.;

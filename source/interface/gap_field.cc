@@ -254,12 +254,15 @@ namespace strait
   {
     const double     dy = slab_layout->grid().dy();
     const int        ny = slab_layout->grid().ny, nx = slab_layout->grid().nx;
-    const int        first = std::clamp(static_cast<int>(y_low / dy), 0, ny - 1) - 1;
+    int              first = 0;
     std::vector<int> wanted;
-    if (y_low <= y_high)
-      for (int row = first; row <= std::min(static_cast<int>(y_high / dy), ny - 1) + 2;
-           ++row)
-        wanted.push_back(row);
+    if (y_low <= y_high) // else this rank has no cells
+      {
+        first = std::clamp(static_cast<int>(y_low / dy), 0, ny - 1) - 1;
+        for (int row = first; row <= std::min(static_cast<int>(y_high / dy), ny - 1) + 2;
+             ++row)
+          wanted.push_back(row);
+      }
     // The rows of this rank follow the one before them.
     return {slab_layout->grid(),
             interpolant,

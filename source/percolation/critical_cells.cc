@@ -144,7 +144,8 @@ namespace strait
         const std::vector<float> pressure =
           estimate_pressure(gap, resistance, paths.front());
         const double bottleneck = paths.front().bottleneck_gap;
-        const int    n_along = gap.width() - 1, n_across = gap.n_across();
+        const int    n_along    = gap.width() - 1;
+        const int    n_across   = gap.n_across() - (gap.is_periodic() ? 0 : 1);
         for (int e = 1; e <= largest_exponent; ++e)
           levels.emplace_back(n_along >> e, n_across >> e);
         for (int b = 0; b < n_across; ++b)
@@ -215,13 +216,14 @@ namespace strait
             {
               const std::size_t k = gap.index_of(point);
               const int         a = std::min(gap.along(k) >> e, level.n_along - 1);
-              const int         b = gap.across_of(k) >> e;
+              const int         b = std::min(gap.across_of(k) >> e, level.n_across - 1);
               if (!(level.at(a, b).mean_inverse * conductances[p] > blocking_share))
                 continue;
               for (int i = std::max(a - 1, 0); i <= std::min(a + 1, level.n_along - 1);
                    ++i)
                 for (int j = b - 1; j <= b + 1; ++j)
-                  result.emplace(i, (j + level.n_across) % level.n_across);
+                  if (gap.is_periodic() || (j >= 0 && j < level.n_across))
+                    result.emplace(i, (j + level.n_across) % level.n_across);
             }
       }
 

@@ -181,7 +181,8 @@ namespace strait
           const int a = gap.along(k), b = gap.across_of(k);
           for (int i = std::max(a - 2, 0); i <= std::min(a + 2, gap.width() - 1); ++i)
             for (int j = b - reach; j <= b + reach; ++j)
-              blocked[gap.index(i, j)] = true;
+              if (gap.is_periodic() || (j >= 0 && j < gap.n_across()))
+                blocked[gap.index(i, j)] = true;
         }
     }
 

@@ -247,7 +247,8 @@ TEST(Scene, MeshAndWhatGoesWithIt)
   EXPECT_TRUE(scene_of("").fluid.mesh_file.empty());
   const std::string mesh = "Fluid/Mesh=/seals/a.msh";
   EXPECT_EQ(scene_of("", {mesh}).fluid.mesh_file, "/seals/a.msh");
-  for (const char *other : {"Fluid/Bounds=rigorous",
+  for (const char *other : {"Fluid/Direction=y",
+                            "Fluid/Bounds=rigorous",
                             "Fluid/Wall feedback/Enabled=true",
                             "Theory/Enabled=true",
                             "Output/Error budget=true"})

@@ -66,6 +66,10 @@ namespace strait
       scene.programme.pressures      = {1., 2., 3.};
       scene.programme.find_threshold = false;
       EXPECT_EQ(CostPrediction(scene, 0.).n_steps(), 5U);
+      scene.programme.pressures      = {};
+      scene.programme.find_threshold = true;
+      scene.fluid.slip_lengths       = {0., -.1, -.2};
+      EXPECT_EQ(CostPrediction(scene, 0.).n_steps(), 6U); // two near each threshold
     }
   } // namespace
 } // namespace strait

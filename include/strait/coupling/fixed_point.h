@@ -72,6 +72,7 @@ namespace strait
     std::vector<Difference> differences; // the latest last
     std::vector<float>      last_residual;
     std::vector<double>     last_x;
+    bool                    has_last = false; // on a rank without values as well
   };
 } // namespace strait
 

@@ -53,6 +53,7 @@ namespace strait
     std::vector<std::string> lines() const;
 
   private:
+    std::size_t           n_slips() const;
     std::optional<double> critical_load() const;
     std::string           limiting_error() const;
 

@@ -60,6 +60,7 @@ namespace strait
     };
 
     void          iterate(Step &step, double target, const FeedbackGoal &goal);
+    void          begin(double target);
     double        largest_pressure() const;
     FeedbackRound round(Step &step, double target, const SlabField &assumed);
     SlabField     pressure_in(const Step &step, SlabField start);

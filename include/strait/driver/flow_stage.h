@@ -90,6 +90,7 @@ namespace strait
     void find_paths(StepFlow &flow, const SlabField &open);
     void make_mesh(StepFlow &flow);
     void bracket(StepFlow &flow, const SlabField &seen);
+    void warn_of_width(const FlowResult &result);
 
     FluidParameters                 parameters;
     Log                            &log;

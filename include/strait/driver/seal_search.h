@@ -75,6 +75,7 @@ namespace strait
     BlowOutProbe
          pressurise(double load, double pressure_difference, const SlabField &start);
     void keep_fluid(bool leaks);
+    void warn_of_disagreement(const Step &step, double load) const;
     void report(const Threshold &found) const;
 
     const Scene &scene;

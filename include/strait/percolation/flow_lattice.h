@@ -71,6 +71,13 @@ namespace strait
       return static_cast<int>(k / n_along);
     }
 
+    /** Whether the first line of points along the flow follows the last. */
+    bool
+    is_periodic() const
+    {
+      return region == nullptr;
+    }
+
     /** Whether point @p k belongs to where the fluid flows. */
     bool
     is_point(const std::size_t k) const
