@@ -34,6 +34,7 @@ namespace strait
     {
       const double         sx = 2. / grid.dx(), sy = 2. / grid.dy();
       std::vector<Segment> segments;
+      segments.reserve(outline.size());
       for (const OutlineEdge &edge : outline)
         segments.push_back({{edge.x0 * sx, edge.x1 * sx},
                             {edge.y0 * sy, edge.y1 * sy},
