@@ -158,7 +158,7 @@ namespace strait
           const std::size_t c = result.values.size();
           problem.cell_values(cell, vertices);
           result.values.push_back(interpolate(vertices));
-          systems.append(matrix_of(*coefficient, c),
+          systems.append(is_open(c) ? matrix_of(*coefficient, c) : RimSystems::Matrix(),
                          result.values.back(),
                          !is_open(c),
                          is_pressure ? nodes.cells[c].at_reservoir

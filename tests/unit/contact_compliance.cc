@@ -13,23 +13,6 @@ namespace
   constexpr double modulus = 3., uniform = .7;
 
   SlabField
-  any_field(const PeriodicGrid &grid, const double a)
-  {
-    return sampled(grid, [&](const double x, const double y) {
-      return std::sin(a * 37 * x / grid.lx + 91 * a * y / grid.ly) + 0.3 * x / grid.lx;
-    });
-  }
-
-  double
-  dot(const SlabField &a, const SlabField &b)
-  {
-    double product = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      product += a[i] * b[i];
-    return sum(MPI_COMM_WORLD, product);
-  }
-
-  SlabField
   displaced(SlabField field)
   {
     TwoScaleCompliance compliance(field.layout_pointer(), modulus, uniform);

@@ -9,24 +9,6 @@ namespace
 {
   using namespace contact_tests;
 
-  /** Neither symmetric nor smooth; the same on any number of ranks. */
-  SlabField
-  any_field(const PeriodicGrid &grid, const double a)
-  {
-    return sampled(grid, [&](const double x, const double y) {
-      return std::sin(a * 37 * x / grid.lx + 91 * a * y / grid.ly) + 0.3 * x / grid.lx;
-    });
-  }
-
-  double
-  dot(const SlabField &a, const SlabField &b)
-  {
-    double product = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      product += a[i] * b[i];
-    return sum(MPI_COMM_WORLD, product);
-  }
-
   SlabField
   preconditioned(SlabField field)
   {

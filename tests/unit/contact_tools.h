@@ -27,6 +27,24 @@ namespace contact_tests
     return sample(make_layout(grid, MPI_COMM_WORLD), heights);
   }
 
+  /** Neither symmetric nor smooth; the same on any number of ranks. */
+  inline SlabField
+  any_field(const PeriodicGrid &grid, const double a)
+  {
+    return sampled(grid, [&](const double x, const double y) {
+      return std::sin(a * 37 * x / grid.lx + 91 * a * y / grid.ly) + 0.3 * x / grid.lx;
+    });
+  }
+
+  inline double
+  dot(const SlabField &a, const SlabField &b)
+  {
+    double product = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      product += a[i] * b[i];
+    return sum(MPI_COMM_WORLD, product);
+  }
+
   inline SlabField
   saddle_heights(const int n)
   {
