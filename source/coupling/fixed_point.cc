@@ -18,11 +18,37 @@ namespace strait
   void
   FixedPoint::advance(double *x, const double *image, const std::size_t n)
   {
+    remember(x, image, n);
+    const std::vector<double> weights = best_weights();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        double from = x[i], change = image[i] - x[i];
+        for (std::size_t k = 0; k < differences.size(); ++k)
+          {
+            from -= weights[k] * differences[k].x[i];
+            change -= weights[k] * differences[k].residual[i];
+          }
+        x[i] = from + share * change;
+      }
+  }
+
+  void
+  FixedPoint::relax_towards(double *x, const double *image, const std::size_t n)
+  {
+    remember(x, image, n);
+    for (std::size_t i = 0; i < n; ++i)
+      x[i] += share * (image[i] - x[i]);
+  }
+
+  void
+  FixedPoint::remember(const double *x, const double *image, const std::size_t n)
+  {
+    if (history == 0)
+      return;
     std::vector<float> residual(n);
     for (std::size_t i = 0; i < n; ++i)
       residual[i] = static_cast<float>(image[i] - x[i]);
-
-    if (history > 0 && has_last)
+    if (has_last)
       {
         if (differences.size() == static_cast<std::size_t>(history))
           differences.erase(differences.begin());
@@ -36,26 +62,13 @@ namespace strait
           }
         differences.push_back(std::move(newest));
       }
-    if (history > 0)
-      last_x.assign(x, x + n);
-
-    const std::vector<double> weights = best_weights(residual);
-    for (std::size_t i = 0; i < n; ++i)
-      {
-        double from = x[i], change = image[i] - x[i];
-        for (std::size_t k = 0; k < differences.size(); ++k)
-          {
-            from -= weights[k] * differences[k].x[i];
-            change -= weights[k] * differences[k].residual[i];
-          }
-        x[i] = from + share * change;
-      }
+    last_x.assign(x, x + n);
     last_residual = std::move(residual);
     has_last      = true;
   }
 
   std::vector<double>
-  FixedPoint::best_weights(const std::vector<float> &residual) const
+  FixedPoint::best_weights() const
   {
     // Rounds that say almost the same as others must not fight each other.
     constexpr double       dependent = 1e-8;
@@ -69,7 +82,7 @@ namespace strait
             for (std::size_t j = 0; j <= i; ++j)
               A(i, j) = A(j, i) =
                 product(differences[i].residual, differences[j].residual);
-            b(i) = product(differences[i].residual, residual);
+            b(i) = product(differences[i].residual, last_residual);
           }
         A.compute_inverse_svd(dependent);
         A.vmult(weights, b);

@@ -75,7 +75,8 @@ namespace strait
   PressureContinuation::extend(SlabField       &pressure,
                                const SlabField &flow_gap,
                                const double     inlet_pressure,
-                               const double     outlet_pressure)
+                               const double     outlet_pressure,
+                               const double     reduction)
   {
     constexpr double tolerance      = 1e-7; // of the boundary values' own residual
     constexpr int    max_iterations = 1000;
@@ -98,8 +99,8 @@ namespace strait
     apply(boundary_values, inlet_pressure, outlet_pressure, r);
     for (std::size_t k = 0; k < r.size(); ++k)
       r[k] -= load[k];
-    const double goal = tolerance * std::sqrt(product(r, r));
-    if (!(goal > 0))
+    const double enough = tolerance * std::sqrt(product(r, r));
+    if (!(enough > 0))
       {
         // No pressure anywhere at the edge of the contact, hence none under it.
         pressure = boundary_values;
@@ -108,6 +109,8 @@ namespace strait
     apply(pressure, inlet_pressure, outlet_pressure, r);
     for (std::size_t k = 0; k < r.size(); ++k)
       r[k] = load[k] - r[k];
+
+    const double goal = std::max(enough, reduction * std::sqrt(product(r, r)));
 
     double last_rz   = 0;
     int    iteration = 0;
@@ -183,8 +186,10 @@ namespace strait
     };
     for (std::size_t k = 0; k < z.size(); ++k)
       z[k] = scale(k) * r[k];
-    // The box's own mean has no stiffness; the longest wave's stands in for it.
-    const double least = std::min(stiffness_x[1], stiffness_y[1]);
+    // The pressure is held all around a contact, which is hardly wider than a tenth of
+    // the box: longer waves are no less stiff than that one.
+    constexpr double periods = 10.;
+    const double     least = periods * periods * std::min(stiffness_x[1], stiffness_y[1]);
     transform.multiply(z.data(), z.data(), [&](const int kx, const int ky) {
       return 1. / (least + stiffness_x[std::abs(kx)] + stiffness_y[std::abs(ky)]);
     });

@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 namespace strait
 {
   namespace
   {
     constexpr int rounds_combined = 6;
+
+    // Of an iteration; see the class.
+    constexpr int last_combined = 30;
 
     // So often the verdict may change before the two sides are enclosed.
     constexpr int changes_allowed = 3;
@@ -43,69 +46,115 @@ namespace strait
                       const FeedbackGoal &goal)
   {
     scale = largest_pressure;
-    FeedbackResult        result;
-    std::optional<double> last_leak_rate;
-    std::optional<bool>   last_verdict;
-    int                   changes_of_verdict = 0;
-    if (goal.goes_on)
-      fixed_point.move_on();
+    FeedbackResult result;
+    int            changes_of_verdict = 0;
+    bool           is_first = true, percolated = false;
+    if (goal.goes_on && !last_image.empty())
+      {
+        propose(last_image, 0, goal);
+        fixed_point.move_on();
+      }
     else
-      fixed_point.restart();
+      {
+        fixed_point.restart();
+        last_leak_rate = 0;
+      }
+    last_image = SlabField();
     fixed_point.relax(parameters.relaxation);
     while (result.iterations < parameters.maximum_iterations)
       {
-        const FeedbackRound now = round(assumed);
+        FeedbackRound now = round(assumed);
         ++result.iterations;
         result.change = difference(now.fluid_pressure, assumed);
-        // Without a round before, an unchanged pressure says it all.
-        const double leak_before = last_leak_rate.value_or(now.leak_rate);
-        const bool   leak_agrees =
-          !goal.leak_rate ||
-          std::abs(now.leak_rate - leak_before) <= parameters.tolerance * now.leak_rate;
-        if (result.change <= parameters.tolerance && leak_agrees)
+        result.leak_change =
+          now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
+        if (result.agrees_within(goal))
           {
             result.converged = true;
+            last_image       = std::move(now.fluid_pressure);
             return result;
           }
-        if (last_verdict && *last_verdict != now.percolates)
+        if (!is_first && percolated != now.percolates)
           {
             fixed_point.restart();
             fixed_point.relax(.5 * fixed_point.relaxation());
             ++changes_of_verdict;
           }
+        is_first                                   = false;
+        percolated                                 = now.percolates;
+        last_leak_rate                             = now.leak_rate;
         (now.percolates ? open_side : closed_side) = assumed;
-        if (changes_of_verdict > changes_allowed)
-          return bisect(round, result);
-        last_verdict   = now.percolates;
-        last_leak_rate = now.leak_rate;
-        fixed_point.advance(assumed.data(), now.fluid_pressure.data(), assumed.size());
+        if (changes_of_verdict <= changes_allowed)
+          propose(now.fluid_pressure, result.iterations, goal);
+        else if (enclose(round, goal, result))
+          return result;
+        else
+          {
+            changes_of_verdict = 0;
+            is_first           = true;
+            fixed_point.restart();
+          }
       }
     return result;
   }
 
-  FeedbackResult
-  WallFeedback::bisect(const Round &round, FeedbackResult result)
+  void
+  WallFeedback::propose(const SlabField &image, const int round, const FeedbackGoal &goal)
   {
-    while (difference(open_side, closed_side) > parameters.tolerance &&
-           result.iterations < parameters.maximum_iterations)
+    if ((round > 8 && round % 2 == 1) || round >= last_combined)
       {
+        fixed_point.relax_towards(assumed.data(), image.data(), assumed.size());
+        return;
+      }
+    fixed_point.advance(assumed.data(), image.data(), assumed.size());
+    if (mean(assumed) >= goal.largest_mean)
+      {
+        assumed = image;
+        fixed_point.restart();
+      }
+  }
+
+  /** Returns false if the iteration is to go on from what is assumed then. */
+  bool
+  WallFeedback::enclose(const Round        &round,
+                        const FeedbackGoal &goal,
+                        FeedbackResult     &result)
+  {
+    SlabField across = closed_side;
+    for (std::size_t i = 0; i < across.size(); ++i)
+      across[i] -= open_side[i];
+    bool open_side_closes = true, closed_side_opens = true;
+    while (difference(open_side, closed_side) > goal.tolerance)
+      {
+        if (result.iterations >= parameters.maximum_iterations)
+          return true;
         for (std::size_t i = 0; i < assumed.size(); ++i)
           assumed[i] = .5 * (open_side[i] + closed_side[i]);
         const FeedbackRound now = round(assumed);
         ++result.iterations;
         result.change = difference(now.fluid_pressure, assumed);
-        if (result.change <= parameters.tolerance)
+        if (result.change <= goal.tolerance)
           {
             result.converged = true;
-            return result;
+            return true;
           }
+        double way = 0;
+        for (std::size_t i = 0; i < assumed.size(); ++i)
+          way += (now.fluid_pressure[i] - assumed[i]) * across[i];
+        way = sum(assumed.layout().communicator(), way);
+        if (now.percolates)
+          open_side_closes = way > 0;
+        else
+          closed_side_opens = way < 0;
         (now.percolates ? open_side : closed_side) = assumed;
       }
-    assumed = open_side;
+    assumed = closed_side_opens ? open_side : closed_side;
+    if (!open_side_closes || !closed_side_opens)
+      return false;
     round(assumed);
     ++result.iterations;
     result.undecided = true;
-    return result;
+    return true;
   }
 
   double
@@ -122,6 +171,7 @@ namespace strait
   WallFeedback::memory_consumption() const
   {
     return fixed_point.memory_consumption() +
-           (assumed.size() + open_side.size() + closed_side.size()) * sizeof(double);
+           (assumed.size() + open_side.size() + closed_side.size() + last_image.size()) *
+             sizeof(double);
   }
 } // namespace strait

@@ -89,8 +89,10 @@ namespace strait
   ErrorBudget::assess(const Step &step)
   {
     StepErrors        errors;
-    const FlowResult &flow = step.flow->result;
-    errors.items.push_back({"mesh", .5 * flow.relative_width(), "Fluid/Target accuracy"});
+    const FlowResult &flow    = step.flow->result;
+    const double      by_wall = step.feedback ? step.feedback->mesh_error : 0.;
+    errors.items.push_back(
+      {"mesh", .5 * flow.relative_width() - by_wall, "Fluid/Target accuracy"});
     errors.items.push_back({"linear solver",
                             ReynoldsSolver::linear_share * scene.fluid.target_accuracy,
                             "Fluid/Target accuracy"});
@@ -100,9 +102,13 @@ namespace strait
                                 step.flow->paths.front().bottleneck_gap,
                               "Contact/Tolerance"});
     if (step.feedback)
-      errors.items.push_back({"feedback iteration",
-                              scene.fluid.feedback.tolerance,
-                              "Fluid/Wall feedback/Tolerance"});
+      {
+        errors.items.push_back(
+          {"fluid pressure on the wall", by_wall, "Fluid/Target accuracy"});
+        errors.items.push_back({"feedback iteration",
+                                scene.fluid.feedback.tolerance,
+                                "Fluid/Wall feedback/Tolerance"});
+      }
     if (scene.output.error_budget)
       {
         add_contact_grid(step, errors);

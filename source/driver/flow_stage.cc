@@ -96,16 +96,20 @@ namespace strait
   void
   FlowStage::mesh_and_bracket(StepFlow        &flow,
                               const SlabField &seen,
-                              const SlabField &open)
+                              const SlabField &open,
+                              const double     share)
   {
     find_paths(flow, open);
     update_bridge(open, flow.paths.front(), true);
     make_mesh(flow);
-    bracket(flow, seen);
+    bracket(flow, seen, share);
   }
 
   void
-  FlowStage::follow(StepFlow &flow, const SlabField &gap, const double slip_length)
+  FlowStage::follow(StepFlow        &flow,
+                    const SlabField &gap,
+                    const double     slip_length,
+                    const double     share)
   {
     const SlabField seen = seen_gap(gap, slip_length);
     const SlabField open = find_channel(flow, seen);
@@ -124,7 +128,7 @@ namespace strait
         value_at(open, meshed_bottleneck) >= outdone * paths.front().bottleneck_gap)
       {
         // Refined as for a bracket: on the first mesh the pressure is too coarse.
-        mesh_and_bracket(flow, seen, open);
+        mesh_and_bracket(flow, seen, open, share);
         return;
       }
     flow.paths = std::move(paths);
@@ -133,17 +137,17 @@ namespace strait
     flow.result.upper = flow.solver->solve_pressure();
   }
 
-  bool
-  FlowStage::certify(StepFlow &flow, const SlabField &gap, const double slip_length)
+  void
+  FlowStage::certify(StepFlow        &flow,
+                     const SlabField &gap,
+                     const double     slip_length,
+                     const double     share)
   {
-    if (!flow.solver)
-      return false;
     const SlabField seen = seen_gap(gap, slip_length);
     const SlabField open = find_channel(flow, seen);
     update_bridge(open, flow.paths.front(), true);
-    bracket(flow, seen);
+    bracket(flow, seen, share);
     warn_of_width(flow.result);
-    return flow.result.refinements > 0;
   }
 
   SlabField
@@ -187,11 +191,11 @@ namespace strait
   }
 
   void
-  FlowStage::bracket(StepFlow &flow, const SlabField &seen)
+  FlowStage::bracket(StepFlow &flow, const SlabField &seen, const double share)
   {
     const auto scope = timers.scope("mesh and solver");
     flow.result =
-      flow.solver->run([this](const FlowResult &now) { report_flow(now, log); });
+      flow.solver->run([this](const FlowResult &now) { report_flow(now, log); }, share);
     if (watches_constrictions)
       flow.constrictions = report_constrictions(seen, flow.paths.front(), *flow.solver);
   }

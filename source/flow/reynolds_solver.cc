@@ -39,7 +39,7 @@ namespace strait
   }
 
   FlowResult
-  ReynoldsSolver::run(const Observer &observer)
+  ReynoldsSolver::run(const Observer &observer, const double share)
   {
     FlowResult result;
     widths.clear();
@@ -54,11 +54,17 @@ namespace strait
             result.status = "flow-bracket";
             return result;
           }
-        if (result.relative_width() <= parameters.target_accuracy)
+        if (result.relative_width() <= share * parameters.target_accuracy)
           return result;
         result.reason = obstacle(result);
         if (result.reason.empty() && !refine(result))
           result.reason = "it takes more than Fluid/Maximum unknowns";
+        if (!result.reason.empty() &&
+            result.relative_width() <= parameters.target_accuracy)
+          {
+            result.reason.clear();
+            return result;
+          }
         if (!result.reason.empty())
           {
             result.status = solved ? "flow-accuracy" : "flow-solver";

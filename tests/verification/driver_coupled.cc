@@ -193,6 +193,7 @@ namespace strait
 
       scene.programme.find_threshold = true;
       scene.programme.path           = LoadPath::unloading;
+      scene.programme.pressures      = {1.};
       scene.fluid.inlet_pressure     = found.upper;
       EXPECT_NEAR(run_sweep(scene).thresholds[0].critical_load(), 1.5, .003);
     }

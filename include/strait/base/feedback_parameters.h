@@ -21,7 +21,7 @@ namespace strait
   {
     bool         enabled            = false;
     double       tolerance          = 1e-4; // of leak rate and fluid pressure
-    int          maximum_iterations = 50;
+    int          maximum_iterations = 200;
     Acceleration acceleration       = Acceleration::anderson;
     double       relaxation         = 1.;
     double       pool_pressure      = 0.;

@@ -36,6 +36,9 @@ namespace strait
      */
     void advance(double *x, const double *image, std::size_t n);
 
+    /** The same by plain relaxation; what this round says is remembered all the same. */
+    void relax_towards(double *x, const double *image, std::size_t n);
+
     /** Forget the rounds before, because the map has changed. */
     void restart();
 
@@ -64,7 +67,8 @@ namespace strait
       std::vector<float> residual;
     };
 
-    std::vector<double> best_weights(const std::vector<float> &residual) const;
+    void                remember(const double *x, const double *image, std::size_t n);
+    std::vector<double> best_weights() const;
 
     Product                 product;
     int                     history;

@@ -29,7 +29,9 @@ namespace strait
 
     /**
      * Fill in contact, gap, flow and feedback of @p step at the load (or mean gap)
-     * @p target, starting from the fluid pressure that is there. Collective.
+     * @p target, starting from the fluid pressure that is there. Contact and flow agree
+     * on finer and finer meshes, until the bracket of the leak rate, with the change that
+     * the last mesh made, is as narrow as asked. Collective.
      */
     void solve(Step &step, double target);
 
@@ -59,7 +61,9 @@ namespace strait
     {
     };
 
-    void          iterate(Step &step, double target, const FeedbackGoal &goal);
+    void          iterate(Step &step, double target, FeedbackGoal goal);
+    double        find_mesh(Step &step, double target, FeedbackGoal &goal);
+    void          allow_for_mesh(Step &step) const;
     void          begin(double target);
     double        largest_pressure() const;
     FeedbackRound round(Step &step, double target, const SlabField &assumed);
@@ -73,6 +77,7 @@ namespace strait
     WallFeedback         feedback;
     PressureContinuation continuation;
     UnsettledPools       pools;
+    FeedbackResult       last_result;
     bool                 has_continued = false; // so that its result is a start
   };
 } // namespace strait

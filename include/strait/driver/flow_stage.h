@@ -36,15 +36,15 @@ namespace strait
      * Bring @p flow, which may be new, up to date with a gap that differs a little
      * from its own: verdict, pressure, and the upper bound of the leak rate, on the
      * mesh that it has. Where the channel has opened or moved away from that mesh there
-     * is a new one, as solve() would begin with. Collective.
+     * is a new one, for @p share of the target accuracy. Collective.
      */
-    void follow(StepFlow &flow, const SlabField &gap, double slip_length);
+    void follow(StepFlow &flow, const SlabField &gap, double slip_length, double share);
 
     /**
      * Complete what follow() left out, the bracket of the leak rate, on the same mesh
-     * or finer ones. Returns whether the mesh was refined. Collective.
+     * or finer ones, to @p share of the target accuracy if possible. Collective.
      */
-    bool certify(StepFlow &flow, const SlabField &gap, double slip_length);
+    void certify(StepFlow &flow, const SlabField &gap, double slip_length, double share);
 
     /** Where the fluid flows. */
     const FlowDomain &
@@ -86,10 +86,13 @@ namespace strait
     SlabField find_channel(StepFlow &flow, const SlabField &seen) const;
 
     void update_bridge(const SlabField &open, const FlowPath &path, bool with_bounds);
-    void mesh_and_bracket(StepFlow &flow, const SlabField &seen, const SlabField &open);
+    void mesh_and_bracket(StepFlow        &flow,
+                          const SlabField &seen,
+                          const SlabField &open,
+                          double           share = 1.);
     void find_paths(StepFlow &flow, const SlabField &open);
     void make_mesh(StepFlow &flow);
-    void bracket(StepFlow &flow, const SlabField &seen);
+    void bracket(StepFlow &flow, const SlabField &seen, double share = 1.);
     void warn_of_width(const FlowResult &result);
 
     FluidParameters                 parameters;

@@ -43,9 +43,10 @@ namespace strait
     int    iterations         = 0;  // rounds of contact and flow
     int    contact_iterations = 0;  // of all rounds
     long   fft_pairs          = 0;  // likewise
-    bool   converged          = false;
-    bool   undecided          = false; // see FeedbackResult
-    bool   lifted_off         = false; // the fluid carries more than the load
+    double mesh_error = 0; // what the last mesh changed of the leak rate, relative
+    bool   converged  = false;
+    bool   undecided  = false; // see FeedbackResult
+    bool   lifted_off = false; // the fluid carries more than the load
   };
 
   /** One source of error of a leak rate. */

@@ -64,9 +64,10 @@ namespace strait
 
     /**
      * Run the adaptive cycle, from the mesh and the solution that are there if it ran
-     * before. Collective.
+     * before, to @p share of the target accuracy; to miss only that share is no failure.
+     * Collective.
      */
-    FlowResult run(const Observer &observer = {});
+    FlowResult run(const Observer &observer = {}, double share = 1.);
 
     /**
      * Solve for the pressure alone on the mesh of run(), after the gap has changed a
