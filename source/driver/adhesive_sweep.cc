@@ -14,6 +14,8 @@ namespace strait
     AdhesionLaw
     reported_law(const ContactParameters &parameters, const SlabField &heights, Log &log)
     {
+      if (parameters.adhesion.matched_pressure > 0)
+        log.line("adhesion: a surface energy is sought that doubles the contact area");
       const AdhesionScale scale(parameters, heights);
       const AdhesionLaw   law        = adhesion_of_scene(parameters, heights);
       const double        resolution = scale.resolution(law);
@@ -57,10 +59,8 @@ namespace strait
                                SlabField                heights,
                                Log                     &log)
     : scene(scene_)
-    , solver(parameters,
-             reported_law(parameters, heights, log),
-             start_of(scene.programme.path),
-             heights)
+    , law(reported_law(parameters, heights, log))
+    , solver(parameters, law, start_of(scene.programme.path), heights)
     , layout(heights.layout_pointer())
     , follower(solver, parameters.control, jump_tolerance(scene.programme), log)
   {

@@ -93,6 +93,7 @@ namespace strait
     archive->value(wisdom);
     import_wisdom(comm, wisdom);
     archive->value(surface);
+    archive->value(adhesion_energy);
     archive->value(searched);
   }
 
@@ -154,6 +155,8 @@ namespace strait
     writer.value(at_end);
     writer.value(wisdom);
     writer.value(heights);
+    double energy = adhesion_energy;
+    writer.value(energy);
     bool has_searched = searched;
     writer.value(has_searched);
     transfer_parts(writer, sweep, output, log);

@@ -22,6 +22,13 @@ namespace strait
                   SlabField                heights,
                   Log                     &log);
 
+    /** Of the scene, or what was found to match an area. */
+    double
+    surface_energy() const
+    {
+      return law.surface_energy;
+    }
+
     /** The branch that the steps follow. */
     BranchFollower &
     path()
@@ -60,6 +67,7 @@ namespace strait
 
   private:
     const Scene          &scene;
+    const AdhesionLaw     law;
     AdhesiveContactSolver solver;
     const SlabLayoutPtr   layout;
     BranchFollower        follower;
