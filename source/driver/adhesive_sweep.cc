@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace strait
 {
@@ -60,8 +61,8 @@ namespace strait
                                Log                     &log)
     : scene(scene_)
     , law(reported_law(parameters, heights, log))
-    , solver(parameters, law, start_of(scene.programme.path), heights)
     , layout(heights.layout_pointer())
+    , solver(parameters, law, start_of(scene.programme.path), std::move(heights))
     , follower(solver, parameters.control, jump_tolerance(scene.programme), log)
   {
   }

@@ -105,11 +105,13 @@ namespace strait
       {
         const auto found = then.find(name);
         if (found == then.end() || found->second != value)
-          throw InputError("The run in '" + scene.output.directory + "' had " + name +
-                           " = " + (found == then.end() ? "(none)" : found->second) +
-                           " where the scene now has " + value +
-                           "; restore the scene to resume, or begin anew in another "
-                           "folder.");
+          throw InputError(
+            format("The run in '%s' had %s = %s where the scene now has %s; restore the "
+                   "scene to resume, or begin anew in another folder.",
+                   scene.output.directory.c_str(),
+                   name.c_str(),
+                   found == then.end() ? "(none)" : found->second.c_str(),
+                   value.c_str()));
       }
     if (then.size() != now.size())
       throw InputError(

@@ -68,8 +68,8 @@ namespace strait
   private:
     const Scene          &scene;
     const AdhesionLaw     law;
-    AdhesiveContactSolver solver;
     const SlabLayoutPtr   layout;
+    AdhesiveContactSolver solver;
     BranchFollower        follower;
     ContactMemory         search_start;
   };
