@@ -59,6 +59,7 @@ namespace strait
     {
       return adhesion_energy;
     }
+    /** Note what the run uses, for later parts of it. */
     void
     note_surface_energy(const double energy)
     {

@@ -9,6 +9,7 @@ namespace strait
   /** What one process tells another about a height map that it was to read. */
   struct MapMessage
   {
+    /** The map, or the kind of exception in its place. */
     enum class Kind : int
     {
       map,
