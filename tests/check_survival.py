@@ -10,6 +10,7 @@ because they decide about the last digits.
 import argparse
 import glob
 import json
+import math
 import os
 import random
 import resource
@@ -72,6 +73,15 @@ end
 subsection Load programme
   set Pressures = 0.02, 0.04, 0.06, 0.08
   set Path = cycle
+end
+"""
+MATCHED = ADHESIVE.replace("Surface energy = 0.004", "Match area at pressure = 0.03")
+WITH_ERRORS = ROUGH.replace("= 64", "= 128") + """
+subsection Output
+  set Error budget = true
+end
+subsection Load programme
+  set Pressures = 0.05, 0.053, 0.056
 end
 """
 COUPLED = ROUGH + """
@@ -164,6 +174,11 @@ class Survival(unittest.TestCase):
                 pass
             time.sleep(0.002)
 
+    @staticmethod
+    def error_budget(folder):
+        with open(os.path.join(folder, "run.json"), encoding="utf-8") as file:
+            return [record["relative_errors"] for record in json.load(file)["error_budget"]]
+
     def assert_same(self, reference, output):
         for path in sorted(glob.glob(os.path.join(reference, "*.csv"))):
             name = os.path.basename(path)
@@ -171,13 +186,15 @@ class Survival(unittest.TestCase):
                                               default_rtol=SAME)
             self.assertEqual(problems, [], name)
         # The record tells of all steps, those before a stop too.
-        n_errors = []
-        for folder in (reference, output):
-            path = os.path.join(folder, "run.json")
-            if os.path.exists(path):  # an ensemble has none of its own
-                with open(path, encoding="utf-8") as file:
-                    n_errors.append(len(json.load(file)["error_budget"]))
-        self.assertEqual(n_errors[:1], n_errors[1:])
+        if os.path.exists(os.path.join(reference, "run.json")):
+            # An ensemble has none of its own.
+            expected, found = map(self.error_budget, (reference, output))
+            self.assertEqual(len(expected), len(found))
+            for one, other in zip(expected, found):
+                self.assertEqual(one.keys(), other.keys())
+                for name in one:
+                    self.assertTrue(math.isclose(one[name], other[name], rel_tol=SAME),
+                                    f"{name}: {one[name]} and {other[name]}")
         # Nothing of what was written aside is left.
         self.assertEqual(glob.glob(os.path.join(output, "*.new")), [])
 
@@ -237,6 +254,14 @@ class Survival(unittest.TestCase):
 
     def test_stopped_with_adhesion(self):
         self.stopped_and_resumed(ADHESIVE, [1, 4, 10])
+
+    def test_stopped_with_matched_adhesion(self):
+        self.stopped_and_resumed(MATCHED, [1])
+        with open(self.path("stopped/log.txt"), encoding="utf-8") as file:
+            self.assertEqual(file.read().count("surface energy is sought"), 1)
+
+    def test_stopped_with_error_budget(self):
+        self.stopped_and_resumed(WITH_ERRORS, [1])
 
     def test_stopped_with_feedback(self):
         self.stopped_and_resumed(COUPLED, [1, 2], signal.SIGINT)

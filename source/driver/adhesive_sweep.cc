@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace strait
 {
@@ -14,6 +15,8 @@ namespace strait
     AdhesionLaw
     reported_law(const ContactParameters &parameters, const SlabField &heights, Log &log)
     {
+      if (parameters.adhesion.matched_pressure > 0)
+        log.line("adhesion: a surface energy is sought that doubles the contact area");
       const AdhesionScale scale(parameters, heights);
       const AdhesionLaw   law        = adhesion_of_scene(parameters, heights);
       const double        resolution = scale.resolution(law);
@@ -57,11 +60,9 @@ namespace strait
                                SlabField                heights,
                                Log                     &log)
     : scene(scene_)
-    , solver(parameters,
-             reported_law(parameters, heights, log),
-             start_of(scene.programme.path),
-             heights)
+    , law(reported_law(parameters, heights, log))
     , layout(heights.layout_pointer())
+    , solver(parameters, law, start_of(scene.programme.path), std::move(heights))
     , follower(solver, parameters.control, jump_tolerance(scene.programme), log)
   {
   }

@@ -85,6 +85,13 @@ namespace strait
     errors.items.push_back({"contact grid", error, "Contact/Grid points"});
   }
 
+  void
+  ErrorBudget::transfer(StateArchive &archive)
+  {
+    for (const auto &solver : coarser)
+      solver->transfer(archive);
+  }
+
   StepErrors
   ErrorBudget::assess(const Step &step)
   {

@@ -10,7 +10,11 @@
 
 namespace strait
 {
-  LoadSweep::LoadSweep(const Scene &scene_, SlabField heights, Log &log_, Timers &timers_)
+  LoadSweep::LoadSweep(const Scene &scene_,
+                       SlabField    heights,
+                       Log         &log_,
+                       Timers      &timers_,
+                       const double surface_energy)
     : scene(scene_)
     , log(log_)
     , timers(timers_)
@@ -43,6 +47,11 @@ namespace strait
         // The verdict must not depend on what the solver leaves over.
         parameters.tolerance =
           std::min(parameters.tolerance, .01 * scene.programme.threshold_tolerance);
+      }
+    if (surface_energy > 0.)
+      {
+        parameters.adhesion.surface_energy   = surface_energy;
+        parameters.adhesion.matched_pressure = 0.;
       }
     if (scene.contact.adhesion.enabled)
       adhesive =
@@ -165,6 +174,8 @@ namespace strait
       adhesive->transfer(archive);
     if (coupling)
       coupling->transfer(archive);
+    if (error_budget)
+      error_budget->transfer(archive);
     transfer_search(archive);
     bool goes_on = step.contact && !coupling && is_pressed(plan_stops(scene, thresholds));
     archive.value(goes_on);

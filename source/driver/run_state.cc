@@ -93,6 +93,7 @@ namespace strait
     archive->value(wisdom);
     import_wisdom(comm, wisdom);
     archive->value(surface);
+    archive->value(adhesion_energy);
     archive->value(searched);
   }
 
@@ -104,11 +105,13 @@ namespace strait
       {
         const auto found = then.find(name);
         if (found == then.end() || found->second != value)
-          throw InputError("The run in '" + scene.output.directory + "' had " + name +
-                           " = " + (found == then.end() ? "(none)" : found->second) +
-                           " where the scene now has " + value +
-                           "; restore the scene to resume, or begin anew in another "
-                           "folder.");
+          throw InputError(
+            format("The run in '%s' had %s = %s where the scene now has %s; restore the "
+                   "scene to resume, or begin anew in another folder.",
+                   scene.output.directory.c_str(),
+                   name.c_str(),
+                   found == then.end() ? "(none)" : found->second.c_str(),
+                   value.c_str()));
       }
     if (then.size() != now.size())
       throw InputError(
@@ -154,6 +157,8 @@ namespace strait
     writer.value(at_end);
     writer.value(wisdom);
     writer.value(heights);
+    double energy = adhesion_energy;
+    writer.value(energy);
     bool has_searched = searched;
     writer.value(has_searched);
     transfer_parts(writer, sweep, output, log);

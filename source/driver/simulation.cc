@@ -182,7 +182,8 @@ namespace strait
     // The sweep takes the heights.
     const bool      is_shown = scene.output.surface_map || scene.output.surface_spectrum;
     const SlabField shown    = is_shown ? heights : SlabField();
-    LoadSweep       sweep(scene, std::move(heights), log, timers);
+    LoadSweep       sweep(scene, std::move(heights), log, timers, state.surface_energy());
+    state.note_surface_energy(sweep.surface_energy());
     // The first thing that is written, after the last check of the input.
     OutputDirectory output(scene, MPI_COMM_WORLD, log, resume);
     if (resume)

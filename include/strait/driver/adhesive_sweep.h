@@ -22,6 +22,13 @@ namespace strait
                   SlabField                heights,
                   Log                     &log);
 
+    /** Of the scene, or what was found to match an area. */
+    double
+    surface_energy() const
+    {
+      return law.surface_energy;
+    }
+
     /** The branch that the steps follow. */
     BranchFollower &
     path()
@@ -60,8 +67,9 @@ namespace strait
 
   private:
     const Scene          &scene;
-    AdhesiveContactSolver solver;
+    const AdhesionLaw     law;
     const SlabLayoutPtr   layout;
+    AdhesiveContactSolver solver;
     BranchFollower        follower;
     ContactMemory         search_start;
   };

@@ -34,8 +34,20 @@ namespace strait
     /** Receives each step as soon as it is done. Says whether to go on. */
     using Consumer = std::function<bool(const Step &)>;
 
-    /** @p scene, @p log and @p timers must outlive the sweep. */
-    LoadSweep(const Scene &scene, SlabField heights, Log &log, Timers &timers);
+    /** @p scene, @p log and @p timers must outlive the sweep. @p surface_energy is that
+     *  of an earlier part of the run; with 0 it is the scene's, or sought. */
+    LoadSweep(const Scene &scene,
+              SlabField    heights,
+              Log         &log,
+              Timers      &timers,
+              double       surface_energy = 0.);
+
+    /** Of the adhesion; 0 without one. */
+    double
+    surface_energy() const
+    {
+      return adhesive ? adhesive->surface_energy() : 0.;
+    }
 
     /**
      * Enclose the critical load of every slip length. The steps that follow know

@@ -53,6 +53,19 @@ namespace strait
       searched = true;
     }
 
+    /** Of the adhesion in the run that is resumed; 0 if it is not known yet. */
+    double
+    surface_energy() const
+    {
+      return adhesion_energy;
+    }
+    /** Note what the run uses, for later parts of it. */
+    void
+    note_surface_energy(const double energy)
+    {
+      adhesion_energy = energy;
+    }
+
     /** Note the surface. Throws InputError if it is not that of the run that is
      *  resumed. Collective. */
     void check_surface(const SlabField &heights);
@@ -76,6 +89,7 @@ namespace strait
     bool                          finished = false, searched = false;
     RunSummary                    left;
     std::vector<double>           surface; // smallest, largest and rms height
+    double                        adhesion_energy = 0.;
   };
 } // namespace strait
 

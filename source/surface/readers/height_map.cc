@@ -2,6 +2,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/surface/readers/hdf5.h>
 #include <strait/surface/readers/height_map.h>
+#include <strait/surface/readers/isolated_reader.h>
 #include <strait/surface/readers/matrix_text.h>
 #include <strait/surface/readers/netcdf.h>
 #include <strait/surface/readers/npy.h>
@@ -108,6 +109,28 @@ namespace strait
                         "X3P, SDF, .npy or text.");
     }
 
+    HeightMap
+    choose_and_read(const MapSource &source, const Evidence &evidence)
+    {
+      const Reader &reader = choose_reader(source, evidence);
+      HeightMap     map    = reader.read(source);
+      map.format           = reader.name;
+      return map;
+    }
+
+    /** The library that reads the file and does not withstand damage; or none. */
+    std::string
+    fragile_library(const MapSource &source, const Evidence &evidence)
+    {
+      const bool by_content = source.format == MapFormat::by_content;
+      if (by_content ? evidence.starts_with("CDF") : source.format == MapFormat::netcdf)
+        return "NetCDF";
+      if (by_content ? evidence.starts_with(hdf5_magic)
+                     : source.format == MapFormat::hdf5)
+        return "HDF5";
+      return {};
+    }
+
     void
     check_values(const HeightMap &map, const std::string &file)
     {
@@ -152,9 +175,10 @@ namespace strait
     const Evidence evidence = examine(source.file);
     if (evidence.start.empty())
       reject_height_map(source.file, "is empty: copy or export it again.");
-    const Reader &reader = choose_reader(source, evidence);
-    HeightMap     map    = reader.read(source);
-    map.format           = reader.name;
+    const std::string library = fragile_library(source, evidence);
+    const auto        read    = [&]() { return choose_and_read(source, evidence); };
+    HeightMap         map =
+      library.empty() ? read() : read_isolated({source.file, library}, read);
     check_values(map, source.file);
     check_size(map, source.file);
     return map;
