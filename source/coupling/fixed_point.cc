@@ -4,10 +4,17 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace strait
 {
+  namespace
+  {
+    // Of the residual in relaxation; maps that are steeper oscillate on.
+    constexpr double least_damping = 1. / 16;
+  } // namespace
+
   FixedPoint::FixedPoint(Product product_, const int history_, const double relaxation)
     : product(std::move(product_))
     , history(history_)
@@ -35,9 +42,17 @@ namespace strait
   void
   FixedPoint::relax_towards(double *x, const double *image, const std::size_t n)
   {
+    const bool has_before = has_last && history > 0;
     remember(x, image, n);
+    if (has_before)
+      {
+        const double now    = product(last_residual, last_residual);
+        const double change = product(last_residual, differences.back().residual);
+        damping             = now < change ? std::max(.5 * damping, least_damping)
+                                           : std::min(2. * damping, 1.);
+      }
     for (std::size_t i = 0; i < n; ++i)
-      x[i] += share * (image[i] - x[i]);
+      x[i] += damping * share * (image[i] - x[i]);
   }
 
   void
@@ -103,6 +118,7 @@ namespace strait
     last_residual.clear();
     last_x.clear();
     has_last = false;
+    damping  = 1.;
   }
 
   void

@@ -93,6 +93,7 @@ namespace strait
             changes_of_verdict = 0;
             is_first           = true;
             fixed_point.restart();
+            fixed_point.relax(parameters.relaxation);
           }
       }
     return result;
@@ -120,10 +121,6 @@ namespace strait
                         const FeedbackGoal &goal,
                         FeedbackResult     &result)
   {
-    SlabField across = closed_side;
-    for (std::size_t i = 0; i < across.size(); ++i)
-      across[i] -= open_side[i];
-    bool open_side_closes = true, closed_side_opens = true;
     while (difference(open_side, closed_side) > goal.tolerance)
       {
         if (result.iterations >= parameters.maximum_iterations)
@@ -138,23 +135,48 @@ namespace strait
             result.converged = true;
             return true;
           }
-        double way = 0;
-        for (std::size_t i = 0; i < assumed.size(); ++i)
-          way += (now.fluid_pressure[i] - assumed[i]) * across[i];
-        way = sum(assumed.layout().communicator(), way);
-        if (now.percolates)
-          open_side_closes = way > 0;
-        else
-          closed_side_opens = way < 0;
         (now.percolates ? open_side : closed_side) = assumed;
       }
-    assumed = closed_side_opens ? open_side : closed_side;
-    if (!open_side_closes || !closed_side_opens)
-      return false;
-    round(assumed);
-    ++result.iterations;
-    result.undecided = true;
-    return true;
+    return is_undecided(round, goal, result);
+  }
+
+  /**
+   * At the jump, where @c open_side and @c closed_side are one within the tolerance, the
+   * fluid changes as a mixture of what follows from either: the one that changes least
+   * (Filippov's, for differential equations). If it changes nothing there is no state;
+   * else it says where to go on, along the jump or away from it.
+   */
+  bool
+  WallFeedback::is_undecided(const Round        &round,
+                             const FeedbackGoal &goal,
+                             FeedbackResult     &result)
+  {
+    assumed             = closed_side;
+    SlabField on_closed = round(assumed).fluid_pressure;
+    assumed             = open_side;
+    SlabField on_open   = round(assumed).fluid_pressure;
+    result.iterations += 2;
+    double along = 0, apart = 0;
+    for (std::size_t i = 0; i < assumed.size(); ++i)
+      {
+        const double change = on_open[i] - open_side[i];
+        const double other  = on_closed[i] - closed_side[i];
+        along -= change * (other - change);
+        apart += (other - change) * (other - change);
+      }
+    const MPI_Comm comm = assumed.layout().communicator();
+    along               = sum(comm, along);
+    apart               = sum(comm, apart);
+    const double share  = apart > 0 ? std::clamp(along / apart, 0., 1.) : 0.;
+    SlabField    mixture(assumed.layout_pointer());
+    for (std::size_t i = 0; i < assumed.size(); ++i)
+      mixture[i] = (1. - share) * on_open[i] +
+                   share * (on_closed[i] - closed_side[i] + open_side[i]);
+    result.change    = difference(mixture, assumed);
+    result.undecided = result.change <= goal.tolerance;
+    if (!result.undecided)
+      assumed = mixture;
+    return result.undecided;
   }
 
   double

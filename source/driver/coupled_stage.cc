@@ -63,8 +63,10 @@ namespace strait
   double
   CoupledStage::find_mesh(Step &step, const double target, FeedbackGoal &goal)
   {
-    constexpr int         max_meshes = 5;
-    double                share      = mesh_share;
+    // If the leak rate changes by more than that, contact and flow went to another state.
+    constexpr double      another_state = .5;
+    constexpr int         max_meshes    = 3;
+    double                share         = mesh_share;
     std::optional<double> leak_before;
     for (int mesh = 0; mesh < max_meshes; ++mesh)
       {
@@ -75,13 +77,18 @@ namespace strait
         if (leak_before)
           {
             flow.certify(*step.flow, step.gap, step.slip_length, share);
-            // A change far below the width of the bracket is chance.
+            // A change below the width of the bracket, or below what the iteration leaves
+            // over, is chance.
             const FlowResult &now = step.flow->result;
             step.feedback->mesh_error =
-              std::max(std::abs(*leak_before / now.leak_rate - 1.),
-                       .5 * now.relative_width());
-            if (now.relative_width() + 2. * step.feedback->mesh_error <=
-                flow.fluid().target_accuracy)
+              std::max({std::abs(*leak_before / now.leak_rate - 1.),
+                        .5 * now.relative_width(),
+                        goal.tolerance});
+            const bool is_narrow =
+              now.relative_width() + 2. * step.feedback->mesh_error <=
+              flow.fluid().target_accuracy;
+            if (is_narrow || step.feedback->mesh_error > another_state ||
+                mesh + 1 == max_meshes)
               break;
           }
         share *= mesh_share;
@@ -219,9 +226,11 @@ namespace strait
                                          ? pressure_on_grid(*step.flow->solver, layout)
                                          : GridDeposit::Sums();
     for (std::size_t k = 0; k < start.size(); ++k)
-      switch (pools.contains(k) ? NodeState::closed : states[k])
+      switch (pools.contains(k) ? pools.state_before(k) : states[k])
         {
           case NodeState::percolating:
+            if (pools.contains(k))
+              break; // it keeps what it had when it was cut off
             // On the seam the channel may reach one side only; see extend().
             start[k] = channel.area.empty() || channel.area[k] == 0
                          ? inlet

@@ -54,7 +54,8 @@ namespace strait
             result.status = "flow-bracket";
             return result;
           }
-        if (result.relative_width() <= share * parameters.target_accuracy)
+        if (result.relative_width() <= share * parameters.target_accuracy ||
+            is_enough(result))
           return result;
         result.reason = obstacle(result);
         if (result.reason.empty() && !refine(result))
@@ -72,6 +73,18 @@ namespace strait
           }
         ++result.refinements;
       }
+  }
+
+  /** Whether more than the target accuracy would cost too much. */
+  bool
+  ReynoldsSolver::is_enough(const FlowResult &result)
+  {
+    constexpr unsigned long long most_growth = 8;
+    if (result.relative_width() > parameters.target_accuracy)
+      return false;
+    if (unknowns_needed == 0)
+      unknowns_needed = result.unknowns;
+    return result.unknowns > most_growth * unknowns_needed;
   }
 
   LinearSolve

@@ -51,6 +51,19 @@ namespace strait
       EXPECT_LT(iteration.memory_consumption(), 100U);
     }
 
+    TEST(FixedPoint, RelaxesLessWhereTheResidualTurnsRound)
+    {
+      // Plain rounds of this map run away.
+      FixedPoint          iteration(product, 4, 1.);
+      std::vector<double> x = {1.};
+      for (int round = 0; round < 30; ++round)
+        {
+          const double image = -3. * x[0];
+          iteration.relax_towards(x.data(), &image, 1);
+        }
+      EXPECT_LT(std::abs(x[0]), 1e-3);
+    }
+
     TEST(FixedPoint, ForgetsOnRestart)
     {
       FixedPoint          iteration(product, 4, 1.);

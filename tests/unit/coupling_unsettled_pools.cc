@@ -21,8 +21,11 @@ TEST(UnsettledPools, AreThoseThatComeAndGo)
       pools.note(trap);
       // Once may happen on the way.
       for (std::size_t k = 0; k < trap.size(); ++k)
-        EXPECT_EQ(pools.contains(k), round > 0 && (k == 1 || k == 2))
-          << round << " " << k;
+        {
+          const bool comes_and_goes = k == 1 || k == 2;
+          EXPECT_EQ(pools.contains(k), round > 0 && comes_and_goes) << round << " " << k;
+          EXPECT_TRUE(!pools.contains(k) || pools.state_before(k) == wet[k]);
+        }
       pools.note(wet);
       for (std::size_t k = 0; k < wet.size(); ++k)
         EXPECT_FALSE(pools.contains(k)); // wet, or a contact

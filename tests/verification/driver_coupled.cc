@@ -269,5 +269,43 @@ namespace strait
           EXPECT_LE(rounds[1], expected.inlet_pressure < .2 ? 15 : 40);
         }
     }
+
+    TEST(Coupled, TwoWaysToALoadMeetWithinTheirBrackets)
+    {
+      // Near the threshold the gap amplifies what a mesh gets wrong of the fluid's
+      // pressure, and each way to a load makes meshes of its own: the bracket must allow
+      // for it.
+      Scene scene                    = coupled_saddle(128);
+      scene.fluid.inlet_pressure     = .53;
+      scene.programme.find_threshold = false;
+      std::vector<Row> arrivals;
+      for (const double start : {1.2, 1.7})
+        {
+          scene.programme.pressures = {start, 1.746}; // 1 % below the threshold
+          arrivals.push_back(sweep(scene).back());
+        }
+      for (const Row &row : arrivals)
+        EXPECT_LE(row.upper - row.lower, scene.fluid.target_accuracy * row.upper);
+      EXPECT_LE(arrivals[0].lower, arrivals[1].upper);
+      EXPECT_LE(arrivals[1].lower, arrivals[0].upper);
+    }
+
+    TEST(Coupled, TheExponentGrowsWithTheGrid)
+    {
+      // The finer the grid, the sharper the pressure step can become, and the further it
+      // moves the throat (doc/feedback.md). Under a step that stays it is 69/20.
+      std::vector<double> exponents;
+      for (const int n : {128, 256})
+        {
+          Scene scene                   = coupled_saddle(n);
+          scene.fluid.inlet_pressure    = .1519;
+          scene.programme.reduced_loads = {.05, .02};
+          const std::vector<Row> rows   = run_sweep(scene).rows;
+          exponents.push_back(std::log(rows[0].leak_rate / rows[1].leak_rate) /
+                              std::log(.05 / .02));
+        }
+      EXPECT_NEAR(exponents[0], 3.67, .04);
+      EXPECT_NEAR(exponents[1], 3.79, .04);
+    }
   } // namespace
 } // namespace strait

@@ -36,7 +36,8 @@ namespace strait
      */
     void advance(double *x, const double *image, std::size_t n);
 
-    /** The same by plain relaxation; what this round says is remembered all the same. */
+    /** The same by plain relaxation, with half the share each time that the residual
+     * turns round. What this round says is remembered all the same. */
     void relax_towards(double *x, const double *image, std::size_t n);
 
     /** Forget the rounds before, because the map has changed. */
@@ -76,6 +77,7 @@ namespace strait
     std::vector<Difference> differences; // the latest last
     std::vector<float>      last_residual;
     std::vector<double>     last_x;
+    double                  damping  = 1.;
     bool                    has_last = false; // on a rank without values as well
   };
 } // namespace strait

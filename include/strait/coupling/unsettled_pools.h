@@ -15,11 +15,11 @@ namespace strait
    *
    * Let a pool be dry where the fluid comes in as soon as it is, and let it be cut off
    * once the fluid is in: its pressure jumps with each round of the iteration between
-   * contact and flow. In truth it fills, and stays at the pressure at which it is cut
-   * off, which is that around it. The same goes for a gap that only opens under the
-   * pressure that is continued across a contact. So what has become a pool or ceased to
-   * be one more than @c changes_allowed times does not count as a pool any more: the
-   * pressure is continued across it as across a contact, which is without a jump.
+   * contact and flow. In truth it stays full, at the pressure at which it was cut off.
+   * The same goes for a gap that only opens under the pressure that is continued across a
+   * contact. So what has become a pool or ceased to be one more than @c changes_allowed
+   * times does not count as a pool any more, but as what it was before (state_before()):
+   * as part of the region that it was joined to, or as contact.
    */
   class UnsettledPools
   {
@@ -37,16 +37,24 @@ namespace strait
       return was_pool[k] && n_changes[k] > changes_allowed;
     }
 
+    /** What a local grid point in such a pool last was but a pool. */
+    NodeState
+    state_before(const std::size_t k) const
+    {
+      return before[k];
+    }
+
     /** Bytes on this rank. */
     std::size_t
     memory_consumption() const
     {
-      return was_pool.capacity() + n_changes.capacity();
+      return before.capacity() + was_pool.capacity() + n_changes.capacity();
     }
 
   private:
     static constexpr int changes_allowed = 1;
 
+    std::vector<NodeState>    before;
     std::vector<std::uint8_t> was_pool; // in the last round
     std::vector<std::uint8_t> n_changes;
   };

@@ -66,8 +66,9 @@ namespace strait
    * Where the verdict on percolation changes, the map has jumped: the iteration goes on
    * more cautiously from where it is, and after a few such changes it halves the distance
    * between a pressure that leaves the channel open and one that closes it, until they
-   * agree within the tolerance. If either leads away from the other, there it goes on.
-   * If not, there is no state: the last round is then one that leaves it open.
+   * agree within the tolerance. There it goes on along the jump, or away from it; where
+   * the two sides only lead to each other there is no state, and the last round is one
+   * that leaves the channel open.
    */
   class WallFeedback
   {
@@ -95,8 +96,10 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    void   propose(const SlabField &image, int round, const FeedbackGoal &goal);
-    bool   enclose(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
+    void propose(const SlabField &image, int round, const FeedbackGoal &goal);
+    bool enclose(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
+    bool
+    is_undecided(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
     double difference(const SlabField &a, const SlabField &b) const;
 
     const FeedbackParameters parameters;

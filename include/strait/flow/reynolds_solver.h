@@ -64,7 +64,8 @@ namespace strait
 
     /**
      * Run the adaptive cycle, from the mesh and the solution that are there if it ran
-     * before, to @p share of the target accuracy; to miss only that share is no failure.
+     * before, to @p share of the target accuracy, but with at most some ten times the
+     * unknowns that the target itself needs; to miss only the share is no failure.
      * Collective.
      */
     FlowResult run(const Observer &observer = {}, double share = 1.);
@@ -101,6 +102,8 @@ namespace strait
     /** @return whether the linear solver converged; the bounds hold either way. */
     bool solve_on_mesh(FlowResult &result);
 
+    bool is_enough(const FlowResult &result);
+
     /** @return why another mesh would not pay; empty if it would. */
     std::string obstacle(const FlowResult &result);
 
@@ -116,6 +119,7 @@ namespace strait
     std::unique_ptr<Enrichment> enrichment; // of solutions of degree 1
     std::vector<double>         widths;     // of the bracket, on all meshes
     Bracket                     plain;      // without enrichment; says where to refine
+    unsigned long long unknowns_needed = 0; // for the target accuracy; 0: not known
   };
 } // namespace strait
 
