@@ -123,9 +123,12 @@ namespace strait
   void
   CoupledStage::settle(Step &step, const double target)
   {
-    // The verdict must not depend on what the iteration leaves over.
-    FeedbackGoal goal{
-      std::min(scene.fluid.feedback.tolerance, .1 * scene.programme.threshold_tolerance)};
+    // The verdict should not depend on what the iteration leaves over, but below that it
+    // is what contact and flow leave over that counts.
+    constexpr double least = 1e-5;
+    FeedbackGoal     goal{
+      std::min(scene.fluid.feedback.tolerance,
+               std::max(.1 * scene.programme.threshold_tolerance, least))};
     goal.leak_rate = false;
     iterate(step, target, goal);
   }

@@ -18,6 +18,10 @@ namespace strait
     constexpr double       floor_share    = 1e-8;
     constexpr unsigned int n_paths_wanted = 3;
 
+    // On the way to another gap, where the channel may be about to close, no mesh is
+    // refined beyond this.
+    constexpr unsigned long long most_on_the_way = 10000;
+
     // A mesh that is fine around a throat serves until the narrowest point is elsewhere
     // and this many times narrower.
     constexpr double outdone = 2.;
@@ -94,15 +98,16 @@ namespace strait
   }
 
   void
-  FlowStage::mesh_and_bracket(StepFlow        &flow,
-                              const SlabField &seen,
-                              const SlabField &open,
-                              const double     share)
+  FlowStage::mesh_and_bracket(StepFlow                &flow,
+                              const SlabField         &seen,
+                              const SlabField         &open,
+                              const double             share,
+                              const unsigned long long most_unknowns)
   {
     find_paths(flow, open);
     update_bridge(open, flow.paths.front(), true);
     make_mesh(flow);
-    bracket(flow, seen, share);
+    bracket(flow, seen, share, most_unknowns);
   }
 
   void
@@ -128,7 +133,7 @@ namespace strait
         value_at(open, meshed_bottleneck) >= outdone * paths.front().bottleneck_gap)
       {
         // Refined as for a bracket: on the first mesh the pressure is too coarse.
-        mesh_and_bracket(flow, seen, open, share);
+        mesh_and_bracket(flow, seen, open, share, most_on_the_way);
         return;
       }
     flow.paths = std::move(paths);
@@ -191,11 +196,16 @@ namespace strait
   }
 
   void
-  FlowStage::bracket(StepFlow &flow, const SlabField &seen, const double share)
+  FlowStage::bracket(StepFlow                &flow,
+                     const SlabField         &seen,
+                     const double             share,
+                     const unsigned long long most_unknowns)
   {
     const auto scope = timers.scope("mesh and solver");
     flow.result =
-      flow.solver->run([this](const FlowResult &now) { report_flow(now, log); }, share);
+      flow.solver->run([this](const FlowResult &now) { report_flow(now, log); },
+                       share,
+                       most_unknowns);
     if (watches_constrictions)
       flow.constrictions = report_constrictions(seen, flow.paths.front(), *flow.solver);
   }

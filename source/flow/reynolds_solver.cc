@@ -39,7 +39,9 @@ namespace strait
   }
 
   FlowResult
-  ReynoldsSolver::run(const Observer &observer, const double share)
+  ReynoldsSolver::run(const Observer          &observer,
+                      const double             share,
+                      const unsigned long long most_unknowns)
   {
     FlowResult result;
     widths.clear();
@@ -55,7 +57,7 @@ namespace strait
             return result;
           }
         if (result.relative_width() <= share * parameters.target_accuracy ||
-            is_enough(result))
+            is_enough(result) || result.unknowns > most_unknowns)
           return result;
         result.reason = obstacle(result);
         if (result.reason.empty() && !refine(result))

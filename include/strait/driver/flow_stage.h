@@ -9,6 +9,7 @@
 #include <strait/interface/gap_field.h>
 
 #include <cstddef>
+#include <limits>
 
 namespace strait
 {
@@ -86,13 +87,19 @@ namespace strait
     SlabField find_channel(StepFlow &flow, const SlabField &seen) const;
 
     void update_bridge(const SlabField &open, const FlowPath &path, bool with_bounds);
-    void mesh_and_bracket(StepFlow        &flow,
-                          const SlabField &seen,
-                          const SlabField &open,
-                          double           share = 1.);
+    void mesh_and_bracket(
+      StepFlow          &flow,
+      const SlabField   &seen,
+      const SlabField   &open,
+      double             share         = 1.,
+      unsigned long long most_unknowns = std::numeric_limits<unsigned long long>::max());
     void find_paths(StepFlow &flow, const SlabField &open);
     void make_mesh(StepFlow &flow);
-    void bracket(StepFlow &flow, const SlabField &seen, double share = 1.);
+    void bracket(
+      StepFlow          &flow,
+      const SlabField   &seen,
+      double             share         = 1.,
+      unsigned long long most_unknowns = std::numeric_limits<unsigned long long>::max());
     void warn_of_width(const FlowResult &result);
 
     FluidParameters                 parameters;

@@ -7,6 +7,7 @@
 #include <strait/percolation/flow_path.h>
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -65,10 +66,13 @@ namespace strait
     /**
      * Run the adaptive cycle, from the mesh and the solution that are there if it ran
      * before, to @p share of the target accuracy, but with at most some ten times the
-     * unknowns that the target itself needs; to miss only the share is no failure.
-     * Collective.
+     * unknowns that the target itself needs; to miss only the share is no failure. A mesh
+     * of more than @p most_unknowns is not refined. Collective.
      */
-    FlowResult run(const Observer &observer = {}, double share = 1.);
+    FlowResult run(
+      const Observer    &observer      = {},
+      double             share         = 1.,
+      unsigned long long most_unknowns = std::numeric_limits<unsigned long long>::max());
 
     /**
      * Solve for the pressure alone on the mesh of run(), after the gap has changed a
