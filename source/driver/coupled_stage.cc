@@ -114,9 +114,7 @@ namespace strait
       {
         result.status = "flow-accuracy";
         result.reason = "the fluid's pressure on the wall still changes with the mesh";
-        log.warn(format("the leak rate is known to %.1f %% only because %s",
-                        50. * result.relative_width(),
-                        result.reason.c_str()));
+        flow.warn_of_width(result);
       }
   }
 

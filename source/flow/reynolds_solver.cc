@@ -62,15 +62,12 @@ namespace strait
         result.reason = obstacle(result);
         if (result.reason.empty() && !refine(result))
           result.reason = "it takes more than Fluid/Maximum unknowns";
-        if (!result.reason.empty() &&
-            result.relative_width() <= parameters.target_accuracy)
-          {
-            result.reason.clear();
-            return result;
-          }
         if (!result.reason.empty())
           {
-            result.status = solved ? "flow-accuracy" : "flow-solver";
+            if (result.relative_width() <= parameters.target_accuracy)
+              result.reason.clear(); // only the share was missed
+            else
+              result.status = solved ? "flow-accuracy" : "flow-solver";
             return result;
           }
         ++result.refinements;

@@ -58,10 +58,11 @@ namespace strait
    * Finds the fluid pressure that contact and flow agree on: that under which the gap
    * is such that the fluid has this pressure.
    *
-   * Every other round combines those before (FixedPoint); the plain ones between keep
-   * it from wandering where single grid points open and close, and whether a guess that
-   * combines pays is seen soon or never, so that after 30 rounds all are plain. (Such
-   * alternation: Banerjee, Suryanarayana, Pask, Chem. Phys. Lett. 647, 2016.)
+   * The first rounds combine those before (FixedPoint), then every other one does; the
+   * plain ones between keep it from wandering where single grid points open and close,
+   * and whether a guess that combines pays is seen soon or never, so that after 30 rounds
+   * all are plain. (Such alternation: Banerjee, Suryanarayana, Pask, Chem. Phys. Lett.
+   * 647, 2016.)
    *
    * Where the verdict on percolation changes, the map has jumped: the iteration goes on
    * more cautiously from where it is, and after a few such changes it halves the distance

@@ -47,6 +47,9 @@ namespace strait
      */
     void certify(StepFlow &flow, const SlabField &gap, double slip_length, double share);
 
+    /** Say how well a leak rate is known, and why no better, if there is a reason. */
+    void warn_of_width(const FlowResult &result);
+
     /** Where the fluid flows. */
     const FlowDomain &
     domain() const
@@ -100,7 +103,6 @@ namespace strait
       const SlabField   &seen,
       double             share         = 1.,
       unsigned long long most_unknowns = std::numeric_limits<unsigned long long>::max());
-    void warn_of_width(const FlowResult &result);
 
     FluidParameters                 parameters;
     Log                            &log;

@@ -26,40 +26,39 @@ namespace strait
       std::array<double, 2> size{};
     };
 
+    /** Call @p pass(done, left), which is read() or write(), until all is through. */
+    template <typename Pass>
     bool
-    write_all(const int file, const void *data, std::size_t size)
+    pass_all(const std::size_t size, const Pass &pass)
     {
-      const char *bytes = static_cast<const char *>(data);
-      while (size > 0)
+      std::size_t done = 0;
+      while (done < size)
         {
-          const ssize_t n = write(file, bytes, size);
-          if (n < 0 && errno != EINTR)
+          const ssize_t n = pass(done, size - done);
+          if (n == 0 || (n < 0 && errno != EINTR))
             return false;
           if (n > 0)
-            {
-              bytes += n;
-              size -= n;
-            }
+            done += static_cast<std::size_t>(n);
         }
       return true;
     }
 
     bool
-    read_all(const int file, void *data, std::size_t size)
+    write_all(const int file, const void *data, const std::size_t size)
+    {
+      const char *bytes = static_cast<const char *>(data);
+      return pass_all(size, [&](const std::size_t done, const std::size_t left) {
+        return write(file, bytes + done, left);
+      });
+    }
+
+    bool
+    read_all(const int file, void *data, const std::size_t size)
     {
       char *bytes = static_cast<char *>(data);
-      while (size > 0)
-        {
-          const ssize_t n = read(file, bytes, size);
-          if (n == 0 || (n < 0 && errno != EINTR))
-            return false;
-          if (n > 0)
-            {
-              bytes += n;
-              size -= n;
-            }
-        }
-      return true;
+      return pass_all(size, [&](const std::size_t done, const std::size_t left) {
+        return read(file, bytes + done, left);
+      });
     }
 
     bool
