@@ -17,12 +17,6 @@ namespace strait
     /** Residual on the coarser grids: their discretisation error is larger. */
     constexpr double coarse_tolerance = 1e-3;
 
-    /**
-     * Largest relative step of the load that starts from the last states: beyond
-     * it the coarser grids cost less (measured on self-affine surfaces).
-     */
-    constexpr double small_step = 0.12;
-
     double
     box_length(const PeriodicGrid &grid)
     {
@@ -56,13 +50,17 @@ namespace strait
       return state_without_contact(target);
 
     const double of_solid = share_of_solid(target);
-    choose_start(of_solid);
+    if (!earlier.start(of_solid, pressure))
+      {
+        pressure = SlabField(); // the coarser grids need the room
+        pressure = start_from_coarser_grid(heights, of_solid);
+      }
     SlabField              gap(heights.layout_pointer());
     const ContactTolerance tolerance = tolerance_for(of_solid);
     const long             n_before  = problem->n_applications();
     const ContactSolution  solution =
       optimise(*problem, of_solid, tolerance, pressure, gap);
-    last_target = of_solid;
+    earlier.arrived(of_solid);
 
     ContactState state = state_of(solution, std::move(gap));
     if (parameters.control == ContactControl::load)
@@ -83,8 +81,7 @@ namespace strait
     lower_highest_peak_to_zero();
     fluid_load = mean(fluid_pressure);
     // Only states under the same fluid lie on a line.
-    earlier_pressure = std::vector<float>();
-    earlier_target   = 0;
+    earlier.keep_last();
   }
 
   void
@@ -99,9 +96,8 @@ namespace strait
   void
   ContactSolver::forget()
   {
-    pressure         = SlabField();
-    earlier_pressure = std::vector<float>();
-    last_target = earlier_target = 0;
+    pressure = SlabField();
+    earlier.forget();
   }
 
   void
@@ -109,10 +105,7 @@ namespace strait
   {
     const SlabLayoutPtr &grid = heights.layout_pointer();
     archive.field(pressure, grid);
-    archive.value(last_target);
-    archive.field(earlier_pressure, *grid);
-    archive.value(earlier_scale);
-    archive.value(earlier_target);
+    earlier.transfer(archive, *grid);
   }
 
   void
@@ -196,48 +189,6 @@ namespace strait
         report(line.str());
       }
     return solution;
-  }
-
-  void
-  ContactSolver::choose_start(const double target)
-  {
-    const double step      = std::abs(target - last_target);
-    const bool   near_last = last_target > 0 && step <= small_step * last_target;
-    const double last_step = std::abs(last_target - earlier_target);
-    const bool   near_both = near_last && earlier_target > 0 && step <= 2 * last_step;
-    if (near_both)
-      extrapolate(target);
-    else if (near_last)
-      {
-        // Keep the last pressure as the earlier one of the next step.
-        earlier_scale  = max_value(pressure);
-        earlier_target = last_target;
-        earlier_pressure.resize(pressure.size());
-        for (std::size_t i = 0; i < pressure.size(); ++i)
-          earlier_pressure[i] = static_cast<float>(pressure[i] / earlier_scale);
-      }
-    else
-      {
-        forget();
-        pressure = start_from_coarser_grid(heights, target);
-      }
-  }
-
-  void
-  ContactSolver::extrapolate(const double target)
-  {
-    const double ratio = (target - last_target) / (last_target - earlier_target);
-    const double scale = max_value(pressure);
-    for (std::size_t i = 0; i < pressure.size(); ++i)
-      {
-        const double last    = pressure[i];
-        const double earlier = earlier_pressure[i] * earlier_scale;
-        if (last > 0)
-          pressure[i] = std::max(0., last + ratio * (last - earlier));
-        earlier_pressure[i] = static_cast<float>(last / scale);
-      }
-    earlier_scale  = scale;
-    earlier_target = last_target;
   }
 
   SlabField
@@ -326,8 +277,7 @@ namespace strait
     // Heights, pressure and gap; the coarser grids hold a quarter of this.
     const std::size_t fields =
       2 * heights.size() + pressure.size() + (dry_heights.empty() ? 0 : heights.size());
-    const std::size_t bytes = fields * sizeof(double) +
-                              earlier_pressure.size() * sizeof(float) +
+    const std::size_t bytes = fields * sizeof(double) + earlier.memory_consumption() +
                               problem->memory_consumption() + optimiser_bytes;
     peak_memory = std::max(peak_memory, bytes);
   }

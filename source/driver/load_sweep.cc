@@ -2,10 +2,10 @@
 #include <strait/base/text.h>
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/step_report.h>
+#include <strait/driver/threshold_doubts.h>
 #include <strait/surface/statistics.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace strait
@@ -262,41 +262,14 @@ namespace strait
     const Threshold *threshold = threshold_of(step.slip_length);
     if (threshold == nullptr)
       return;
-    constexpr double points_needed = 7., load_errors_needed = 20.;
-    const double     reduced =
+    const double reduced =
       1. - step.contact->nominal_pressure / threshold->critical_load();
     step.reduced_load = reduced;
-    if (!(reduced > 0) || !step.flow->constrictions)
-      return;
-    const double uncertainty = .5 * threshold->relative_width();
-    const double points      = step.flow->constrictions->points_along;
-    if (reduced < load_errors_needed * uncertainty)
-      {
-        step.doubts.emplace_back("uncertain-threshold");
-        log.warn(
-          format("at a reduced load of %.3g the critical load, known to %.1e, is too "
-                 "uncertain: a threshold tolerance of %.1e would do",
-                 reduced,
-                 uncertainty,
-                 2. * reduced / load_errors_needed));
-      }
-    if (!(points >= points_needed))
-      {
-        step.doubts.emplace_back("unresolved-throat");
-        log.warn(
-          std::isnan(points)
-            ? format("at a reduced load of %.3g the narrowest point is no saddle of the "
-                     "gap, as on the boundary of a mesh: how well the grid resolves it "
-                     "cannot be told",
-                     reduced)
-            : format(
-                "at a reduced load of %.3g the throat has %.2g grid points along it, "
-                "%.0f are needed: a grid finer by a factor of %.2g would do",
-                reduced,
-                points,
-                points_needed,
-                points_needed / points));
-      }
+    if (reduced > 0 && step.flow->constrictions)
+      step.doubts = doubts_near_threshold({reduced,
+                                           .5 * threshold->relative_width(),
+                                           step.flow->constrictions->points_along},
+                                          log);
   }
 
   void

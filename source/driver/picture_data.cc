@@ -4,6 +4,7 @@
 #include <strait/driver/picture_data.h>
 #include <strait/flow/grid_points.h>
 #include <strait/flow/mapped_points.h>
+#include <strait/flow/vertex_slopes.h>
 
 #include <deal.II/base/hdf5.h>
 
@@ -77,7 +78,7 @@ namespace strait
       RasterFlow  result{std::vector<float>(raster.n_points(), 0.F),
                         std::vector<float>(raster.n_points(), 0.F)};
       const auto &dofs  = solver.pressure().dof_handler();
-      const auto  slope = solver.stream_function().vertex_slopes();
+      const auto  slope = vertex_slopes(solver.stream_function());
 
       dealii::Vector<double> pressures(dofs.get_fe().n_dofs_per_cell());
       dealii::Vector<double> slopes(pressures.size());

@@ -4,6 +4,7 @@
 
 #include <strait/base/contact_parameters.h>
 #include <strait/contact/contact_model.h>
+#include <strait/contact/earlier_states.h>
 #include <strait/contact/half_space_problem.h>
 #include <strait/contact/optimisation.h>
 
@@ -89,9 +90,6 @@ namespace strait
     ContactState      state_without_contact(double mean_gap);
     ContactState      state_of(const ContactSolution &solution, SlabField gap);
 
-    /** Sets `pressure` to a start for @p target. */
-    void      choose_start(double target);
-    void      extrapolate(double target);
     SlabField cold_start(const SlabField &grid_heights, double target) const;
     SlabField start_from_coarser_grid(const SlabField &fine_heights, double target);
 
@@ -112,13 +110,8 @@ namespace strait
     std::unique_ptr<HalfSpaceProblem> problem;
     std::size_t                       peak_memory = 0;
 
-    // The pressure of the last state, and that of the one before. Of the latter
-    // single precision (in units of `earlier_scale`) is enough to extrapolate.
-    SlabField          pressure;
-    double             last_target = 0; // 0: there is none
-    std::vector<float> earlier_pressure;
-    double             earlier_scale  = 0;
-    double             earlier_target = 0; // 0: there is none
+    SlabField     pressure; // of the last state
+    EarlierStates earlier;
   };
 } // namespace strait
 

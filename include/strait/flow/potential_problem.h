@@ -90,12 +90,6 @@ namespace strait
      *  finds. Collective. */
     std::vector<double> finer_energies(const GapField &gap) const;
 
-    /**
-     * |∇| of the potential at the vertices, the mean over the cells that meet
-     * there, at the unknowns of the vertices; for pictures. Collective.
-     */
-    Vector vertex_slopes() const;
-
     /** Mean of the coefficient over the owned cell number @p owned_cell. */
     double
     mean_coefficient(const std::size_t owned_cell) const
@@ -157,13 +151,10 @@ namespace strait
     void                             pin_unreached_rows();
     std::unique_ptr<CellCoefficient> make_cell_coefficient() const;
 
-    void   background(const Iterator &cell, std::vector<double> &values) const;
-    double slope_at_vertex(const Iterator            &cell,
-                           unsigned int               vertex,
-                           const std::vector<double> &values) const;
-    void   add_source(const Iterator         &cell,
-                      const Source           &source,
-                      dealii::Vector<double> &rhs) const;
+    void background(const Iterator &cell, std::vector<double> &values) const;
+    void add_source(const Iterator         &cell,
+                    const Source           &source,
+                    dealii::Vector<double> &rhs) const;
 
     Kind                                         problem_kind;
     FlowMesh                                    &mesh;

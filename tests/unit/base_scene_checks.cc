@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "scene_text.h"
+
+using namespace strait;
+using test::error_of, test::expect_in, test::scene_of;
+
+TEST(Scene, UnknownNamesSuggestTheNearest)
+{
+  EXPECT_EQ(error_of("\nsubsection Surface\n set Hurst exponnent = 1\nend\n"),
+            "a.prm:3: unknown parameter 'Hurst exponnent' in subsection 'Surface'; did "
+            "you mean 'Hurst exponent'?");
+  EXPECT_EQ(error_of("subsection Surfcae\nend\n"),
+            "a.prm:1: unknown subsection 'Surfcae'; did you mean 'Surface'?");
+  EXPECT_EQ(
+    error_of("subsection Contact\n set Viscosity = 1\nend\n"),
+    "a.prm:2: unknown parameter 'Viscosity' in subsection 'Contact'; did you mean "
+    "'Fluid/Viscosity'?");
+  EXPECT_EQ(
+    error_of("set Viscosity = 1\n"),
+    "a.prm:1: unknown parameter 'Viscosity' outside every subsection; did you mean "
+    "'Fluid/Viscosity'?");
+  expect_in("strait --parameters",
+            error_of("subsection Fluid\n set Colour of the car = 1\nend\n"));
+  expect_in("--set \"Fluid/Viscosty=1\": unknown parameter 'Viscosty'",
+            error_of("", {"Fluid/Viscosty=1"}));
+}
+
+TEST(Scene, EffectsThatAreNotThereAreUnknown)
+{
+  for (const char *name : {"Contact/Friction/Enabled=true", "Fluid/Turbulence=true"})
+    expect_in("unknown", error_of("", {name}));
+}
+
+TEST(Scene, MeshAndWhatGoesWithIt)
+{
+  EXPECT_TRUE(scene_of("").fluid.mesh_file.empty());
+  const std::string mesh = "Fluid/Mesh=/seals/a.msh";
+  EXPECT_EQ(scene_of("", {mesh}).fluid.mesh_file, "/seals/a.msh");
+  for (const char *other : {"Fluid/Direction=y",
+                            "Fluid/Bounds=rigorous",
+                            "Fluid/Wall feedback/Enabled=true",
+                            "Theory/Enabled=true",
+                            "Output/Error budget=true"})
+    expect_in("Fluid/Mesh", error_of("", {mesh, other}));
+}
+
+TEST(Scene, Theory)
+{
+  const Overrides on    = {"Theory/Enabled=true"};
+  const auto error_with = [&](const std::string &first, const std::string &second = "") {
+    Overrides all = on;
+    all.push_back(first);
+    if (!second.empty())
+      all.push_back(second);
+    return error_of("", all);
+  };
+  EXPECT_TRUE(scene_of("", on).theory.enabled);
+  const char *alone =
+    "subsection Contact\n set Enabled = false\nend\n"
+    "subsection Fluid\n set Enabled = false\nend\n";
+  EXPECT_TRUE(scene_of(alone, on).theory.enabled);
+  expect_in("nothing to compute", error_of(alone));
+  expect_in("at which the theory has no contact",
+            error_of(alone, {"Theory/Enabled=true", "Load programme/Pressures=0"}));
+  expect_in("needs a simulation",
+            error_of(alone,
+                     {"Theory/Enabled=true", "Theory/Gap distribution=simulated"}));
+  expect_in("needs Surface/Kind = self-affine", error_with("Surface/Kind=square saddle"));
+  expect_in("Find threshold = true",
+            error_with("Theory/Dimension parameter=from threshold"));
+  expect_in("there is none; take simulated", error_with("Contact/Enabled=false"));
+  expect_in("must lie between 0 and 1", error_with("Theory/Critical contact fraction=1"));
+  expect_in("at most 1", error_with("Theory/Gamma=0"));
+}
+
+TEST(Scene, ThresholdAndReducedLoads)
+{
+  const char *text =
+    "subsection Load programme\n"
+    "  set Pressures =\n"
+    "  set Find threshold = true\n"
+    "  set Reduced loads = 0.1, 0.01\n"
+    "  set Path = unloading\n"
+    "end\n";
+  const Scene scene = scene_of(text);
+  EXPECT_TRUE(scene.programme.find_threshold);
+  EXPECT_TRUE(scene.programme.pressures.empty());
+  EXPECT_EQ(scene.programme.reduced_loads, (std::vector<double>{0.1, 0.01}));
+  EXPECT_EQ(scene.programme.path, LoadPath::unloading);
+  expect_in("must lie between 0 and 1",
+            error_of(text, {"Load programme/Reduced loads=0.1, 1"}));
+  expect_in("needs the critical load",
+            error_of(text,
+                     {"Load programme/Find threshold=false",
+                      "Load programme/Pressures=1"}));
+  expect_in("Contact/Control = load", error_of(text, {"Contact/Control=mean gap"}));
+  expect_in("between 1e-9 and 0.1",
+            error_of(text, {"Load programme/Threshold tolerance=1"}));
+}
+
+TEST(Scene, ValuesOfTheWrongKind)
+{
+  EXPECT_EQ(error_of("subsection Fluid\n set Viscosity = thick\nend\n"),
+            "a.prm:2: 'thick' is no value for Fluid/Viscosity; expected a number.");
+  EXPECT_EQ(error_of("subsection Fluid\n set Direction = z\nend\n"),
+            "a.prm:2: 'z' is no value for Fluid/Direction; expected one of: x, y.");
+  for (const char *wrong : {"Surface/Size=1, 2, 3",
+                            "Surface/Size=",
+                            "Surface/Size=1 2",
+                            "Surface/Seed=-1",
+                            "Surface/Seed=1.5",
+                            "Surface/Invert=maybe",
+                            "Surface/RMS value=nan",
+                            "Contact/Grid points=1e3",
+                            "Load programme/Pressures=0.1; 0.2"})
+    expect_in("is no value for", error_of("", {wrong}));
+}
+
+TEST(Scene, ValuesOutOfRange)
+{
+  for (const char *wrong : {"Surface/Size=0",
+                            "Surface/Size=1, -1",
+                            "Surface/Hurst exponent=0",
+                            "Surface/Hurst exponent=1.1",
+                            "Surface/Roll-off wavelength=1.5",
+                            "Surface/Short cut-off wavelength=0.5",
+                            "Surface/Short cut-off wavelength=-0.5",
+                            "Surface/RMS value=0",
+                            "Contact/Grid points=3",
+                            "Contact/Grid points=65536, 4",
+                            "Contact/Effective modulus=0",
+                            "Contact/Tolerance=0",
+                            "Contact/Maximum iterations=0",
+                            "Fluid/Viscosity=0",
+                            "Fluid/Inlet pressure=0",
+                            "Fluid/Slip length=0.1",
+                            "Fluid/Element degree=0",
+                            "Fluid/Target accuracy=1",
+                            "Fluid/Maximum unknowns=-5",
+                            "Load programme/Pressures=",
+                            "Load programme/Pressures=0.1, -0.1",
+                            "Output/Directory="})
+    {
+      const std::string error = error_of("", {wrong});
+      EXPECT_NE(error, "none") << wrong;
+      // One sentence that names the section.
+      EXPECT_EQ(error.substr(0, error.find('/')),
+                std::string(wrong).substr(0, std::string(wrong).find('/')))
+        << error;
+      EXPECT_EQ(error.back(), '.') << error;
+      EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+    }
+}
+
+TEST(Scene, WhatAKindNeeds)
+{
+  expect_in("Surface/File", error_of("", {"Surface/Kind=file"}));
+  expect_in("Surface/Expression", error_of("", {"Surface/Kind=expression"}));
+  expect_in("Surface/Amplitude",
+            error_of("", {"Surface/Kind=sine", "Surface/Amplitude=0"}));
+  // The spectrum does not matter to other kinds.
+  EXPECT_EQ(error_of("", {"Surface/Kind=flat", "Surface/Roll-off wavelength=9"}), "none");
+  // A pure flow problem has no loads.
+  EXPECT_EQ(error_of("", {"Contact/Enabled=false", "Load programme/Pressures=-1"}),
+            "none");
+  expect_in("nothing to compute",
+            error_of("", {"Contact/Enabled=false", "Fluid/Enabled=false"}));
+  EXPECT_EQ(error_of("", {"Fluid/Enabled=false", "Fluid/Inlet pressure=0"}), "none");
+}
+
+TEST(Scene, RollOffLongerThanTheShorterSideIsAWarning)
+{
+  EXPECT_TRUE(scene_of("").warnings().empty());
+  EXPECT_EQ(scene_of("", {"Surface/Size=1, 0.4"}).warnings().size(), 1u);
+}
+
+TEST(Scene, UnreadableFiles)
+{
+  EXPECT_THROW(read_scene("/no/such/scene.prm"), InputError);
+  EXPECT_THROW(read_scene("/"), InputError);
+}
