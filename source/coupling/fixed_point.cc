@@ -11,7 +11,8 @@ namespace strait
 {
   namespace
   {
-    // Of the residual in relaxation; maps that are steeper oscillate on.
+    // Of the residual in relaxation, in units of the largest allowed; maps that are
+    // steeper oscillate on.
     constexpr double least_damping = 1. / 16;
   } // namespace
 
@@ -39,7 +40,7 @@ namespace strait
       }
   }
 
-  void
+  double
   FixedPoint::relax_towards(double *x, const double *image, const std::size_t n)
   {
     const bool has_before = has_last && history > 0;
@@ -48,11 +49,14 @@ namespace strait
       {
         const double now    = product(last_residual, last_residual);
         const double change = product(last_residual, differences.back().residual);
-        damping             = now < change ? std::max(.5 * damping, least_damping)
-                                           : std::min(2. * damping, 1.);
+        damping = now < change ? std::max(.5 * damping, least_damping * most_damping)
+                               : 2. * damping;
       }
+    damping           = std::min(damping, most_damping);
+    const double part = damping * share;
     for (std::size_t i = 0; i < n; ++i)
-      x[i] += damping * share * (image[i] - x[i]);
+      x[i] += part * (image[i] - x[i]);
+    return part;
   }
 
   void
@@ -118,13 +122,19 @@ namespace strait
     last_residual.clear();
     last_x.clear();
     has_last = false;
-    damping  = 1.;
+    damping = most_damping = 1.;
   }
 
   void
   FixedPoint::relax(const double new_relaxation)
   {
     share = new_relaxation;
+  }
+
+  void
+  FixedPoint::damp(const double most)
+  {
+    most_damping = most;
   }
 
   std::size_t

@@ -28,6 +28,24 @@ namespace strait
         return sum(comm, local);
       };
     }
+
+    /** Replace @p a by its mixture with @p b that is smallest. */
+    void
+    mix_towards_zero(SlabField &a, const SlabField &b)
+    {
+      double along = 0, apart = 0;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        {
+          along += a[i] * (a[i] - b[i]);
+          apart += (a[i] - b[i]) * (a[i] - b[i]);
+        }
+      const MPI_Comm comm = a.layout().communicator();
+      along               = sum(comm, along);
+      apart               = sum(comm, apart);
+      const double share  = apart > 0 ? std::clamp(along / apart, 0., 1.) : 0.;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        a[i] += share * (b[i] - a[i]);
+    }
   } // namespace
 
   WallFeedback::WallFeedback(const FeedbackParameters &feedback_parameters,
@@ -60,6 +78,7 @@ namespace strait
         last_leak_rate = 0;
       }
     last_image = SlabField();
+    begin_to_walk();
     fixed_point.relax(parameters.relaxation);
     while (result.iterations < parameters.maximum_iterations)
       {
@@ -74,10 +93,17 @@ namespace strait
             last_image       = std::move(now.fluid_pressure);
             return result;
           }
+        if (stays_in_place(now, goal, result))
+          {
+            result.converged = true;
+            last_image       = assumed;
+            return result;
+          }
         if (!is_first && percolated != now.percolates)
           {
             fixed_point.restart();
             fixed_point.relax(.5 * fixed_point.relaxation());
+            begin_to_walk();
             ++changes_of_verdict;
           }
         is_first                                   = false;
@@ -92,6 +118,7 @@ namespace strait
           {
             changes_of_verdict = 0;
             is_first           = true;
+            begin_to_walk();
             fixed_point.restart();
             fixed_point.relax(parameters.relaxation);
           }
@@ -113,6 +140,56 @@ namespace strait
         assumed = image;
         fixed_point.restart();
       }
+  }
+
+  void
+  WallFeedback::begin_to_walk()
+  {
+    walk         = Walk();
+    largest_step = 1;
+  }
+
+  /**
+   * Whether the rounds of relaxation stay within the tolerance of one place, where a
+   * mixture of their changes is none. Where they walk in larger circles the steps to come
+   * are made smaller.
+   */
+  bool
+  WallFeedback::stays_in_place(const FeedbackRound &now,
+                               const FeedbackGoal  &goal,
+                               FeedbackResult      &result)
+  {
+    constexpr int    rounds_of_a_walk = 16;
+    constexpr double circular = .5, smaller = .25;
+    if (result.iterations < last_combined)
+      return false;
+    SlabField change = now.fluid_pressure;
+    for (std::size_t i = 0; i < change.size(); ++i)
+      change[i] -= assumed[i];
+    if (walk.n_rounds == 0)
+      {
+        walk = {assumed, std::move(change), now.leak_rate, 1};
+        return false;
+      }
+    mix_towards_zero(walk.mixture, change);
+    walk.distance = std::max(walk.distance, difference(assumed, walk.start));
+    if (walk.leak_rate > 0)
+      walk.leak_change =
+        std::max(walk.leak_change, std::abs(now.leak_rate / walk.leak_rate - 1.));
+    if (++walk.n_rounds < rounds_of_a_walk)
+      return false;
+    const FeedbackResult mixed{result.iterations, size(walk.mixture), walk.leak_change};
+    if (walk.distance <= goal.tolerance && mixed.agrees_within(goal))
+      {
+        result = mixed;
+        return true;
+      }
+    largest_step = mixed.change < circular * result.change
+                     ? smaller * largest_step
+                     : std::min(1., largest_step / smaller);
+    fixed_point.damp(largest_step);
+    walk = Walk();
+    return false;
   }
 
   /** Returns false if the iteration is to go on from what is assumed then. */
@@ -156,26 +233,17 @@ namespace strait
     assumed             = open_side;
     SlabField on_open   = round(assumed).fluid_pressure;
     result.iterations += 2;
-    double along = 0, apart = 0;
     for (std::size_t i = 0; i < assumed.size(); ++i)
       {
-        const double change = on_open[i] - open_side[i];
-        const double other  = on_closed[i] - closed_side[i];
-        along -= change * (other - change);
-        apart += (other - change) * (other - change);
+        on_open[i] -= open_side[i];
+        on_closed[i] -= closed_side[i];
       }
-    const MPI_Comm comm = assumed.layout().communicator();
-    along               = sum(comm, along);
-    apart               = sum(comm, apart);
-    const double share  = apart > 0 ? std::clamp(along / apart, 0., 1.) : 0.;
-    SlabField    mixture(assumed.layout_pointer());
-    for (std::size_t i = 0; i < assumed.size(); ++i)
-      mixture[i] = (1. - share) * on_open[i] +
-                   share * (on_closed[i] - closed_side[i] + open_side[i]);
-    result.change    = difference(mixture, assumed);
+    mix_towards_zero(on_open, on_closed);
+    result.change    = size(on_open);
     result.undecided = result.change <= goal.tolerance;
     if (!result.undecided)
-      assumed = mixture;
+      for (std::size_t i = 0; i < assumed.size(); ++i)
+        assumed[i] += on_open[i];
     return result.undecided;
   }
 
@@ -185,15 +253,32 @@ namespace strait
     double squares = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
       squares += (a[i] - b[i]) * (a[i] - b[i]);
-    const auto n_points = static_cast<double>(a.grid().n_points());
-    return std::sqrt(sum(a.layout().communicator(), squares) / n_points) / scale;
+    return relative(squares, a);
+  }
+
+  double
+  WallFeedback::size(const SlabField &change) const
+  {
+    double squares = 0;
+    for (const double value : change)
+      squares += value * value;
+    return relative(squares, change);
+  }
+
+  /** Root mean square over the grid of @p field, whose local @p squares are given. */
+  double
+  WallFeedback::relative(const double squares, const SlabField &field) const
+  {
+    const auto n_points = static_cast<double>(field.grid().n_points());
+    return std::sqrt(sum(field.layout().communicator(), squares) / n_points) / scale;
   }
 
   std::size_t
   WallFeedback::memory_consumption() const
   {
     return fixed_point.memory_consumption() +
-           (assumed.size() + open_side.size() + closed_side.size() + last_image.size()) *
+           (assumed.size() + open_side.size() + closed_side.size() +
+            2 * walk.start.size() + last_image.size()) *
              sizeof(double);
   }
 } // namespace strait

@@ -63,17 +63,19 @@ namespace strait
   double
   CoupledStage::find_mesh(Step &step, const double target, FeedbackGoal &goal)
   {
-    // If the leak rate changes by more than that, contact and flow went to another state.
+    // If the leak rate changes by more than that, contact and flow went to another
+    // state, for which another mesh of this share is wanted.
     constexpr double      another_state = .5;
-    constexpr int         max_meshes    = 3;
-    double                share         = mesh_share;
+    constexpr int         max_finer = 2, max_states = 4;
+    double                share = mesh_share;
     std::optional<double> leak_before;
-    for (int mesh = 0; mesh < max_meshes; ++mesh)
+    for (int finer = 0, states = 1;;)
       {
         iterate(step, target, goal);
         goal.goes_on = true;
         if (!step.feedback->converged || !step.flow->solver)
           break;
+        bool stays = true;
         if (leak_before)
           {
             flow.certify(*step.flow, step.gap, step.slip_length, share);
@@ -84,14 +86,20 @@ namespace strait
               std::max({std::abs(*leak_before / now.leak_rate - 1.),
                         .5 * now.relative_width(),
                         goal.tolerance});
+            stays = step.feedback->mesh_error <= another_state;
             const bool is_narrow =
               now.relative_width() + 2. * step.feedback->mesh_error <=
               flow.fluid().target_accuracy;
-            if (is_narrow || step.feedback->mesh_error > another_state ||
-                mesh + 1 == max_meshes)
+            if (is_narrow || (stays ? finer == max_finer : states == max_states))
               break;
           }
-        share *= mesh_share;
+        if (stays)
+          {
+            share *= mesh_share;
+            ++finer;
+          }
+        else
+          ++states;
         flow.certify(*step.flow, step.gap, step.slip_length, share);
         leak_before = step.flow->result.leak_rate;
       }

@@ -26,6 +26,10 @@ namespace strait
     // and this many times narrower.
     constexpr double outdone = 2.;
 
+    // A bracket is sought on a new mesh if the leak rate is this many times what it was
+    // when the mesh was made, or less by as much.
+    constexpr double another_gap = 2.;
+
     /** Collective. */
     double
     value_at(const SlabField &field, const GridPoint &point)
@@ -108,6 +112,7 @@ namespace strait
     update_bridge(open, flow.paths.front(), true);
     make_mesh(flow);
     bracket(flow, seen, share, most_unknowns);
+    meshed_leak_rate = flow.result.upper;
   }
 
   void
@@ -150,8 +155,15 @@ namespace strait
   {
     const SlabField seen = seen_gap(gap, slip_length);
     const SlabField open = find_channel(flow, seen);
-    update_bridge(open, flow.paths.front(), true);
-    bracket(flow, seen, share);
+    // Cells that are small where a very different gap was narrow are a burden here.
+    const double change = flow.result.upper / meshed_leak_rate;
+    if (std::max(change, 1. / change) > another_gap)
+      mesh_and_bracket(flow, seen, open, share);
+    else
+      {
+        update_bridge(open, flow.paths.front(), true);
+        bracket(flow, seen, share);
+      }
     warn_of_width(flow.result);
   }
 

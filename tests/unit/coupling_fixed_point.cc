@@ -64,6 +64,18 @@ namespace strait
       EXPECT_LT(std::abs(x[0]), 1e-3);
     }
 
+    TEST(FixedPoint, RelaxesNoMoreThanItMay)
+    {
+      FixedPoint          iteration(product, 4, .5);
+      std::vector<double> x     = {1.};
+      const double        image = 2.;
+      iteration.damp(.25);
+      EXPECT_EQ(iteration.relax_towards(x.data(), &image, 1), .125);
+      EXPECT_EQ(x[0], 1.125);
+      iteration.move_on();
+      EXPECT_EQ(iteration.relax_towards(x.data(), &image, 1), .5);
+    }
+
     TEST(FixedPoint, ForgetsOnRestart)
     {
       FixedPoint          iteration(product, 4, 1.);

@@ -130,6 +130,27 @@ namespace strait
       EXPECT_NEAR(seal.pressure, .55, 2. * tolerance);
     }
 
+    TEST(WallFeedback, FindsTheGapThatStaysAjar)
+    {
+      // Closed it fills and opens, open it empties and closes: the mixture is a state.
+      const double         coarse = 1e-3;
+      UniformSeal          seal([](const double p) { return p < .5 ? .9 : .2; }, always);
+      const FeedbackResult result = seal.solve(.8, {coarse});
+      EXPECT_TRUE(result.converged);
+      EXPECT_FALSE(result.undecided);
+      EXPECT_LE(result.iterations, 150);
+      EXPECT_LE(result.change, coarse);
+      EXPECT_NEAR(seal.pressure, .5, 2. * coarse);
+    }
+
+    TEST(WallFeedback, DoesNotTakeASlowWalkForAState)
+    {
+      // Each round changes more than the tolerance, all in one direction.
+      UniformSeal          seal([](const double p) { return p + .01; }, always);
+      const FeedbackResult result = seal.solve(.1, {1e-3});
+      EXPECT_FALSE(result.converged);
+    }
+
     TEST(WallFeedback, GuessesNoMoreThanTheLoad)
     {
       // Two rounds that differ little make a combination leap; the plain ones are below.

@@ -36,9 +36,12 @@ namespace strait
      */
     void advance(double *x, const double *image, std::size_t n);
 
-    /** The same by plain relaxation, with half the share each time that the residual
-     * turns round. What this round says is remembered all the same. */
-    void relax_towards(double *x, const double *image, std::size_t n);
+    /**
+     * The same by plain relaxation, with half the share each time that the residual
+     * turns round. What this round says is remembered all the same.
+     * @return the share of the residual that was taken.
+     */
+    double relax_towards(double *x, const double *image, std::size_t n);
 
     /** Forget the rounds before, because the map has changed. */
     void restart();
@@ -49,6 +52,9 @@ namespace strait
 
     /** Take only this share of each residual from now on. */
     void relax(double new_relaxation);
+
+    /** Of that, plain relaxation takes no more than @p most until it moves on. */
+    void damp(double most);
 
     double
     relaxation() const
@@ -77,7 +83,7 @@ namespace strait
     std::vector<Difference> differences; // the latest last
     std::vector<float>      last_residual;
     std::vector<double>     last_x;
-    double                  damping  = 1.;
+    double                  damping = 1., most_damping = 1.; // factors of the share
     bool                    has_last = false; // on a rank without values as well
   };
 } // namespace strait

@@ -70,6 +70,11 @@ namespace strait
    * agree within the tolerance. There it goes on along the jump, or away from it; where
    * the two sides only lead to each other there is no state, and the last round is one
    * that leaves the channel open.
+   *
+   * The map also jumps, or is too steep for the grid, where a gap that is ajar lets the
+   * fluid through and closes once it has: a throttle that regulates itself. Where the
+   * plain rounds walk in circles their steps become smaller, until they stay in one
+   * place: the state is found if there a mixture of their changes is none.
    */
   class WallFeedback
   {
@@ -97,19 +102,38 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
+    // What the rounds of relaxation did since one of them.
+    struct Walk
+    {
+      SlabField start;   // assumed then; empty: it has not begun
+      SlabField mixture; // of the changes, the smallest
+      double    leak_rate   = 0;
+      int       n_rounds    = 0;
+      double    distance    = 0; // the largest from the start
+      double    leak_change = 0; // likewise, relative
+    };
+
     void propose(const SlabField &image, int round, const FeedbackGoal &goal);
+    void begin_to_walk();
+    bool stays_in_place(const FeedbackRound &now,
+                        const FeedbackGoal  &goal,
+                        FeedbackResult      &result);
     bool enclose(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
     bool
     is_undecided(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
     double difference(const SlabField &a, const SlabField &b) const;
+    double size(const SlabField &change) const;
+    double relative(double squares, const SlabField &field) const;
 
     const FeedbackParameters parameters;
     double                   scale = 1.;
     SlabField                assumed;
     FixedPoint               fixed_point;
     SlabField                open_side, closed_side; // the last with either verdict
-    SlabField                last_image;             // of an iteration that has converged
-    double                   last_leak_rate = 0;     // 0: there was none
+    Walk                     walk;
+    double                   largest_step = 1; // of the walk, in parts of the relaxation
+    SlabField                last_image;       // of an iteration that has converged
+    double                   last_leak_rate = 0; // 0: there was none
   };
 } // namespace strait
 

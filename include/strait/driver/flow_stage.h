@@ -43,7 +43,8 @@ namespace strait
 
     /**
      * Complete what follow() left out, the bracket of the leak rate, on the same mesh
-     * or finer ones, to @p share of the target accuracy if possible. Collective.
+     * or finer ones, or on a new one if the leak rate is quite another, to @p share of
+     * the target accuracy if possible. Collective.
      */
     void certify(StepFlow &flow, const SlabField &gap, double slip_length, double share);
 
@@ -112,6 +113,7 @@ namespace strait
     FlowDomain                      flow_domain;
     double    shape_factor = 0.; // of the seal: Q/(K Δp) at a uniform K
     GridPoint meshed_bottleneck; // that the last mesh was made for
+    double    meshed_leak_rate      = 0.;
     bool      watches_constrictions = false;
   };
 } // namespace strait
