@@ -2,6 +2,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 #include <strait/driver/blow_out.h>
+#include <strait/driver/slow_approach.h>
 
 #include <algorithm>
 
@@ -58,8 +59,7 @@ namespace strait
           throw ComputationError("An inlet pressure of " + to_text(result.lower) +
                                  " is held; no blow-out pressure was found.");
       }
-    while (result.upper - result.lower > tolerance * result.upper)
-      leaks(.5 * (result.lower + result.upper));
+    approach_slowly({result.lower, result.upper}, tolerance, leaks);
     return result;
   }
 
@@ -83,8 +83,9 @@ namespace strait
         if (result.upper < negligible * leaking)
           return {};
       }
-    while (result.upper - result.lower > tolerance * result.upper)
-      leaks(.5 * (result.lower + result.upper));
+    approach_slowly({result.upper, result.lower}, tolerance, [&](const double pressure) {
+      return !leaks(pressure);
+    });
     return result;
   }
 } // namespace strait

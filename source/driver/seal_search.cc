@@ -24,9 +24,14 @@ namespace strait
     for (const double next : scene.fluid.slip_lengths)
       {
         slip_length = next;
-        if (stages.coupling != nullptr)
-          search = ThresholdSearch(ask, first_guess, scene.programme.threshold_tolerance);
-        result.push_back(search.find(slip_length));
+        if (stages.coupling == nullptr)
+          result.push_back(search.find(slip_length));
+        else
+          {
+            search =
+              ThresholdSearch(ask, first_guess, scene.programme.threshold_tolerance);
+            result.push_back(search.find_slowly(slip_length, is_loading()));
+          }
         report(result.back());
       }
     return result;
@@ -99,8 +104,7 @@ namespace strait
   SealSearch::state_with_fluid(const double load, const double slip_length)
   {
     // Each probe starts from the fluid on the side that the path comes from.
-    const bool       loading = scene.programme.path != LoadPath::unloading;
-    const SlabField &start   = loading ? open_fluid : held_fluid;
+    const SlabField &start = is_loading() ? open_fluid : held_fluid;
     if (!start.empty())
       stages.coupling->fluid_pressure() = start;
     Step step;
@@ -109,6 +113,12 @@ namespace strait
     keep_fluid(step.flow->clusters.percolates);
     warn_of_disagreement(step, load);
     return std::move(*step.contact);
+  }
+
+  bool
+  SealSearch::is_loading() const
+  {
+    return scene.programme.path != LoadPath::unloading;
   }
 
   void

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
+#include <strait/driver/slow_approach.h>
 #include <strait/driver/threshold_search.h>
 
 #include <algorithm>
@@ -121,41 +122,80 @@ namespace strait
     return std::clamp(aim, lower + margin, upper - margin);
   }
 
-  Threshold
-  ThresholdSearch::find(const double slip_length)
+  /** Returns how open it is. */
+  double
+  ThresholdSearch::ask(const double load, const double level)
   {
-    const double      level    = -2. * slip_length;
-    const std::size_t n_before = probed.size();
-    long              pairs    = 0;
-    bool              bisect   = false;
-    Known             known    = known_at(level);
+    const ThresholdProbe result = probe(load);
+    ++n_solves;
+    fft_pairs += result.fft_pairs;
+    probed[load] = result;
+    return result.bottleneck.value - level;
+  }
+
+  ThresholdSearch::Known
+  ThresholdSearch::enclose(const double level)
+  {
+    bool  bisect = false;
+    Known known  = known_at(level);
     while (known.open.empty() || known.sealed.empty() ||
            known.width() > tolerance * known.sealed.back().load)
       {
-        const bool   between = !known.open.empty() && !known.sealed.empty();
-        const double width   = between ? known.width() : 0.;
-        const double load = between ? load_between(known, bisect) : load_outside(known);
+        const bool   is_between = !known.open.empty() && !known.sealed.empty();
+        const double width      = is_between ? known.width() : 0.;
+        const double load =
+          is_between ? load_between(known, bisect) : load_outside(known);
         if (!(load < widest_range * first_load && load * widest_range > first_load))
           throw ComputationError(
             std::string("The threshold was not found: the contact ") +
             (known.sealed.empty() ? "still leaks" : "is still sealed") +
             " at a load of " + to_text(load) + ".");
-        const ThresholdProbe result = probe(load);
-        pairs += result.fft_pairs;
-        probed[load] = result;
-        known        = known_at(level);
+        ask(load, level);
+        known = known_at(level);
         // Where the line led astray, halve the bracket.
-        bisect = between && known.width() > .5 * width;
+        bisect = is_between && known.width() > .5 * width;
       }
-    const double          lower = known.open.back().load;
-    const ThresholdProbe &last  = probed.at(lower);
+    return known;
+  }
+
+  Threshold
+  ThresholdSearch::between(const double slip_length,
+                           const double lower,
+                           const double upper)
+  {
+    const ThresholdProbe &last = probed.at(lower);
     return {slip_length,
             lower,
-            known.sealed.back().load,
+            upper,
             last.contact_area,
             last.bottleneck.point,
-            static_cast<int>(probed.size() - n_before),
-            pairs};
+            std::exchange(n_solves, 0),
+            std::exchange(fft_pairs, 0)};
+  }
+
+  Threshold
+  ThresholdSearch::find(const double slip_length)
+  {
+    const Known known = enclose(-2. * slip_length);
+    return between(slip_length, known.open.back().load, known.sealed.back().load);
+  }
+
+  Threshold
+  ThresholdSearch::find_slowly(const double slip_length, const bool from_open)
+  {
+    const double  level  = -2. * slip_length;
+    const Known   known  = enclose(level);
+    const double  open   = known.open.back().load;
+    const double  sealed = known.sealed.back().load;
+    const Passage passage =
+      approach_slowly(from_open ? Passage{open, sealed} : Passage{sealed, open},
+                      tolerance,
+                      [&](const double load) {
+                        return (ask(load, level) > 0) != from_open;
+                      });
+    return between(slip_length,
+                   std::min(passage.before, passage.beyond),
+                   std::max(passage.before, passage.beyond));
   }
 
   void

@@ -290,6 +290,24 @@ namespace strait
       EXPECT_LE(arrivals[1].lower, arrivals[0].upper);
     }
 
+    TEST(Coupled, TheExponentStaysUnderAWeakPressure)
+    {
+      // At 3.4 % of the load the throat moves by no more than a grid spacing.
+      Scene scene                         = coupled_saddle(256);
+      scene.fluid.inlet_pressure          = .05;
+      scene.programme.reduced_loads       = {.05, .02, .01};
+      scene.programme.threshold_tolerance = 2e-5;
+      const std::vector<Row> rows         = run_sweep(scene).rows;
+      const auto exponent_from = [&rows](const std::size_t k, const double step) {
+        return std::log(rows[k].leak_rate / rows[k + 1].leak_rate) / std::log(step);
+      };
+      for (const double exponent : {exponent_from(0, 2.5), exponent_from(1, 2.)})
+        {
+          EXPECT_GT(exponent, 3.4);
+          EXPECT_LT(exponent, 3.6);
+        }
+    }
+
     TEST(Coupled, TheExponentGrowsWithTheGrid)
     {
       // The finer the grid, the sharper the pressure step can become, and the further it

@@ -74,6 +74,7 @@ namespace strait
     probe_pressure(double load, double pressure_difference, const SlabField &start);
     BlowOutProbe
          pressurise(double load, double pressure_difference, const SlabField &start);
+    bool is_loading() const;
     void keep_fluid(bool leaks);
     void warn_of_disagreement(const Step &step, double load) const;
     void report(const Threshold &found) const;

@@ -80,6 +80,10 @@ namespace strait
      */
     Threshold find(double slip_length);
 
+    /** The same where the verdict depends on where the load comes from: of a path of
+     *  small steps, see approach_slowly(). */
+    Threshold find_slowly(double slip_length, bool from_open);
+
   private:
     /** A load, the openness there, and the same straightened. */
     struct Point
@@ -102,6 +106,9 @@ namespace strait
       }
     };
 
+    double      ask(double load, double level);
+    Known       enclose(double level);
+    Threshold   between(double slip_length, double lower, double upper);
     Known       known_at(double level) const;
     double      load_outside(const Known &known) const;
     double      load_between(const Known &known, bool bisect) const;
@@ -110,7 +117,9 @@ namespace strait
     Probe                            probe;
     double                           first_load;
     double                           tolerance;
-    std::map<double, ThresholdProbe> probed; // by load
+    std::map<double, ThresholdProbe> probed;        // by load
+    int                              n_solves  = 0; // since the last threshold was found
+    long                             fft_pairs = 0; // likewise
   };
 } // namespace strait
 
