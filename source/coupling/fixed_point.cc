@@ -40,7 +40,7 @@ namespace strait
       }
   }
 
-  double
+  void
   FixedPoint::relax_towards(double *x, const double *image, const std::size_t n)
   {
     const bool has_before = has_last && history > 0;
@@ -52,11 +52,12 @@ namespace strait
         damping = now < change ? std::max(.5 * damping, least_damping * most_damping)
                                : 2. * damping;
       }
+    else if (history == 0)
+      damping = most_damping;
     damping           = std::min(damping, most_damping);
     const double part = damping * share;
     for (std::size_t i = 0; i < n; ++i)
       x[i] += part * (image[i] - x[i]);
-    return part;
   }
 
   void

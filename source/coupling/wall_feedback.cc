@@ -91,15 +91,18 @@ namespace strait
           {
             result.converged = true;
             last_image       = std::move(now.fluid_pressure);
+            walk             = Walk();
             return result;
           }
-        if (stays_in_place(now, goal, result))
+        const bool flips = !is_first && percolated != now.percolates;
+        if (!flips && stays_in_place(now, goal, result))
           {
             result.converged = true;
             last_image       = assumed;
+            walk             = Walk();
             return result;
           }
-        if (!is_first && percolated != now.percolates)
+        if (flips)
           {
             fixed_point.restart();
             fixed_point.relax(.5 * fixed_point.relaxation());

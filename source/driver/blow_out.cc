@@ -12,6 +12,13 @@ namespace strait
   {
     // Of a usual pressure: what leaks with so little leaks by itself.
     constexpr double negligible = 1e-6;
+
+    ComputationError
+    not_found(const double held)
+    {
+      return ComputationError("An inlet pressure of " + to_text(held) +
+                              " is held; no blow-out pressure was found.");
+    }
   } // namespace
 
   void
@@ -56,10 +63,10 @@ namespace strait
       {
         pressure *= 2;
         if (pressure > excessive * first)
-          throw ComputationError("An inlet pressure of " + to_text(result.lower) +
-                                 " is held; no blow-out pressure was found.");
+          throw not_found(result.lower);
       }
-    approach_slowly({result.lower, result.upper}, tolerance, leaks);
+    if (!approach_slowly({result.lower, result.upper}, tolerance, leaks))
+      throw not_found(result.lower);
     return result;
   }
 
@@ -83,9 +90,9 @@ namespace strait
         if (result.upper < negligible * leaking)
           return {};
       }
-    approach_slowly({result.upper, result.lower}, tolerance, [&](const double pressure) {
-      return !leaks(pressure);
-    });
+    const auto closes = [&](const double pressure) { return !leaks(pressure); };
+    if (!approach_slowly({result.upper, result.lower}, tolerance, closes))
+      return {};
     return result;
   }
 } // namespace strait

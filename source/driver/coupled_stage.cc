@@ -95,12 +95,15 @@ namespace strait
           }
         if (stays)
           {
-            share *= mesh_share;
             ++finer;
+            share *= mesh_share;
+            flow.certify(*step.flow, step.gap, step.slip_length, share);
           }
         else
-          ++states;
-        flow.certify(*step.flow, step.gap, step.slip_length, share);
+          {
+            ++states;
+            flow.remesh(*step.flow, step.gap, step.slip_length, share);
+          }
         leak_before = step.flow->result.leak_rate;
       }
     return share;

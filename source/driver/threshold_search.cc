@@ -183,19 +183,23 @@ namespace strait
   Threshold
   ThresholdSearch::find_slowly(const double slip_length, const bool from_open)
   {
-    const double  level  = -2. * slip_length;
-    const Known   known  = enclose(level);
-    const double  open   = known.open.back().load;
-    const double  sealed = known.sealed.back().load;
-    const Passage passage =
+    const double level  = -2. * slip_length;
+    const Known  known  = enclose(level);
+    const double open   = known.open.back().load;
+    const double sealed = known.sealed.back().load;
+    const auto   passage =
       approach_slowly(from_open ? Passage{open, sealed} : Passage{sealed, open},
                       tolerance,
                       [&](const double load) {
                         return (ask(load, level) > 0) != from_open;
                       });
+    if (!passage)
+      throw ComputationError(
+        std::string("The threshold was not found: the contact stays ") +
+        (from_open ? "open" : "sealed") + " however far the load goes.");
     return between(slip_length,
-                   std::min(passage.before, passage.beyond),
-                   std::max(passage.before, passage.beyond));
+                   std::min(passage->before, passage->beyond),
+                   std::max(passage->before, passage->beyond));
   }
 
   void

@@ -70,10 +70,19 @@ namespace strait
       std::vector<double> x     = {1.};
       const double        image = 2.;
       iteration.damp(.25);
-      EXPECT_EQ(iteration.relax_towards(x.data(), &image, 1), .125);
+      iteration.relax_towards(x.data(), &image, 1);
       EXPECT_EQ(x[0], 1.125);
       iteration.move_on();
-      EXPECT_EQ(iteration.relax_towards(x.data(), &image, 1), .5);
+      iteration.relax_towards(x.data(), &image, 1);
+      EXPECT_EQ(x[0], 1.5625);
+
+      FixedPoint plain(product, 0, .5);
+      plain.damp(.25);
+      plain.relax_towards(x.data(), &image, 1);
+      plain.damp(1.);
+      x[0] = 1.;
+      plain.relax_towards(x.data(), &image, 1);
+      EXPECT_EQ(x[0], 1.5);
     }
 
     TEST(FixedPoint, ForgetsOnRestart)

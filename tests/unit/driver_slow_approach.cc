@@ -43,39 +43,65 @@ namespace strait
 
     TEST(SlowApproach, GoesOnWhereALargeStepWasTooLarge)
     {
-      Keeper        state(1.37);
-      const Passage found =
-        approach_slowly({.5, 1.2}, tolerance, [&](const double value) {
-          return state.is_lost(value);
-        });
-      EXPECT_LE(found.before, 1.37);
-      EXPECT_GT(found.beyond, 1.37);
-      EXPECT_LE(found.beyond - found.before, tolerance * found.beyond);
-      EXPECT_EQ(found.before, state.kept);
+      Keeper     state(1.37);
+      const auto found = approach_slowly({.5, 1.2}, tolerance, [&](const double value) {
+        return state.is_lost(value);
+      });
+      ASSERT_TRUE(found);
+      EXPECT_LE(found->before, 1.37);
+      EXPECT_GT(found->beyond, 1.37);
+      EXPECT_LE(found->beyond - found->before, tolerance * found->beyond);
+      EXPECT_EQ(found->before, state.kept);
       EXPECT_LE(state.n_asked, 50);
     }
 
     TEST(SlowApproach, AsksOnceMoreWhereTheStepDoesNotMatter)
     {
-      int           n_asked = 0;
-      const Passage found = approach_slowly({1., 1. + tolerance}, tolerance, [&](double) {
+      int        n_asked = 0;
+      const auto found   = approach_slowly({1., 1. + tolerance}, tolerance, [&](double) {
         ++n_asked;
         return true;
       });
+      ASSERT_TRUE(found);
       EXPECT_EQ(n_asked, 1);
-      EXPECT_EQ(found.before, 1.);
-      EXPECT_EQ(found.beyond, 1. + tolerance);
+      EXPECT_EQ(found->before, 1.);
+      EXPECT_EQ(found->beyond, 1. + tolerance);
     }
 
-    TEST(SlowApproach, GoesDownAndNotBelowZero)
+    TEST(SlowApproach, GoesDownAsWell)
     {
-      const Passage found = approach_slowly({1., .9}, tolerance, [](const double value) {
+      const auto found = approach_slowly({1., .9}, tolerance, [](const double value) {
         return value < .3;
       });
-      EXPECT_GE(found.before, .3);
-      EXPECT_LT(found.beyond, .3);
-      EXPECT_GT(approach_slowly({1., .9}, tolerance, [](double) { return false; }).beyond,
-                0.);
+      ASSERT_TRUE(found);
+      EXPECT_GE(found->before, .3);
+      EXPECT_LT(found->beyond, .3);
+      EXPECT_LE(found->before - found->beyond, tolerance * found->before);
+    }
+
+    TEST(SlowApproach, SaysThatAStateIsNeverLost)
+    {
+      const auto never = [](double) { return false; };
+      EXPECT_FALSE(approach_slowly({1., .9}, tolerance, never));
+      EXPECT_FALSE(approach_slowly({1., 1.1}, tolerance, never));
+    }
+
+    TEST(SlowApproach, FindsTheReSealingOfSmallSteps)
+    {
+      // From 1 down, steps of more than a tenth close at once what others keep open.
+      double     open    = 1.;
+      int        n_asked = 0;
+      const auto probe   = [&](const double pressure) {
+        BlowOutProbe result;
+        result.leaks = pressure > (open - pressure > .1 * open ? .9 : .2);
+        if (result.leaks)
+          open = pressure;
+        return result;
+      };
+      const Resealing found = find_resealing(probe, 1., tolerance, n_asked);
+      EXPECT_LE(found.lower, .2);
+      EXPECT_GT(found.upper, .2);
+      EXPECT_LE(found.upper - found.lower, tolerance * found.upper);
     }
 
     TEST(SlowApproach, FindsTheThresholdAndTheBlowOutOfSmallSteps)
@@ -90,6 +116,7 @@ namespace strait
         ThresholdSearch(probe, .8, tolerance).find_slowly(0., true);
       EXPECT_LE(threshold.lower, 1.37);
       EXPECT_GT(threshold.upper, 1.37);
+      EXPECT_LE(threshold.relative_width(), tolerance);
       EXPECT_EQ(threshold.n_solves, open.n_asked);
 
       Keeper        held(1.37);

@@ -39,9 +39,8 @@ namespace strait
     /**
      * The same by plain relaxation, with half the share each time that the residual
      * turns round. What this round says is remembered all the same.
-     * @return the share of the residual that was taken.
      */
-    double relax_towards(double *x, const double *image, std::size_t n);
+    void relax_towards(double *x, const double *image, std::size_t n);
 
     /** Forget the rounds before, because the map has changed. */
     void restart();

@@ -33,9 +33,10 @@ namespace strait
   /** How the iteration ended. */
   struct FeedbackResult
   {
-    int    iterations  = 0; // rounds
-    double change      = 0; // of the fluid pressure in the last round, see Tolerance
-    double leak_change = 0; // of the leak rate likewise, relative
+    int    iterations = 0;  // rounds
+    double change     = 0;  // of the fluid pressure in the last round, see Tolerance;
+                            // where a gap stays ajar of a mixture of the last rounds
+    double leak_change = 0; // of the leak rate in these, relative
     bool   converged   = false;
 
     /**
@@ -45,7 +46,7 @@ namespace strait
      */
     bool undecided = false;
 
-    /** Whether the last round came as near as that. */
+    /** Whether these changes are as small as that. */
     bool
     agrees_within(const FeedbackGoal &goal) const
     {
@@ -105,10 +106,10 @@ namespace strait
     // What the rounds of relaxation did since one of them.
     struct Walk
     {
-      SlabField start;   // assumed then; empty: it has not begun
+      SlabField start;   // assumed then
       SlabField mixture; // of the changes, the smallest
       double    leak_rate   = 0;
-      int       n_rounds    = 0;
+      int       n_rounds    = 0; // 0: it has not begun
       double    distance    = 0; // the largest from the start
       double    leak_change = 0; // likewise, relative
     };

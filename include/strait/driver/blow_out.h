@@ -44,9 +44,11 @@ namespace strait
 
   /**
    * Raise the inlet pressure until the seal leaks, then bisect to the relative width
-   * @p tolerance. @p probe gets inlet pressures above that of the outlet; @p first is
-   * where to begin, for example the load. Collective if the probe is. Throws
-   * ComputationError if a pressure of a thousand times the first is held.
+   * @p tolerance, and see whether it leaks after a small step as well (see
+   * approach_slowly()). @p probe gets inlet pressures above that of the outlet and is to
+   * start from the last that was held; @p first is where to begin, for example the load.
+   * Collective if the probe is. Throws ComputationError if a pressure of a thousand times
+   * the first is held.
    */
   BlowOut find_blow_out(const std::function<BlowOutProbe(double)> &probe,
                         double                                     first,
@@ -54,8 +56,9 @@ namespace strait
 
   /**
    * Lower the inlet pressure from @p leaking, at which the seal leaks, until it closes,
-   * then bisect. Of what leaks with next to no pressure both bounds are 0. The rest as
-   * for find_blow_out(); @p n_solves is raised by the number of probes.
+   * then bisect, in small steps in the end. Of what leaks with next to no pressure both
+   * bounds are 0. The rest as for find_blow_out(), but for where @p probe starts: from
+   * the last that leaked; @p n_solves is raised by the number of probes.
    */
   Resealing find_resealing(const std::function<BlowOutProbe(double)> &probe,
                            double                                     leaking,

@@ -43,10 +43,13 @@ namespace strait
 
     /**
      * Complete what follow() left out, the bracket of the leak rate, on the same mesh
-     * or finer ones, or on a new one if the leak rate is quite another, to @p share of
-     * the target accuracy if possible. Collective.
+     * or finer ones, or on a new one if the leak rate is quite another than when that was
+     * made, to @p share of the target accuracy if possible. Collective.
      */
     void certify(StepFlow &flow, const SlabField &gap, double slip_length, double share);
+
+    /** The same on a mesh that is made for this gap. Collective. */
+    void remesh(StepFlow &flow, const SlabField &gap, double slip_length, double share);
 
     /** Say how well a leak rate is known, and why no better, if there is a reason. */
     void warn_of_width(const FlowResult &result);

@@ -25,9 +25,11 @@ namespace strait
   /** The critical load, enclosed. */
   struct Threshold
   {
-    double    slip_length  = 0.;
-    double    lower        = 0.; // largest load known with a percolating channel
-    double    upper        = 0.; // smallest load known without
+    double slip_length = 0.;
+    // The largest load known with a percolating channel, and the smallest without; with
+    // hysteresis those on the path that the search follows.
+    double    lower        = 0.;
+    double    upper        = 0.;
     double    contact_area = 0.; // at lower
     GridPoint last_constriction; // at lower
     int       n_solves  = 0;     // contact solves made for this threshold
@@ -80,8 +82,11 @@ namespace strait
      */
     Threshold find(double slip_length);
 
-    /** The same where the verdict depends on where the load comes from: of a path of
-     *  small steps, see approach_slowly(). */
+    /**
+     * The same where the verdict depends on where the load comes from: with @p from_open
+     * from open states, to larger loads, else from sealed ones to smaller loads, in small
+     * steps in the end (see approach_slowly()). Collective and throws likewise.
+     */
     Threshold find_slowly(double slip_length, bool from_open);
 
   private:
