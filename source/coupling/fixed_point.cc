@@ -133,9 +133,9 @@ namespace strait
   }
 
   void
-  FixedPoint::damp(const double most)
+  FixedPoint::damp(const double factor)
   {
-    most_damping = most;
+    most_damping = std::min(1., factor * most_damping);
   }
 
   std::size_t

@@ -29,6 +29,13 @@ namespace strait
       };
     }
 
+    void
+    subtract(SlabField &from, const SlabField &field)
+    {
+      for (std::size_t i = 0; i < from.size(); ++i)
+        from[i] -= field[i];
+    }
+
     /** Replace @p a by its mixture with @p b that is smallest. */
     void
     mix_towards_zero(SlabField &a, const SlabField &b)
@@ -78,7 +85,7 @@ namespace strait
         last_leak_rate = 0;
       }
     last_image = SlabField();
-    begin_to_walk();
+    walk       = Walk();
     fixed_point.relax(parameters.relaxation);
     while (result.iterations < parameters.maximum_iterations)
       {
@@ -87,18 +94,12 @@ namespace strait
         result.change = difference(now.fluid_pressure, assumed);
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
-        if (result.agrees_within(goal))
+        const bool flips  = !is_first && percolated != now.percolates;
+        const bool agrees = result.agrees_within(goal);
+        if (agrees || (!flips && stays_in_place(now, goal, result)))
           {
             result.converged = true;
-            last_image       = std::move(now.fluid_pressure);
-            walk             = Walk();
-            return result;
-          }
-        const bool flips = !is_first && percolated != now.percolates;
-        if (!flips && stays_in_place(now, goal, result))
-          {
-            result.converged = true;
-            last_image       = assumed;
+            last_image       = agrees ? std::move(now.fluid_pressure) : assumed;
             walk             = Walk();
             return result;
           }
@@ -106,7 +107,7 @@ namespace strait
           {
             fixed_point.restart();
             fixed_point.relax(.5 * fixed_point.relaxation());
-            begin_to_walk();
+            walk = Walk();
             ++changes_of_verdict;
           }
         is_first                                   = false;
@@ -121,7 +122,7 @@ namespace strait
           {
             changes_of_verdict = 0;
             is_first           = true;
-            begin_to_walk();
+            walk               = Walk();
             fixed_point.restart();
             fixed_point.relax(parameters.relaxation);
           }
@@ -145,13 +146,6 @@ namespace strait
       }
   }
 
-  void
-  WallFeedback::begin_to_walk()
-  {
-    walk         = Walk();
-    largest_step = 1;
-  }
-
   /**
    * Whether the rounds of relaxation stay within the tolerance of one place, where a
    * mixture of their changes is none. Where they walk in larger circles the steps to come
@@ -167,8 +161,7 @@ namespace strait
     if (result.iterations < last_combined)
       return false;
     SlabField change = now.fluid_pressure;
-    for (std::size_t i = 0; i < change.size(); ++i)
-      change[i] -= assumed[i];
+    subtract(change, assumed);
     if (walk.n_rounds == 0)
       {
         walk = {assumed, std::move(change), now.leak_rate, 1};
@@ -187,10 +180,7 @@ namespace strait
         result = mixed;
         return true;
       }
-    largest_step = mixed.change < circular * result.change
-                     ? smaller * largest_step
-                     : std::min(1., largest_step / smaller);
-    fixed_point.damp(largest_step);
+    fixed_point.damp(mixed.change < circular * result.change ? smaller : 1. / smaller);
     walk = Walk();
     return false;
   }
@@ -236,11 +226,8 @@ namespace strait
     assumed             = open_side;
     SlabField on_open   = round(assumed).fluid_pressure;
     result.iterations += 2;
-    for (std::size_t i = 0; i < assumed.size(); ++i)
-      {
-        on_open[i] -= open_side[i];
-        on_closed[i] -= closed_side[i];
-      }
+    subtract(on_open, open_side);
+    subtract(on_closed, closed_side);
     mix_towards_zero(on_open, on_closed);
     result.change    = size(on_open);
     result.undecided = result.change <= goal.tolerance;

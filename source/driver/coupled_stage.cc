@@ -97,13 +97,13 @@ namespace strait
           {
             ++finer;
             share *= mesh_share;
-            flow.certify(*step.flow, step.gap, step.slip_length, share);
           }
         else
           {
             ++states;
-            flow.remesh(*step.flow, step.gap, step.slip_length, share);
+            flow.discard_mesh();
           }
+        flow.certify(*step.flow, step.gap, step.slip_length, share);
         leak_before = step.flow->result.leak_rate;
       }
     return share;

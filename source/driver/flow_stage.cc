@@ -148,16 +148,6 @@ namespace strait
   }
 
   void
-  FlowStage::remesh(StepFlow        &flow,
-                    const SlabField &gap,
-                    const double     slip_length,
-                    const double     share)
-  {
-    const SlabField seen = seen_gap(gap, slip_length);
-    mesh_and_bracket(flow, seen, find_channel(flow, seen), share);
-  }
-
-  void
   FlowStage::certify(StepFlow        &flow,
                      const SlabField &gap,
                      const double     slip_length,

@@ -18,20 +18,18 @@ namespace strait
   {
     std::vector<Threshold> result;
     // A dry contact, once probed, serves all slip lengths.
-    double     slip_length = 0.;
-    const auto ask = [&](const double load) { return probe_load(load, slip_length); };
-    ThresholdSearch search(ask, first_guess, scene.programme.threshold_tolerance);
+    double       slip_length = 0.;
+    const auto   ask = [&](const double load) { return probe_load(load, slip_length); };
+    const double tolerance = scene.programme.threshold_tolerance;
+    ThresholdSearch dry_search(ask, first_guess, tolerance);
     for (const double next : scene.fluid.slip_lengths)
       {
         slip_length = next;
         if (stages.coupling == nullptr)
-          result.push_back(search.find(slip_length));
+          result.push_back(dry_search.find(slip_length));
         else
-          {
-            search =
-              ThresholdSearch(ask, first_guess, scene.programme.threshold_tolerance);
-            result.push_back(search.find_slowly(slip_length, is_loading()));
-          }
+          result.push_back(ThresholdSearch(ask, first_guess, tolerance)
+                             .find_slowly(slip_length, is_loading()));
         report(result.back());
       }
     return result;

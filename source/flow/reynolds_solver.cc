@@ -56,6 +56,8 @@ namespace strait
             result.status = "flow-bracket";
             return result;
           }
+        if (unknowns_needed == 0 && result.relative_width() <= parameters.target_accuracy)
+          unknowns_needed = result.unknowns;
         if (result.relative_width() <= share * parameters.target_accuracy ||
             is_enough(result) || result.unknowns > most_unknowns)
           return result;
@@ -76,14 +78,11 @@ namespace strait
 
   /** Whether more than the target accuracy would cost too much. */
   bool
-  ReynoldsSolver::is_enough(const FlowResult &result)
+  ReynoldsSolver::is_enough(const FlowResult &result) const
   {
     constexpr unsigned long long most_growth = 8;
-    if (result.relative_width() > parameters.target_accuracy)
-      return false;
-    if (unknowns_needed == 0)
-      unknowns_needed = result.unknowns;
-    return result.unknowns > most_growth * unknowns_needed;
+    return result.relative_width() <= parameters.target_accuracy &&
+           result.unknowns > most_growth * unknowns_needed;
   }
 
   LinearSolve

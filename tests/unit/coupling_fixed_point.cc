@@ -79,7 +79,7 @@ namespace strait
       FixedPoint plain(product, 0, .5);
       plain.damp(.25);
       plain.relax_towards(x.data(), &image, 1);
-      plain.damp(1.);
+      plain.damp(4.);
       x[0] = 1.;
       plain.relax_towards(x.data(), &image, 1);
       EXPECT_EQ(x[0], 1.5);

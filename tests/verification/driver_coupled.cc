@@ -55,6 +55,13 @@ namespace strait
       return last;
     }
 
+    /** The local exponent of the leak rate where the reduced load falls by @p factor. */
+    double
+    exponent_between(const Row &larger, const Row &smaller, const double factor)
+    {
+      return std::log(larger.leak_rate / smaller.leak_rate) / std::log(factor);
+    }
+
     TEST(Coupled, EqualReservoirsOnlyCarryLoadParallel)
     {
       constexpr double pressure    = .3;
@@ -298,10 +305,8 @@ namespace strait
       scene.programme.reduced_loads       = {.05, .02, .01};
       scene.programme.threshold_tolerance = 2e-5;
       const std::vector<Row> rows         = run_sweep(scene).rows;
-      const auto exponent_from = [&rows](const std::size_t k, const double step) {
-        return std::log(rows[k].leak_rate / rows[k + 1].leak_rate) / std::log(step);
-      };
-      for (const double exponent : {exponent_from(0, 2.5), exponent_from(1, 2.)})
+      for (const double exponent : {exponent_between(rows[0], rows[1], 2.5),
+                                    exponent_between(rows[1], rows[2], 2.)})
         {
           EXPECT_GT(exponent, 3.4);
           EXPECT_LT(exponent, 3.6);
@@ -319,8 +324,7 @@ namespace strait
           scene.fluid.inlet_pressure    = .1519;
           scene.programme.reduced_loads = {.05, .02};
           const std::vector<Row> rows   = run_sweep(scene).rows;
-          exponents.push_back(std::log(rows[0].leak_rate / rows[1].leak_rate) /
-                              std::log(.05 / .02));
+          exponents.push_back(exponent_between(rows[0], rows[1], .05 / .02));
         }
       EXPECT_NEAR(exponents[0], 3.67, .04);
       EXPECT_NEAR(exponents[1], 3.79, .04);

@@ -52,8 +52,9 @@ namespace strait
     /** Take only this share of each residual from now on. */
     void relax(double new_relaxation);
 
-    /** Of that, plain relaxation takes no more than @p most until it moves on. */
-    void damp(double most);
+    /** Until it moves on, plain relaxation takes at most @p factor times as much of that
+     *  as before, and never more than all. */
+    void damp(double factor);
 
     double
     relaxation() const

@@ -115,7 +115,6 @@ namespace strait
     };
 
     void propose(const SlabField &image, int round, const FeedbackGoal &goal);
-    void begin_to_walk();
     bool stays_in_place(const FeedbackRound &now,
                         const FeedbackGoal  &goal,
                         FeedbackResult      &result);
@@ -132,8 +131,7 @@ namespace strait
     FixedPoint               fixed_point;
     SlabField                open_side, closed_side; // the last with either verdict
     Walk                     walk;
-    double                   largest_step = 1; // of the walk, in parts of the relaxation
-    SlabField                last_image;       // of an iteration that has converged
+    SlabField                last_image;         // of an iteration that has converged
     double                   last_leak_rate = 0; // 0: there was none
   };
 } // namespace strait

@@ -9,7 +9,6 @@
 #include <strait/interface/gap_field.h>
 
 #include <cstddef>
-#include <limits>
 
 namespace strait
 {
@@ -48,8 +47,12 @@ namespace strait
      */
     void certify(StepFlow &flow, const SlabField &gap, double slip_length, double share);
 
-    /** The same on a mesh that is made for this gap. Collective. */
-    void remesh(StepFlow &flow, const SlabField &gap, double slip_length, double share);
+    /** Let the next certify() make a new mesh in any case. */
+    void
+    discard_mesh()
+    {
+      meshed_leak_rate = 0.;
+    }
 
     /** Say how well a leak rate is known, and why no better, if there is a reason. */
     void warn_of_width(const FlowResult &result);
@@ -94,19 +97,17 @@ namespace strait
     SlabField find_channel(StepFlow &flow, const SlabField &seen) const;
 
     void update_bridge(const SlabField &open, const FlowPath &path, bool with_bounds);
-    void mesh_and_bracket(
-      StepFlow          &flow,
-      const SlabField   &seen,
-      const SlabField   &open,
-      double             share         = 1.,
-      unsigned long long most_unknowns = std::numeric_limits<unsigned long long>::max());
+    void mesh_and_bracket(StepFlow          &flow,
+                          const SlabField   &seen,
+                          const SlabField   &open,
+                          double             share         = 1.,
+                          unsigned long long most_unknowns = ReynoldsSolver::unlimited);
     void find_paths(StepFlow &flow, const SlabField &open);
     void make_mesh(StepFlow &flow);
-    void bracket(
-      StepFlow          &flow,
-      const SlabField   &seen,
-      double             share         = 1.,
-      unsigned long long most_unknowns = std::numeric_limits<unsigned long long>::max());
+    void bracket(StepFlow          &flow,
+                 const SlabField   &seen,
+                 double             share,
+                 unsigned long long most_unknowns = ReynoldsSolver::unlimited);
 
     FluidParameters                 parameters;
     Log                            &log;
@@ -114,9 +115,9 @@ namespace strait
     GapField                        gap_field;
     std::unique_ptr<const SealMesh> seal; // null: the box
     FlowDomain                      flow_domain;
-    double    shape_factor = 0.; // of the seal: Q/(K Δp) at a uniform K
-    GridPoint meshed_bottleneck; // that the last mesh was made for
-    double    meshed_leak_rate      = 0.;
+    double    shape_factor = 0.;          // of the seal: Q/(K Δp) at a uniform K
+    GridPoint meshed_bottleneck;          // that the last mesh was made for
+    double    meshed_leak_rate      = 0.; // likewise; 0: it was discarded
     bool      watches_constrictions = false;
   };
 } // namespace strait

@@ -54,6 +54,9 @@ namespace strait
     /** How much smaller than the target accuracy the linear solver's error is. */
     static constexpr double linear_share = 1e-12;
 
+    /** Of a mesh that may have as many unknowns as the accuracy takes. */
+    static constexpr auto unlimited = std::numeric_limits<unsigned long long>::max();
+
     /** Called after each mesh with what is known so far. */
     using Observer = std::function<void(const FlowResult &)>;
 
@@ -69,10 +72,9 @@ namespace strait
      * unknowns that the target itself needs; to miss only the share is no failure. A mesh
      * of more than @p most_unknowns is not refined. Collective.
      */
-    FlowResult run(
-      const Observer    &observer      = {},
-      double             share         = 1.,
-      unsigned long long most_unknowns = std::numeric_limits<unsigned long long>::max());
+    FlowResult run(const Observer    &observer      = {},
+                   double             share         = 1.,
+                   unsigned long long most_unknowns = unlimited);
 
     /**
      * Solve for the pressure alone on the mesh of run(), after the gap has changed a
@@ -106,7 +108,7 @@ namespace strait
     /** @return whether the linear solver converged; the bounds hold either way. */
     bool solve_on_mesh(FlowResult &result);
 
-    bool is_enough(const FlowResult &result);
+    bool is_enough(const FlowResult &result) const;
 
     /** @return why another mesh would not pay; empty if it would. */
     std::string obstacle(const FlowResult &result);
