@@ -10,6 +10,10 @@ namespace strait
 {
   namespace
   {
+    const Choices<AdhesionShape> shapes = {{AdhesionShape::exponential, "exponential"},
+                                           {AdhesionShape::van_der_waals,
+                                            "van der Waals"}};
+
     const Choices<AdhesionMethod> methods = {{AdhesionMethod::nonlinear_cg,
                                               "nonlinear CG"},
                                              {AdhesionMethod::newton_cg, "newton CG"},
@@ -26,9 +30,13 @@ namespace strait
     prm.declare_entry("Enabled",
                       "false",
                       Bool(),
-                      "Let the surfaces attract each other with the energy -gamma0 "
-                      "exp(-g/z0) per area, in addition to the hard wall. States then "
-                      "depend on the path of the load.");
+                      "Let the surfaces attract each other, in addition to the hard "
+                      "wall. States then depend on the path of the load.");
+    prm.declare_entry("Law",
+                      shapes.name(standard.shape),
+                      Selection(shapes.pattern()),
+                      "Energy per area at the gap g: exponential: -gamma0 exp(-g/z0); "
+                      "van der Waals: -gamma0/(1 + g/z0)^2, of longer reach.");
     prm.declare_entry("Surface energy",
                       to_text(standard.surface_energy),
                       Double(0.),
@@ -62,8 +70,9 @@ namespace strait
       "Accept unresolved range",
       "false",
       Bool(),
-      "Compute although E* z0^2/(gamma0 a) < 0.8 with the grid spacing a, where "
-      "loads of jumps depend on the grid.");
+      "Compute although E*/(k a) < 0.8 with the grid spacing a and the slope k of the "
+      "attraction in contact, gamma0/z0^2 (van der Waals: 6 gamma0/z0^2); loads of jumps "
+      "then depend on the grid.");
     prm.declare_entry("Trajectory",
                       "false",
                       Bool(),
@@ -79,6 +88,7 @@ namespace strait
     prm.enter_subsection("Contact");
     prm.enter_subsection("Adhesion");
     enabled           = prm.get_bool("Enabled");
+    shape             = shapes.value(prm.get("Law"));
     surface_energy    = prm.get_double("Surface energy");
     range             = prm.get_double("Range");
     tabor_number      = prm.get_double("Tabor number");

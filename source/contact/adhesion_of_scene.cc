@@ -70,7 +70,8 @@ namespace strait
 
   AdhesionScale::AdhesionScale(const ContactParameters &parameters,
                                const SlabField         &heights)
-    : range(parameters.adhesion.range)
+    : shape(parameters.adhesion.shape)
+    , range(parameters.adhesion.range)
     , tabor(parameters.adhesion.tabor_number)
     , modulus(parameters.effective_modulus)
     , curvature_radius(statistics(heights).curvature_radius)
@@ -88,7 +89,8 @@ namespace strait
             range > 0
               ? range
               : std::cbrt(curvature_radius * std::pow(surface_energy / modulus, 2)) /
-                  tabor};
+                  tabor,
+            shape};
   }
 
   double
@@ -101,7 +103,7 @@ namespace strait
   double
   AdhesionScale::resolution(const AdhesionLaw &law) const
   {
-    return modulus * law.range * law.range / (law.surface_energy * spacing);
+    return -modulus / (law.at(0).curvature * spacing);
   }
 
   AdhesionLaw
@@ -114,13 +116,14 @@ namespace strait
                   : parameters.adhesion.surface_energy);
     const double resolution = scale.resolution(law);
     if (resolution < unresolved_adhesion && !parameters.adhesion.accept_unresolved)
-      throw InputError(
-        format("The range of the adhesion, z0 = %.4g, is too short for the grid: E* "
-               "z0^2/(gamma0 a) is %.3g and should be 3, at least 0.8; use a grid finer "
-               "by a factor of %.2g or set Contact/Adhesion/Accept unresolved range.",
-               law.range,
-               resolution,
-               resolved_adhesion / resolution));
+      throw InputError(format(
+        "The range of the adhesion, z0 = %.4g, is too short for the grid: E*/(k a) "
+        "with the slope k of the attraction is %.3g and should be 3, at least 0.8; "
+        "use a grid finer by a factor of %.2g or set Contact/Adhesion/Accept "
+        "unresolved range.",
+        law.range,
+        resolution,
+        resolved_adhesion / resolution));
     return law;
   }
 } // namespace strait

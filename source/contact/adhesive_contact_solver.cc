@@ -4,9 +4,6 @@
 #include <strait/contact/adhesive_contact_solver.h>
 #include <strait/contact/contact_area.h>
 #include <strait/contact/contact_solver.h>
-#include <strait/contact/gap_conjugate_gradients.h>
-#include <strait/contact/gap_dynamics.h>
-#include <strait/contact/gap_newton.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +28,7 @@ namespace strait
     {
       HalfSpaceGapProblem problem(heights, modulus, {});
       SlabField           traction(heights.layout_pointer());
-      problem.apply(heights.data(), traction.data(), no_pass, no_pass);
+      problem.apply(heights.data(), traction.data(), no_pass);
       return rms(traction);
     }
   } // namespace
@@ -82,7 +79,7 @@ namespace strait
     double      curvature  = std::numeric_limits<double>::quiet_NaN();
     for (int pushes = 0; solution.converged && !solution.detached; ++pushes)
       {
-        curvature = stability.smallest_curvature(gap.data());
+        curvature = stability.smallest_curvature(gap.data(), optimiser->curvature());
         if (curvature > -curvature_noise || pushes == max_pushes)
           break;
         push_off();
@@ -110,29 +107,12 @@ namespace strait
     // A flat surface has no traction of its own.
     const double       scale = traction_scale > 0 ? traction_scale
                                : by_load          ? std::abs(target)
-                                                  : law.surface_energy / law.range;
+                                                  : law.at(0).traction;
     const GapTolerance tolerance{parameters.tolerance,
                                  scale,
                                  parameters.maximum_iterations};
-    switch (parameters.adhesion.method)
-      {
-        case AdhesionMethod::newton_cg:
-          return std::make_unique<GapNewton>(problem,
-                                             constraint,
-                                             tolerance,
-                                             std::move(observer));
-        case AdhesionMethod::gfmd:
-          return std::make_unique<GapDynamics>(problem,
-                                               constraint,
-                                               tolerance,
-                                               std::move(observer));
-        case AdhesionMethod::nonlinear_cg:
-          break;
-      }
-    return std::make_unique<GapConjugateGradients>(problem,
-                                                   constraint,
-                                                   tolerance,
-                                                   std::move(observer));
+    return make_gap_optimiser(
+      parameters.adhesion.method, problem, constraint, tolerance, std::move(observer));
   }
 
   void

@@ -2,9 +2,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/contact/contact_area.h>
 #include <strait/contact/contact_solver.h>
-#include <strait/contact/dual_conjugate_gradients.h>
 #include <strait/contact/grid_transfer.h>
-#include <strait/contact/polonsky_keer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -171,15 +169,11 @@ namespace strait
                           SlabField              &grid_pressure,
                           SlabField              &grid_gap)
   {
-    const auto run = [&](auto &&optimiser) {
-      note_memory(optimiser.memory_consumption());
-      return optimiser.solve(grid_pressure.data(), grid_gap.data());
-    };
-    const ContactConstraint constraint = constraint_for(target);
-    const ContactSolution   solution =
-      parameters.method == ContactMethod::dual_cg
-          ? run(DualConjugateGradients(on_grid, constraint, tolerance))
-          : run(PolonskyKeer(on_grid, constraint, tolerance));
+    const auto optimiser =
+      make_dual_optimiser(parameters.method, on_grid, constraint_for(target), tolerance);
+    note_memory(optimiser->memory_consumption());
+    const ContactSolution solution =
+      optimiser->solve(grid_pressure.data(), grid_gap.data());
     if (report)
       {
         std::ostringstream line;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace strait
 {
@@ -29,17 +28,6 @@ namespace strait
 
     constexpr double slack = 3e-13; // of the energy, for rounding
   }                                 // namespace
-
-  GapConjugateGradients::GapConjugateGradients(GapProblem          &problem,
-                                               const GapConstraint &constraint,
-                                               const GapTolerance  &tolerance,
-                                               RelaxationObserver   observer)
-    : GapDescent(problem, constraint, tolerance, std::move(observer))
-    , trial(problem.size())
-    , step(problem.size())
-    , response(problem.size())
-  {
-  }
 
   void
   GapConjugateGradients::begin()
@@ -72,7 +60,7 @@ namespace strait
     double *z = trial.data();
     problem.precondition(
       z,
-      [&](const PointSet::Block &range) {
+      [&](const ContactProblem::Block &range) {
         for (std::size_t i = range.begin; i < range.end; ++i)
           z[i] = iterate.is_free(i) ? iterate.derivative[i] : 0.;
       },
@@ -93,7 +81,7 @@ namespace strait
       weighted_sums<6>(problem, [&](const auto i, auto &sums) {
         if (!iterate.is_free(i))
           return;
-        const double gamma = iterate.curvature(i);
+        const double gamma = iterate.curvature[i];
         sums[0] += t[i] * r[i];
         sums[1] += t[i] * q[i];
         sums[2] += t[i] * gamma * d[i];
@@ -114,7 +102,7 @@ namespace strait
 
     const auto [local] = weighted_sums<1>(problem, [&, beta](const auto i, auto &sums) {
       t[i] = -t[i] + beta * d[i];
-      sums[0] += t[i] != 0 ? t[i] * iterate.curvature(i) * t[i] : 0.;
+      sums[0] += t[i] * iterate.curvature[i] * t[i];
     });
     slope              = -z_r + beta * d_r;
     free_work          = z_r;
@@ -158,14 +146,11 @@ namespace strait
       }
     truncated = problem.largest_over_ranks(closing) > 0;
     iterate.make_admissible(d);
-    const double work = problem.apply(
-      d,
-      response.data(),
-      [=](const PointSet::Block &range) {
+    const double work =
+      problem.apply(d, response.data(), [=](const ContactProblem::Block &range) {
         for (std::size_t i = range.begin; i < range.end; ++i)
           d[i] -= g[i];
-      },
-      no_pass);
+      });
     if (free_work > 0)
       {
         const double share =
@@ -184,7 +169,7 @@ namespace strait
     double        furthest  = INFINITY;
     const auto [d_r, local] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
       sums[0] += d[i] * iterate.derivative[i];
-      sums[1] += d[i] != 0 ? d[i] * iterate.curvature(i) * d[i] : 0.;
+      sums[1] += d[i] * iterate.curvature[i] * d[i];
       if (d[i] < 0)
         furthest = std::min(furthest, -g[i] / d[i]);
     });
@@ -226,11 +211,5 @@ namespace strait
                      least_reach,
                      farthest_reach)
         : 1.;
-  }
-
-  std::size_t
-  GapConjugateGradients::memory_consumption() const
-  {
-    return 5 * problem.size() * sizeof(double);
   }
 } // namespace strait

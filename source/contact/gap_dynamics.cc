@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace strait
 {
@@ -16,16 +15,6 @@ namespace strait
     constexpr double speed_up = 1.1, slow_down = .5;
     constexpr int    steps_until_faster = 5;
   } // namespace
-
-  GapDynamics::GapDynamics(GapProblem          &problem,
-                           const GapConstraint &constraint,
-                           const GapTolerance  &tolerance,
-                           RelaxationObserver   observer)
-    : GapDescent(problem, constraint, tolerance, std::move(observer))
-    , velocity(problem.size())
-    , acceleration(problem.size())
-  {
-  }
 
   void
   GapDynamics::begin()
@@ -52,7 +41,7 @@ namespace strait
     double *a = acceleration.data();
     problem.precondition(
       a,
-      [&](const PointSet::Block &range) {
+      [&](const ContactProblem::Block &range) {
         for (std::size_t i = range.begin; i < range.end; ++i)
           a[i] = iterate.is_free(i) ? -iterate.derivative[i] : 0.;
       },
@@ -102,11 +91,5 @@ namespace strait
       }
     iterate.make_admissible(g);
     iterate.refresh();
-  }
-
-  std::size_t
-  GapDynamics::memory_consumption() const
-  {
-    return 4 * problem.size() * sizeof(double);
   }
 } // namespace strait

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace strait
 {
@@ -14,19 +13,6 @@ namespace strait
     constexpr double slack                = 3e-13; // of the energy, for rounding
     constexpr double longest_escape       = 2.; // along negative curvature, in ranges z0
   }                                             // namespace
-
-  GapNewton::GapNewton(GapProblem          &problem,
-                       const GapConstraint &constraint,
-                       const GapTolerance  &tolerance,
-                       RelaxationObserver   observer)
-    : GapDescent(problem, constraint, tolerance, std::move(observer))
-    , step(problem.size())
-    , remainder(problem.size())
-    , z(problem.size())
-    , direction(problem.size())
-    , response(problem.size())
-  {
-  }
 
   GapDescent::Outcome
   GapNewton::descend(const double residual)
@@ -70,11 +56,10 @@ namespace strait
         last              = now;
         for (std::size_t i = 0; i < problem.size(); ++i)
           direction[i] = -z[i] + beta * direction[i];
-        const double work =
-          problem.apply(direction.data(), response.data(), no_pass, no_pass);
+        const double work  = problem.apply(direction.data(), response.data(), no_pass);
         const auto [local] = weighted_sums<1>(problem, [this](const auto i, auto &sums) {
           const double d = direction[i];
-          sums[0] += d != 0 ? d * iterate.curvature(i) * d : 0.;
+          sums[0] += d * iterate.curvature[i] * d;
         });
         met_negative_curvature = work + local <= 1e-10 * work;
         // Down the slope of the energy, as far as the search along it will say.
@@ -86,7 +71,7 @@ namespace strait
             step[i] += length * direction[i];
             if (iterate.is_free(i))
               remainder[i] +=
-                length * (response[i] + iterate.curvature(i) * direction[i]);
+                length * (response[i] + iterate.curvature[i] * direction[i]);
           }
         if (met_negative_curvature)
           return;
@@ -117,7 +102,7 @@ namespace strait
         iterate.make_admissible(d);
         for (std::size_t i = 0; i < problem.size(); ++i)
           d[i] -= g[i];
-        const double work  = problem.apply(d, response.data(), no_pass, no_pass);
+        const double work  = problem.apply(d, response.data(), no_pass);
         const auto [slope] = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
           sums[0] += d[i] * iterate.derivative[i];
         });
@@ -129,11 +114,5 @@ namespace strait
         iterate.move(d, response.data(), work, -1.);
       }
     return false;
-  }
-
-  std::size_t
-  GapNewton::memory_consumption() const
-  {
-    return 7 * problem.size() * sizeof(double);
   }
 } // namespace strait

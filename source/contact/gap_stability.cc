@@ -106,9 +106,10 @@ namespace strait
   }
 
   double
-  GapStability::smallest_curvature(const double *gaps)
+  GapStability::smallest_curvature(const double *gaps, const double *curvatures)
   {
-    gap = gaps;
+    gap       = gaps;
+    curvature = curvatures;
     for (int k = 0; k < 3; ++k)
       {
         vectors[k].resize(problem.size());
@@ -140,12 +141,10 @@ namespace strait
          ++k)
       {
         // The gradient of the quotient, preconditioned.
-        const double       uniform = problem.mean_stiffness() * uniform_part(vectors[0]);
-        const AdhesionLaw &law     = problem.adhesion();
+        const double uniform = problem.mean_stiffness() * uniform_part(vectors[0]);
         for (std::size_t i = 0; i < problem.size(); ++i)
           vectors[1][i] = (1 - quotient) * responses[0][i] +
-                          law.curvature(law.traction(gap[i])) * vectors[0][i] -
-                          quotient * uniform;
+                          curvature[i] * vectors[0][i] - quotient * uniform;
         mask(vectors[1]);
         problem.precondition(vectors[1].data(), no_pass, no_pass);
         prepare(vectors[1], responses[1]);
@@ -182,27 +181,25 @@ namespace strait
   GapStability::prepare(std::vector<double> &v, std::vector<double> &stiffness)
   {
     mask(v);
-    problem.apply(v.data(), stiffness.data(), no_pass, no_pass);
+    problem.apply(v.data(), stiffness.data(), no_pass);
   }
 
   /** Replace v by the best combination of the first @p n vectors. */
   void
   GapStability::descend(const int n)
   {
-    const AdhesionLaw &law = problem.adhesion();
     // Of each pair of vectors <v, Kv>, <v, γ''v>; and the means.
     const auto sums = weighted_sums<15>(problem, [&](const auto i, auto &terms) {
       if (!(gap[i] > 0))
         return;
-      const double curvature = law.curvature(law.traction(gap[i]));
-      int          term      = 0;
+      int term = 0;
       for (int k = 0; k < n; ++k)
         {
           const double v = vectors[k][i];
           for (int l = 0; l <= k; ++l)
             {
               terms[term++] += v * responses[l][i];
-              terms[term++] += v * curvature * vectors[l][i];
+              terms[term++] += v * curvature[i] * vectors[l][i];
             }
           terms[12 + k] += v;
         }

@@ -21,17 +21,17 @@ namespace strait
       const AdhesionLaw   law        = adhesion_of_scene(parameters, heights);
       const double        resolution = scale.resolution(law);
       log.line(
-        format("adhesion: surface energy %.5g, range %.5g, Tabor number %.4g, E* "
-               "z0²/(γ0 a) = %.3g",
+        format("adhesion: surface energy %.5g, range %.5g, Tabor number %.4g, E*/(k a) = "
+               "%.3g",
                law.surface_energy,
                law.range,
                scale.tabor_number(law),
                resolution));
       if (resolution < resolved_adhesion)
         log.warn(
-          format("the range of the adhesion is short for the grid: E* "
-                 "z0^2/(gamma0 a) is %.3g and should be at least %g, or loads of "
-                 "jumps depend on the grid",
+          format("the range of the adhesion is short for the grid: E*/(k a) with the "
+                 "slope k of the attraction is %.3g and should be at least %g, or loads "
+                 "of jumps depend on the grid",
                  resolution,
                  resolved_adhesion));
       return law;

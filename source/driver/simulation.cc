@@ -109,11 +109,9 @@ namespace strait
           return;
         }
       const AdhesionLaw law = adhesion_of_scene(contact, heights);
-      log.line(
-        format("adhesion on; range %.5g, E* z0²/(γ0 a) = %.3g (3 or more resolves "
-               "it)",
-               law.range,
-               AdhesionScale(contact, heights).resolution(law)));
+      log.line(format("adhesion on; range %.5g, E*/(k a) = %.3g (3 or more resolves it)",
+                      law.range,
+                      AdhesionScale(contact, heights).resolution(law)));
     }
 
     /** Thrown where a search is left because a signal asks for it. */

@@ -8,8 +8,6 @@
 // Cold starts by dual conjugate gradients and, for comparison, by the textbook method
 // of Polonsky and Keer, to the same residual; the last column is the ratio of times.
 #include <strait/contact/contact_solver.h>
-#include <strait/contact/dual_conjugate_gradients.h>
-#include <strait/contact/polonsky_keer.h>
 #include <strait/surface/self_affine_surface.h>
 
 #include <fftw3-mpi.h>
@@ -78,17 +76,20 @@ namespace
     double seconds = 0;
   };
 
-  template <typename Optimiser>
   Cost
-  cold(const SlabField &heights, const double load, const double tolerance)
+  cold(const ContactMethod method,
+       const SlabField    &heights,
+       const double        load,
+       const double        tolerance)
   {
     HalfSpaceProblem problem(heights, 1.);
-    Optimiser        solver(problem,
-                     ContactConstraint::mean_pressure(load),
-                     {tolerance, rms(heights), 5000});
+    const auto       solver = make_dual_optimiser(method,
+                                            problem,
+                                            ContactConstraint::mean_pressure(load),
+                                            {tolerance, rms(heights), 5000});
     SlabField        p(heights.layout_pointer(), load), g(heights.layout_pointer());
     const double     start    = seconds();
-    const auto       solution = solver.solve(p.data(), g.data());
+    const auto       solution = solver->solve(p.data(), g.data());
     if (!solution.converged)
       std::printf("not converged: %g\n", solution.residual);
     return {problem.n_applications(), seconds() - start};
@@ -147,10 +148,10 @@ namespace
     for (const double load : {0.01, 0.05, 0.1, 0.2, 0.3})
       {
         double     bytes  = 0;
-        const Cost cold6  = cold<DualConjugateGradients>(heights, load, 1e-6);
-        const Cost cold8  = cold<DualConjugateGradients>(heights, load, 1e-8);
-        const Cost text6  = cold<PolonskyKeer>(heights, load, 1e-6);
-        const Cost text8  = cold<PolonskyKeer>(heights, load, 1e-8);
+        const Cost cold6  = cold(ContactMethod::dual_cg, heights, load, 1e-6);
+        const Cost cold8  = cold(ContactMethod::dual_cg, heights, load, 1e-8);
+        const Cost text6  = cold(ContactMethod::polonsky_keer, heights, load, 1e-6);
+        const Cost text8  = cold(ContactMethod::polonsky_keer, heights, load, 1e-8);
         const Cost nest6  = nested(heights, load, 1e-6);
         const Cost nest8  = nested(heights, load, 1e-8);
         const Cost steps6 = continued(heights, load, 1e-6, bytes);

@@ -201,7 +201,7 @@ namespace
     const ContactState state    = saddle_solver(adhesive_parameters(1e-9), 1.).solve(.9);
     SlabField          pressure = state.pressure;
     for (std::size_t i = 0; i < pressure.size(); ++i)
-      pressure[i] -= law.traction(state.gap[i]);
+      pressure[i] -= law.at(state.gap[i]).traction;
     EXPECT_NEAR(mean(pressure), .9, 1e-8);
     HalfSpace half_space(heights.layout_pointer(), 1.);
     SlabField rigid(heights.layout_pointer());

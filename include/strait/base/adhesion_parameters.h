@@ -17,17 +17,25 @@ namespace strait
     gfmd
   };
 
+  /** How the energy of adhesion falls with the gap; see AdhesionLaw. */
+  enum class AdhesionShape
+  {
+    exponential,
+    van_der_waals
+  };
+
   /**
-   * The section Contact/Adhesion of a scene: the energy −γ0 exp(−g/z0) per area, in
-   * addition to the hard wall.
+   * The section Contact/Adhesion of a scene: an energy −γ0 f(g/z0) per area, in addition
+   * to the hard wall.
    */
   struct AdhesionParameters
   {
     bool           enabled           = false;
-    double         surface_energy    = 0.; // γ0
-    double         range             = 0.; // z0; or
-    double         tabor_number      = 0.; // sets z0
-    double         matched_pressure  = 0.; // sets γ0; 0: off
+    AdhesionShape  shape             = AdhesionShape::exponential; // f
+    double         surface_energy    = 0.;                         // γ0
+    double         range             = 0.;                         // z0; or
+    double         tabor_number      = 0.;                         // sets z0
+    double         matched_pressure  = 0.;                         // sets γ0; 0: off
     AdhesionMethod method            = AdhesionMethod::nonlinear_cg;
     bool           accept_unresolved = false;
     bool           write_relaxation  = false;

@@ -2,39 +2,39 @@
 #ifndef strait_contact_adhesion_law_h
 #define strait_contact_adhesion_law_h
 
-#include <cmath>
+#include <strait/base/adhesion_parameters.h>
+
+#include <cstddef>
 
 namespace strait
 {
   /**
-   * The energy of adhesion γ(g) = −γ0 exp(−g/z0) per area at the gap g >= 0. Without
-   * adhesion γ0 = 0.
+   * The energy of adhesion per area, γ(g) = −γ0 f(g/z0) at the gap g >= 0. The shape f
+   * is convex and falls from f(0) = 1 to 0, so that the attraction γ'(g) > 0 and its
+   * slope are largest in contact. A value: γ0, z0 and the name of the shape. The shapes
+   * themselves are in adhesion_law.cc; nothing else knows them.
    */
   struct AdhesionLaw
   {
-    double surface_energy = 0; // γ0
-    double range          = 1; // z0
+    double        surface_energy = 0; // γ0; 0: no adhesion
+    double        range          = 1; // z0
+    AdhesionShape shape          = AdhesionShape::exponential;
 
-    /** γ'(g) > 0: the attraction per area. It vanishes beyond 40 ranges. */
-    double
-    traction(const double gap) const
+    /** The law at one gap. */
+    struct Values
     {
-      return gap < 40 * range ? surface_energy / range * std::exp(-gap / range) : 0.;
-    }
+      double energy;    // γ
+      double traction;  // γ'
+      double curvature; // γ''
+    };
+    Values at(double gap) const;
 
-    /** γ where γ' is @p traction. */
+    /**
+     * γ' and γ'' at @p n gaps >= 0, into @p traction and @p curvature. Returns the sum
+     * of γ over them.
+     */
     double
-    energy(const double traction) const
-    {
-      return -range * traction;
-    }
-
-    /** γ'' where γ' is @p traction. */
-    double
-    curvature(const double traction) const
-    {
-      return -traction / range;
-    }
+    evaluate(std::size_t n, const double *gap, double *traction, double *curvature) const;
   };
 } // namespace strait
 

@@ -9,8 +9,11 @@
 namespace strait
 {
   /**
-   * What shape the adhesion of one surface has: its range follows from the surface
-   * energy by the Tabor number μT = Rc^{1/3} (γ0/E*)^{2/3} / z0, or is given.
+   * How far the adhesion of one surface reaches: z0 follows from the surface energy by
+   * the Tabor number μT = Rc^{1/3} (γ0/E*)^{2/3} / z0, or is given. The definition is the
+   * same for every shape. With van der Waals forces z0 is the distance of the surfaces
+   * where they touch, as in Tabor's own definition (J. Colloid Interface Sci. 58, 2,
+   * 1977); their largest attraction is then 2 γ0/z0, that of the exponential γ0/z0.
    */
   class AdhesionScale
   {
@@ -26,17 +29,20 @@ namespace strait
     double tabor_number(const AdhesionLaw &law) const;
 
     /**
-     * E* z0²/(γ0 a) with the grid spacing a: several points lie within the edge of a
-     * contact if it is 3 or more; below 0.8 contact lines stick to the grid.
+     * E* over k a, with the grid spacing a and the largest slope k of the attraction:
+     * γ0/z0² for the exponential, 6 γ0/z0² for van der Waals forces. Several points
+     * lie within the edge of a contact if it is 3 or more; below 0.8 contact lines stick
+     * to the grid.
      */
     double resolution(const AdhesionLaw &law) const;
 
   private:
-    double range;
-    double tabor;
-    double modulus;
-    double curvature_radius; // Rc
-    double spacing;
+    AdhesionShape shape;
+    double        range;
+    double        tabor;
+    double        modulus;
+    double        curvature_radius; // Rc
+    double        spacing;
   };
 
   /** Largest resolution() at which a warning is due. */

@@ -6,7 +6,7 @@
 #include <strait/contact/contact_model.h>
 #include <strait/contact/gap_optimisation.h>
 #include <strait/contact/gap_stability.h>
-#include <strait/contact/half_space_gap_problem.h>
+#include <strait/contact/half_space_problem.h>
 
 #include <memory>
 #include <vector>

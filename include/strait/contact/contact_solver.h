@@ -4,9 +4,9 @@
 
 #include <strait/base/contact_parameters.h>
 #include <strait/contact/contact_model.h>
+#include <strait/contact/dual_optimisation.h>
 #include <strait/contact/earlier_states.h>
 #include <strait/contact/half_space_problem.h>
-#include <strait/contact/optimisation.h>
 
 #include <functional>
 #include <memory>

@@ -2,7 +2,7 @@
 #ifndef strait_contact_dual_conjugate_gradients_h
 #define strait_contact_dual_conjugate_gradients_h
 
-#include <strait/contact/optimisation.h>
+#include <strait/contact/dual_optimisation.h>
 
 #include <cstdint>
 
@@ -19,7 +19,7 @@ namespace strait
    * lowest value so far, the steps go along the preconditioned gradient and each
    * is truncated.
    */
-  class DualConjugateGradients
+  class DualConjugateGradients : public DualOptimiser
   {
   public:
     /** Needs 17 B a local point beside the two fields of solve(). */
@@ -27,18 +27,11 @@ namespace strait
                            const ContactConstraint &constraint,
                            const ContactTolerance  &tolerance);
 
-    /**
-     * @p pressure: a start on entry (negative values count as 0; it must not
-     * vanish if its mean is prescribed), the solution on return. @p gap: on
-     * return g = Gp + u0 − h. Collective.
-     */
-    ContactSolution solve(double *pressure, double *gap);
-
-    /** Bytes on this rank. */
-    std::size_t memory_consumption() const;
+    ContactSolution solve(double *pressure, double *gap) override;
+    std::size_t     memory_consumption() const override;
 
   private:
-    using Block = DualProblem::Block;
+    using Block = ContactProblem::Block;
 
     void   truncate();
     double survey();

@@ -19,13 +19,7 @@ namespace strait
   class GapConjugateGradients : public GapDescent
   {
   public:
-    /** Needs five fields beside the gap. */
-    GapConjugateGradients(GapProblem          &problem,
-                          const GapConstraint &constraint,
-                          const GapTolerance  &tolerance,
-                          RelaxationObserver   observer = {});
-
-    std::size_t memory_consumption() const override;
+    using GapDescent::GapDescent;
 
   private:
     void    begin() override;
@@ -38,9 +32,9 @@ namespace strait
     bool   search_line(double work);
     void   learn_reach(double ideal);
 
-    std::vector<double> trial;    // z = M r, then t
-    std::vector<double> step;     // d
-    std::vector<double> response; // K d
+    std::vector<double> trial    = field(); // z = M r, then t
+    std::vector<double> step     = field(); // d
+    std::vector<double> response = field(); // K d
 
     // Sums over the points, of the present direction and step.
     double slope         = 0;   // <t, r>

@@ -16,13 +16,7 @@ namespace strait
   class GapDynamics : public GapDescent
   {
   public:
-    /** Needs four fields beside the gap. */
-    GapDynamics(GapProblem          &problem,
-                const GapConstraint &constraint,
-                const GapTolerance  &tolerance,
-                RelaxationObserver   observer = {});
-
-    std::size_t memory_consumption() const override;
+    using GapDescent::GapDescent;
 
   private:
     void    begin() override;
@@ -32,8 +26,8 @@ namespace strait
     void steer();
     void advance();
 
-    std::vector<double> velocity;
-    std::vector<double> acceleration; // on the free points
+    std::vector<double> velocity     = field();
+    std::vector<double> acceleration = field(); // on the free points
 
     double mixing        = 0; // of the velocity with the acceleration's direction
     int    steps_forward = 0; // since the motion last went uphill

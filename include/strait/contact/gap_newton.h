@@ -15,13 +15,7 @@ namespace strait
   class GapNewton : public GapDescent
   {
   public:
-    /** Needs seven fields beside the gap. */
-    GapNewton(GapProblem          &problem,
-              const GapConstraint &constraint,
-              const GapTolerance  &tolerance,
-              RelaxationObserver   observer = {});
-
-    std::size_t memory_consumption() const override;
+    using GapDescent::GapDescent;
 
   private:
     Outcome descend(double residual) override;
@@ -30,11 +24,11 @@ namespace strait
     double precondition();
     bool   search();
 
-    std::vector<double> step;      // of the gap
-    std::vector<double> remainder; // of the model's gradient
-    std::vector<double> z;         // M remainder
-    std::vector<double> direction;
-    std::vector<double> response; // K direction, later K step
+    std::vector<double> step      = field(); // of the gap
+    std::vector<double> remainder = field(); // of the model's gradient
+    std::vector<double> z         = field(); // M remainder
+    std::vector<double> direction = field();
+    std::vector<double> response  = field(); // K direction, later K step
 
     bool met_negative_curvature = false;
   };

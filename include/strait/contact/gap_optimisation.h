@@ -2,10 +2,12 @@
 #ifndef strait_contact_gap_optimisation_h
 #define strait_contact_gap_optimisation_h
 
+#include <strait/base/contact_parameters.h>
+#include <strait/contact/contact_problem.h>
 #include <strait/contact/contact_state.h>
-#include <strait/contact/gap_problem.h>
 
 #include <functional>
+#include <memory>
 
 namespace strait
 {
@@ -75,9 +77,19 @@ namespace strait
      *  contact. Valid as long as this object. */
     virtual const double *reaction() const = 0;
 
-    /** Bytes on this rank. */
+    /** γ'' at the solution. Likewise. */
+    virtual const double *curvature() const = 0;
+
+    /** Bytes on this rank, beside the gap. */
     virtual std::size_t memory_consumption() const = 0;
   };
+
+  /** The method of this name. @p problem must outlive it. */
+  std::unique_ptr<GapOptimiser> make_gap_optimiser(AdhesionMethod       method,
+                                                   GapProblem          &problem,
+                                                   const GapConstraint &constraint,
+                                                   const GapTolerance  &tolerance,
+                                                   RelaxationObserver   observer = {});
 } // namespace strait
 
 #endif

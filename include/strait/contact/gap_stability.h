@@ -24,10 +24,10 @@ namespace strait
     GapStability(GapProblem &problem, GapConstraint::Kind kind);
 
     /**
-     * The smallest quotient found for @p gap; with an early stop once it is negative.
-     * Starts from the last gap's v. Collective.
+     * The smallest quotient found for @p gap, where γ'' is @p curvature; with an early
+     * stop once it is negative. Starts from the last gap's v. Collective.
      */
-    double smallest_curvature(const double *gap);
+    double smallest_curvature(const double *gap, const double *curvature);
 
     /** The direction v in which the quotient is smallest; 0 in contact. */
     const std::vector<double> &
@@ -52,7 +52,8 @@ namespace strait
 
     GapProblem               &problem;
     const GapConstraint::Kind kind;
-    const double             *gap = nullptr;
+    const double             *gap       = nullptr;
+    const double             *curvature = nullptr; // γ''
 
     // v, its gradient, its last change; K of each.
     std::vector<double> vectors[3];

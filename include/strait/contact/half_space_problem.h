@@ -2,14 +2,83 @@
 #ifndef strait_contact_half_space_problem_h
 #define strait_contact_half_space_problem_h
 
-#include <strait/contact/dual_problem.h>
+#include <strait/base/collective.h>
+#include <strait/contact/contact_problem.h>
 #include <strait/contact/half_space.h>
+#include <strait/contact/two_scale_compliance.h>
 #include <strait/contact/two_scale_preconditioner.h>
+
+#include <memory>
 
 namespace strait
 {
+  /** What problems on one periodic grid have in common: its points and their heights. */
+  template <class Problem>
+  class GridProblem : public Problem
+  {
+  public:
+    using Block = ContactProblem::Block;
+
+    std::size_t
+    size() const override
+    {
+      return surface.size();
+    }
+
+    const std::vector<Block> &
+    blocks() const override
+    {
+      return all_points;
+    }
+
+    const double *
+    heights() const override
+    {
+      return surface.data();
+    }
+
+    void
+    sum_over_ranks(double *values, const int count) const override
+    {
+      sum_in_place(surface.layout().communicator(), values, count);
+    }
+
+    double
+    largest_over_ranks(const double value) const override
+    {
+      return maximum(surface.layout().communicator(), value);
+    }
+
+  protected:
+    explicit GridProblem(const SlabField &heights)
+      : surface(heights)
+      , all_points(
+          {{0, heights.size(), 1. / static_cast<double>(heights.grid().n_points())}})
+    {
+    }
+
+    Block
+    block_of_row(const int local_row) const
+    {
+      const std::size_t nx = surface.grid().nx, begin = local_row * nx;
+      return {begin, begin + nx, all_points[0].weight};
+    }
+
+    /** @p pass for callers that go row by row. */
+    std::function<void(int)>
+    by_rows(const ContactProblem::Pass &pass) const
+    {
+      return [this, &pass](const int row) { pass(block_of_row(row)); };
+    }
+
+    const SlabField &surface;
+
+  private:
+    const std::vector<Block> all_points;
+  };
+
   /** The contact of a half-space with heights on one periodic grid. */
-  class HalfSpaceProblem : public DualProblem
+  class HalfSpaceProblem : public GridProblem<DualProblem>
   {
   public:
     /**
@@ -18,29 +87,54 @@ namespace strait
      */
     HalfSpaceProblem(const SlabField &heights, double contact_modulus);
 
-    std::size_t               size() const override;
-    const std::vector<Block> &blocks() const override;
-    const double             *heights() const override;
-    double                    apply(const double   *pressure,
-                                    double         *displacement,
-                                    const Pass     &before,
-                                    const WorkPass &after) override;
+    double  apply(const double   *pressure,
+                  double         *displacement,
+                  const Pass     &before,
+                  const WorkPass &after) override;
     void    precondition(double *values, const Pass &before, const Pass &after) override;
     double *scratch() override;
-    void    sum_over_ranks(double *values, int count) const override;
-    double  largest_over_ranks(double value) const override;
     long    n_applications() const override;
 
     /** Bytes on this rank, without the heights. */
     std::size_t memory_consumption() const;
 
   private:
-    Block block_of_row(int local_row) const;
-
-    const SlabField       &surface;
     HalfSpace              half_space;
     TwoScalePreconditioner preconditioner;
-    std::vector<Block>     all_points;
+  };
+
+  /**
+   * The same with adhesion: K has the symbol E* q / 2. M is a TwoScaleCompliance or,
+   * where the grid does not suit that, exact at the cost of an FFT pair.
+   */
+  class HalfSpaceGapProblem : public GridProblem<GapProblem>
+  {
+  public:
+    /** As HalfSpaceProblem. */
+    HalfSpaceGapProblem(const SlabField   &heights,
+                        double             contact_modulus,
+                        const AdhesionLaw &adhesion);
+
+    const AdhesionLaw &adhesion() const override;
+    double
+         apply(const double *displacement, double *traction, const Pass &before) override;
+    void precondition(double *values, const Pass &before, const Pass &after) override;
+    double mean_stiffness() const override;
+    void   fill_with_noise(double *values) const override;
+    long   n_applications() const override;
+
+    /** Bytes on this rank, without the heights. */
+    std::size_t memory_consumption() const;
+
+  private:
+    double stiffness(int kx, int ky) const;
+
+    const AdhesionLaw law;
+    FourierTransform  transform;
+    double            unit_stiffness; // of the wave that fits into the box once along x
+    double            aspect;         // lx/ly
+
+    std::unique_ptr<TwoScaleCompliance> compliance; // if the grid suits it
   };
 } // namespace strait
 

@@ -2,7 +2,7 @@
 #ifndef strait_contact_polonsky_keer_h
 #define strait_contact_polonsky_keer_h
 
-#include <strait/contact/optimisation.h>
+#include <strait/contact/dual_optimisation.h>
 
 namespace strait
 {
@@ -12,7 +12,7 @@ namespace strait
    * 1999). Same problem, residual and result as DualConjugateGradients, at the
    * price of two applications of G for each step that changes the contact.
    */
-  class PolonskyKeer
+  class PolonskyKeer : public DualOptimiser
   {
   public:
     /** Needs 16 B a local point beside the two fields of solve(). */
@@ -20,11 +20,8 @@ namespace strait
                  const ContactConstraint &constraint,
                  const ContactTolerance  &tolerance);
 
-    /** As DualConjugateGradients::solve(). Collective. */
-    ContactSolution solve(double *pressure, double *gap);
-
-    /** Bytes on this rank. */
-    std::size_t memory_consumption() const;
+    ContactSolution solve(double *pressure, double *gap) override;
+    std::size_t     memory_consumption() const override;
 
   private:
     void   start();

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_optimisation_h
-#define strait_contact_optimisation_h
+#ifndef strait_contact_dual_optimisation_h
+#define strait_contact_dual_optimisation_h
 
-#include <strait/contact/dual_problem.h>
+#include <strait/base/contact_parameters.h>
+#include <strait/contact/contact_problem.h>
+
+#include <memory>
 
 namespace strait
 {
@@ -14,10 +17,18 @@ namespace strait
   {
   public:
     /** Load control with this nominal pressure. */
-    static ContactConstraint mean_pressure(double pressure);
+    static ContactConstraint
+    mean_pressure(const double pressure)
+    {
+      return {true, pressure};
+    }
 
     /** Gap control with this rigid displacement u0. */
-    static ContactConstraint rigid_displacement(double displacement);
+    static ContactConstraint
+    rigid_displacement(const double displacement)
+    {
+      return {false, displacement};
+    }
 
     /** The rigid displacement of gap control; 0 where it is unknown. */
     double
@@ -74,11 +85,29 @@ namespace strait
     bool   converged  = false;
   };
 
-  /** For DualProblem: nothing to do after. */
-  inline void
-  no_work_pass(const DualProblem::Block &, double)
+  /** A method that finds the pressure of a contact without adhesion. */
+  class DualOptimiser
   {
-  }
+  public:
+    virtual ~DualOptimiser() = default;
+
+    /**
+     * @p pressure: a start on entry (negative values count as 0; it must not
+     * vanish if its mean is prescribed), the solution on return. @p gap: on
+     * return g = Gp + u0 − h. Collective.
+     */
+    virtual ContactSolution solve(double *pressure, double *gap) = 0;
+
+    /** Bytes on this rank, beside the two fields of solve(). */
+    virtual std::size_t memory_consumption() const = 0;
+  };
+
+  /** The method of this name. @p problem must outlive it. */
+  std::unique_ptr<DualOptimiser>
+  make_dual_optimiser(ContactMethod            method,
+                      DualProblem             &problem,
+                      const ContactConstraint &constraint,
+                      const ContactTolerance  &tolerance);
 } // namespace strait
 
 #endif

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_contact_problem_h
+#define strait_contact_contact_problem_h
+
+#include <strait/contact/adhesion_law.h>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * A contact problem as an optimiser sees it: the points that this rank has, what area
+   * and height each has, how to sum over all of them, and a preconditioner. Knows neither
+   * elasticity nor how the points lie. Fields are arrays of size() values of this rank;
+   * <a, b> is the mean of a·b over the nominal area, <a> that of a.
+   */
+  class ContactProblem
+  {
+  public:
+    virtual ~ContactProblem() = default;
+
+    /** Points begin <= i < end of this rank that stand for the same area. */
+    struct Block
+    {
+      std::size_t begin;
+      std::size_t end;
+      double      weight; // area of one point over the nominal area
+    };
+
+    /**
+     * What an optimiser does with a range of points just before or after the
+     * problem does, while they are in the cache. Passes may not communicate.
+     */
+    using Pass = std::function<void(const Block &range)>;
+
+    virtual std::size_t size() const = 0;
+
+    /** Disjoint blocks that cover all points of this rank. */
+    virtual const std::vector<Block> &blocks() const = 0;
+
+    /** The heights h [length]. */
+    virtual const double *heights() const = 0;
+
+    /**
+     * Replace @p values by M values, where M is symmetric and positive and resembles the
+     * inverse of the problem's operator. Collective.
+     * before() is called for ranges that cover all points before the values are
+     * read there, and may write them; after() when the result is complete on its
+     * range.
+     */
+    virtual void precondition(double *values, const Pass &before, const Pass &after) = 0;
+
+    /** How often the operator was applied (FFT pairs on a plain grid). */
+    virtual long n_applications() const = 0;
+
+    /** Collective: sums over the ranks, all in one message. */
+    virtual void sum_over_ranks(double *values, int count) const = 0;
+
+    /** Collective: the largest over the ranks. */
+    virtual double largest_over_ranks(double value) const = 0;
+  };
+
+  /** Without adhesion: minimise ½<p, Gp> − <p, h> over pressures p >= 0. M is the inverse
+   *  of G up to a factor. */
+  class DualProblem : public ContactProblem
+  {
+  public:
+    /** A pass that is told the work. */
+    using WorkPass = std::function<void(const Block &range, double work)>;
+
+    /**
+     * u = G p. Returns the work <p, Gp>. Collective.
+     * before() is called for ranges that cover all points before p is read there,
+     * and may write p; the scratch() values of its range are as they were.
+     * after() gets the work and is called when u is complete on its range.
+     */
+    virtual double apply(const double   *pressure,
+                         double         *displacement,
+                         const Pass     &before,
+                         const WorkPass &after) = 0;
+
+    /** Room for size() values that lasts until the next apply(). */
+    virtual double *scratch() = 0;
+  };
+
+  /**
+   * With adhesion: minimise ½<w, Kw> + <γ(g)> + p0 <g> over gaps g >= 0, where w = g + h
+   * and K vanishes on constants. M is the inverse of K + mean_stiffness() <·>.
+   */
+  class GapProblem : public ContactProblem
+  {
+  public:
+    virtual const AdhesionLaw &adhesion() const = 0;
+
+    /**
+     * traction = K w. Returns <w, Kw>. Collective.
+     * before() is called for ranges that cover all points before w is read there, and
+     * may write w.
+     */
+    virtual double
+    apply(const double *displacement, double *traction, const Pass &before) = 0;
+
+    /** What stands in M for the stiffness of a uniform gap [pressure/length]. */
+    virtual double mean_stiffness() const = 0;
+
+    /** Rough values of the order one, the same however the points are dealt out. */
+    virtual void fill_with_noise(double *values) const = 0;
+  };
+
+  /** Nothing to do before or after. */
+  inline void
+  no_pass(const ContactProblem::Block &)
+  {
+  }
+
+  /** The same for a pass that is told the work. */
+  inline void
+  no_work_pass(const ContactProblem::Block &, double)
+  {
+  }
+
+  /** N sums over points, weighted by area. */
+  template <std::size_t N>
+  class WeightedSums
+  {
+  public:
+    /** add(i, sums) adds the values of point i of @p range to the N sums. */
+    template <class Add>
+    void
+    run_over(const ContactProblem::Block &range, const Add &add)
+    {
+      std::array<double, N> sums{};
+      for (std::size_t i = range.begin; i < range.end; ++i)
+        add(i, sums);
+      for (std::size_t k = 0; k < N; ++k)
+        local[k] += range.weight * sums[k];
+    }
+
+    /** Collective: the sums over all ranks. */
+    std::array<double, N>
+    over_ranks(const ContactProblem &problem) const
+    {
+      std::array<double, N> total = local;
+      problem.sum_over_ranks(total.data(), static_cast<int>(N));
+      return total;
+    }
+
+  private:
+    std::array<double, N> local{};
+  };
+
+  /** The same over all points at once. Collective. */
+  template <std::size_t N, class Add>
+  std::array<double, N>
+  weighted_sums(const ContactProblem &problem, const Add &add)
+  {
+    WeightedSums<N> sums;
+    for (const ContactProblem::Block &block : problem.blocks())
+      sums.run_over(block, add);
+    return sums.over_ranks(problem);
+  }
+} // namespace strait
+
+#endif
