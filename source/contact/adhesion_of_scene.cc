@@ -40,8 +40,7 @@ namespace strait
                                      scale.law(surface_energy),
                                      AdhesiveStart::without_adhesion,
                                      heights);
-        solver.recall({without.gap, pressure});
-        return solver.solve(pressure).contact_area / wanted - 1;
+        return solver.solve(pressure, &without).contact_area / wanted - 1;
       };
       // The area grows with γ0, with jumps: enclose it, then halve the logarithm or
       // follow the secant of the ends, in turns.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace strait
 {
@@ -40,25 +41,33 @@ namespace strait
     : parameters(parameters_)
     , law(law_)
     , start(start_)
-    , heights(std::move(heights_))
-    , traction_scale(flattening_traction(heights, parameters.effective_modulus))
-    , problem(heights, parameters.effective_modulus, law)
+    , wall(std::move(heights_), parameters.effective_modulus)
+    , traction_scale(flattening_traction(wall.heights(), parameters.effective_modulus))
+    , problem(wall.heights(), parameters.effective_modulus, law)
     , stability(problem,
-                parameters.control == ContactControl::load
-                  ? GapConstraint::Kind::nominal_pressure
-                  : GapConstraint::Kind::mean_gap)
+                loads() ? GapConstraint::Kind::nominal_pressure
+                        : GapConstraint::Kind::mean_gap)
   {
-    if (!std::isfinite(traction_scale))
-      throw InputError(
-        "The surface has heights that are not finite numbers; mend the "
-        "Expression or File of the section Surface.");
+  }
+
+  bool
+  AdhesiveContactSolver::loads() const
+  {
+    return parameters.control == ContactControl::load;
   }
 
   ContactState
-  AdhesiveContactSolver::solve(const double target)
+  AdhesiveContactSolver::solve(const double        target,
+                               const ContactState *from,
+                               const SlabField    *fluid_pressure)
   {
-    choose_start(target);
-    last_target = target;
+    check(target, from);
+    wall.wet(fluid_pressure);
+    const bool   is_dry   = fluid_pressure == nullptr;
+    const double of_solid = loads() ? target - wall.fluid_load() : target;
+    SlabField    gap      = start_gap(of_solid, from, is_dry);
+    if (from != nullptr && from->adhesion)
+      stability.direction() = from->adhesion->softest_direction;
 
     const long                  n_before = problem.n_applications();
     std::vector<RelaxationStep> relaxation;
@@ -67,12 +76,14 @@ namespace strait
       observer = [&relaxation](const RelaxationStep &step) {
         relaxation.push_back(step);
       };
-    const auto optimiser = make_optimiser(target, observer);
-    peak_memory          = std::max(
-      peak_memory,
-      (heights.size() + 2 * gap.size() + stability.direction().size()) * sizeof(double) +
-        earlier_gap.size() * sizeof(float) + problem.memory_consumption() +
-        std::max(optimiser->memory_consumption(), stability.memory_consumption()));
+    const auto optimiser = make_optimiser(of_solid, observer);
+    peak_memory =
+      std::max(peak_memory,
+               wall.memory_consumption() +
+                 (2 * gap.size() + stability.direction().size()) * sizeof(double) +
+                 problem.memory_consumption() +
+                 std::max(optimiser->memory_consumption(),
+                          stability.memory_consumption()));
 
     GapSolution solution   = optimiser->solve(gap.data());
     int         iterations = solution.iterations;
@@ -82,15 +93,19 @@ namespace strait
         curvature = stability.smallest_curvature(gap.data(), optimiser->curvature());
         if (curvature > -curvature_noise || pushes == max_pushes)
           break;
-        push_off();
+        push_off(gap);
         solution = optimiser->solve(gap.data());
         iterations += solution.iterations;
       }
 
-    ContactState state                 = state_of(*optimiser, solution);
+    ContactState state                 = state_of(*optimiser, solution, std::move(gap));
     state.iterations                   = iterations;
     state.fft_pairs                    = problem.n_applications() - n_before;
+    state.approach                     = from != nullptr && is_dry
+                                           ? Approach(of_solid, from->gap, from->approach.target())
+                                           : Approach(of_solid);
     state.adhesion->smallest_curvature = curvature;
+    state.adhesion->softest_direction  = std::exchange(stability.direction(), {});
     state.adhesion->relaxation         = std::move(relaxation);
     // A saddle point that could not be left is not what was asked for.
     state.converged = state.converged && !(curvature < -curvature_noise);
@@ -100,7 +115,7 @@ namespace strait
   std::unique_ptr<GapOptimiser>
   AdhesiveContactSolver::make_optimiser(const double target, RelaxationObserver observer)
   {
-    const bool          by_load = parameters.control == ContactControl::load;
+    const bool          by_load = loads();
     const GapConstraint constraint{by_load ? GapConstraint::Kind::nominal_pressure
                                            : GapConstraint::Kind::mean_gap,
                                    target};
@@ -116,56 +131,44 @@ namespace strait
   }
 
   void
-  AdhesiveContactSolver::choose_start(const double target)
+  AdhesiveContactSolver::check(const double target, const ContactState *from) const
   {
-    if (!std::isfinite(target) ||
-        (parameters.control == ContactControl::mean_gap && !(target > 0)))
+    if (!std::isfinite(target) || (!loads() && !(target > 0)))
       throw InputError("Load programme/Pressures contains " + to_text(target) +
                        " but a mean gap must be positive.");
-    if (gap.empty())
-      gap = first_gap(target);
-    else if (!earlier_gap.empty() && target != last_target)
-      extrapolate(target);
-    else
-      {
-        earlier_gap.assign(gap.begin(), gap.end());
-        earlier_target = last_target;
-      }
+    if (from == nullptr && start == AdhesiveStart::without_adhesion && !(target > 0))
+      throw InputError("Load programme/Pressures begins with " + to_text(target) +
+                       " but with adhesion it must begin with a positive load that "
+                       "makes contact, from which tension can pull.");
   }
 
-  /** Where the last two states lead to; what closes there stays closed. */
-  void
-  AdhesiveContactSolver::extrapolate(const double target)
+  /** Where the state @p from and the one before it lead to; what closes there stays
+   *  closed. */
+  SlabField
+  AdhesiveContactSolver::start_gap(const double        target,
+                                   const ContactState *from,
+                                   const bool          is_dry) const
   {
-    const double ratio   = (target - last_target) / (last_target - earlier_target);
-    const bool   is_near = ratio > 0 && ratio <= 2;
-    for (std::size_t i = 0; i < gap.size(); ++i)
-      {
-        const double last = gap[i];
-        if (is_near && last > 0)
-          gap[i] = std::max(0., last + ratio * (last - earlier_gap[i]));
-        earlier_gap[i] = static_cast<float>(last);
-      }
-    earlier_target = last_target;
+    if (from == nullptr)
+      return first_gap(target);
+    const double steps   = from->approach.steps_to(target);
+    const bool   is_near = is_dry && steps > 0 && steps <= 2;
+    return is_near ? from->approach.extrapolated(from->gap, target) : from->gap;
   }
 
   SlabField
   AdhesiveContactSolver::first_gap(const double target) const
   {
     if (start == AdhesiveStart::full_contact)
-      return SlabField(heights.layout_pointer());
-    if (!(target > 0))
-      throw InputError("Load programme/Pressures begins with " + to_text(target) +
-                       " but with adhesion it must begin with a positive load that "
-                       "makes contact, from which tension can pull.");
+      return SlabField(wall.layout());
     ContactParameters without = parameters;
     without.tolerance         = std::max(1e-4, parameters.tolerance);
-    return ContactSolver(without, heights).solve(target).gap;
+    return ContactSolver(without, wall.heights()).solve(target).gap;
   }
 
   /** Leave a saddle point of the energy, towards smaller gaps. */
   void
-  AdhesiveContactSolver::push_off()
+  AdhesiveContactSolver::push_off(SlabField &gap)
   {
     const std::vector<double> &v = stability.direction();
     const auto [mean, square] = weighted_sums<2>(problem, [&v](const auto i, auto &sums) {
@@ -185,18 +188,19 @@ namespace strait
 
   ContactState
   AdhesiveContactSolver::state_of(const GapOptimiser &optimiser,
-                                  const GapSolution  &solution) const
+                                  const GapSolution  &solution,
+                                  SlabField           gap) const
   {
     ContactState state;
-    state.gap      = gap;
-    state.pressure = SlabField(gap.layout_pointer());
+    state.gap      = std::move(gap);
+    state.pressure = SlabField(wall.layout());
     // Within the tolerance a point may be held by no force, but it is held.
-    for (std::size_t i = 0; i < gap.size(); ++i)
-      state.pressure[i] = gap[i] > 0 ? 0.
-                                     : std::max(optimiser.reaction()[i],
-                                                std::numeric_limits<double>::min());
+    for (std::size_t i = 0; i < state.gap.size(); ++i)
+      state.pressure[i] = state.gap[i] > 0 ? 0.
+                                           : std::max(optimiser.reaction()[i],
+                                                      std::numeric_limits<double>::min());
     const ContactArea area       = contact_area(state.pressure);
-    state.nominal_pressure       = solution.nominal_pressure;
+    state.nominal_pressure       = solution.nominal_pressure + wall.fluid_load();
     state.mean_gap               = mean(state.gap);
     state.contact_area           = area.fraction;
     state.contact_area_corrected = area.corrected_fraction;
@@ -208,42 +212,5 @@ namespace strait
     adhesion.total_energy    = solution.energy;
     adhesion.detached        = solution.detached;
     return state;
-  }
-
-  void
-  AdhesiveContactSolver::forget()
-  {
-    recall({});
-  }
-
-  ContactMemory
-  AdhesiveContactSolver::memory() const
-  {
-    return {gap, last_target};
-  }
-
-  void
-  AdhesiveContactSolver::recall(const ContactMemory &memory)
-  {
-    gap         = memory.gap;
-    last_target = memory.target;
-    earlier_gap = std::vector<float>();
-  }
-
-  void
-  AdhesiveContactSolver::transfer(StateArchive &archive)
-  {
-    const SlabLayoutPtr &grid = heights.layout_pointer();
-    archive.field(gap, grid);
-    archive.value(last_target);
-    archive.field(earlier_gap, *grid);
-    archive.value(earlier_target);
-    archive.field(stability.direction(), *grid);
-  }
-
-  std::size_t
-  AdhesiveContactSolver::memory_consumption() const
-  {
-    return peak_memory;
   }
 } // namespace strait

@@ -20,6 +20,26 @@ namespace strait
     {
       return std::sqrt(grid.lx * grid.ly);
     }
+
+    /** Whether a state at @p target may start from @p from. */
+    bool
+    is_near(const ContactState &from, const double target)
+    {
+      // Largest relative step of the load that starts from the last states: beyond it
+      // the coarser grids cost less (measured on self-affine surfaces).
+      constexpr double small_step = 0.12;
+      const double     before     = from.approach.target();
+      return before > 0 && std::abs(target - before) <= small_step * before;
+    }
+
+    /** The pressure at @p target, foretold from states near to it. */
+    SlabField
+    start_from(const ContactState &from, const double target, const bool on_a_line)
+    {
+      return on_a_line && std::abs(from.approach.steps_to(target)) <= 2.
+               ? from.approach.extrapolated(from.pressure, target)
+               : from.pressure;
+    }
   } // namespace
 
   ContactSolver::ContactSolver(const ContactParameters &contact_parameters,
@@ -27,89 +47,53 @@ namespace strait
                                Report                   report_line)
     : parameters(contact_parameters)
     , report(std::move(report_line))
-    , heights(std::move(surface_heights))
+    , wall(std::move(surface_heights), parameters.effective_modulus)
+    , problem(wall.heights(), parameters.effective_modulus)
   {
-    lower_highest_peak_to_zero();
-    rms_height = rms(heights);
-    if (!std::isfinite(rms_height))
-      throw InputError(
-        "The surface has heights that are not finite numbers; mend the "
-        "Expression or File of the section Surface.");
-    problem = std::make_unique<HalfSpaceProblem>(heights, parameters.effective_modulus);
   }
 
-  ContactSolver::~ContactSolver() = default;
-
   ContactState
-  ContactSolver::solve(const double target)
+  ContactSolver::solve(const double        target,
+                       const ContactState *from,
+                       const SlabField    *fluid_pressure)
   {
+    wall.wet(fluid_pressure);
     check(target);
     if (!makes_contact(target))
       return state_without_contact(target);
 
     const double of_solid = share_of_solid(target);
-    if (!earlier.start(of_solid, pressure))
-      {
-        pressure = SlabField(); // the coarser grids need the room
-        pressure = start_from_coarser_grid(heights, of_solid);
-      }
-    SlabField              gap(heights.layout_pointer());
+    // Only states under the same fluid lie on a line.
+    const bool             is_dry   = fluid_pressure == nullptr;
+    const bool             starts   = from != nullptr && is_near(*from, of_solid);
+    SlabField              pressure = starts ? start_from(*from, of_solid, is_dry)
+                                             : start_from_coarser_grid(wall.heights(), of_solid);
+    SlabField              gap(wall.layout());
     const ContactTolerance tolerance = tolerance_for(of_solid);
-    const long             n_before  = problem->n_applications();
+    const long             n_before  = problem.n_applications();
     const ContactSolution  solution =
-      optimise(*problem, of_solid, tolerance, pressure, gap);
-    earlier.arrived(of_solid);
+      optimise(problem, of_solid, tolerance, pressure, gap);
 
-    ContactState state = state_of(solution, std::move(gap));
-    if (parameters.control == ContactControl::load)
+    ContactState state = state_of(solution, std::move(pressure), std::move(gap));
+    if (loads())
       state.nominal_pressure = target; // the mean, without its rounding
-    state.fft_pairs = problem->n_applications() - n_before;
+    state.fft_pairs = problem.n_applications() - n_before;
+    state.approach  = starts && is_dry
+                        ? Approach(of_solid, from->pressure, from->approach.target())
+                        : Approach(of_solid);
     return state;
   }
 
-  void
-  ContactSolver::set_fluid_pressure(const SlabField &fluid_pressure)
+  bool
+  ContactSolver::loads() const
   {
-    if (dry_heights.empty())
-      dry_heights = heights;
-    HalfSpace wall(heights.layout_pointer(), parameters.effective_modulus);
-    wall.apply(fluid_pressure.data(), heights.data());
-    for (std::size_t i = 0; i < heights.size(); ++i)
-      heights[i] = dry_heights[i] - heights[i];
-    lower_highest_peak_to_zero();
-    fluid_load = mean(fluid_pressure);
-    // Only states under the same fluid lie on a line.
-    earlier.keep_last();
-  }
-
-  void
-  ContactSolver::lower_highest_peak_to_zero()
-  {
-    const double peak = max_value(heights);
-    for (double &h : heights)
-      h -= peak;
-    mean_height = mean(heights);
-  }
-
-  void
-  ContactSolver::forget()
-  {
-    pressure = SlabField();
-    earlier.forget();
-  }
-
-  void
-  ContactSolver::transfer(StateArchive &archive)
-  {
-    const SlabLayoutPtr &grid = heights.layout_pointer();
-    archive.field(pressure, grid);
-    earlier.transfer(archive, *grid);
+    return parameters.control == ContactControl::load;
   }
 
   void
   ContactSolver::check(const double target) const
   {
-    const bool         by_load = parameters.control == ContactControl::load;
+    const bool         by_load = loads();
     std::ostringstream message;
     if (!(target > 0) || !std::isfinite(target))
       {
@@ -122,7 +106,7 @@ namespace strait
       }
     if (!(share_of_solid(target) > 0))
       {
-        message << "The fluid carries a mean pressure of " << fluid_load
+        message << "The fluid carries a mean pressure of " << wall.fluid_load()
                 << ", more than the nominal pressure of " << target
                 << ", so the surfaces do not stay in contact.";
         throw ComputationError(message.str());
@@ -133,22 +117,21 @@ namespace strait
   ContactSolver::makes_contact(const double target) const
   {
     // The highest peak has height 0 here.
-    return parameters.control == ContactControl::load || target + mean_height < 0;
+    return loads() || target + wall.mean_height() < 0;
   }
 
   double
   ContactSolver::share_of_solid(const double target) const
   {
-    return parameters.control == ContactControl::load ? target - fluid_load : target;
+    return loads() ? target - wall.fluid_load() : target;
   }
 
   ContactConstraint
   ContactSolver::constraint_for(const double target) const
   {
     // The displacement under pressure has the mean 0.
-    return parameters.control == ContactControl::load
-             ? ContactConstraint::mean_pressure(target)
-             : ContactConstraint::rigid_displacement(target + mean_height);
+    return loads() ? ContactConstraint::mean_pressure(target)
+                   : ContactConstraint::rigid_displacement(target + wall.mean_height());
   }
 
   ContactTolerance
@@ -157,8 +140,9 @@ namespace strait
     // A flat surface has no rms height; what remains is rounding of the
     // displacement that the load itself would cause over the box.
     const double length =
-      rms_height > 0 ? rms_height
-                     : target * box_length(heights.grid()) / parameters.effective_modulus;
+      wall.rms_height() > 0
+        ? wall.rms_height()
+        : target * box_length(wall.heights().grid()) / parameters.effective_modulus;
     return {parameters.tolerance, length, parameters.maximum_iterations};
   }
 
@@ -195,7 +179,8 @@ namespace strait
         const double stiffness =
           parameters.effective_modulus / box_length(grid_heights.grid());
         for (std::size_t i = 0; i < start.size(); ++i)
-          start[i] = stiffness * std::max(0., grid_heights[i] - (target + mean_height));
+          start[i] =
+            stiffness * std::max(0., grid_heights[i] - (target + wall.mean_height()));
       }
     return start;
   }
@@ -231,16 +216,18 @@ namespace strait
   }
 
   ContactState
-  ContactSolver::state_of(const ContactSolution &solution, SlabField gap)
+  ContactSolver::state_of(const ContactSolution &solution,
+                          SlabField              pressure,
+                          SlabField              gap) const
   {
     for (std::size_t i = 0; i < gap.size(); ++i)
       gap[i] = pressure[i] > 0 ? 0. : std::max(gap[i], 0.);
 
     const ContactArea area = contact_area(pressure);
     ContactState      state;
-    state.pressure               = pressure;
+    state.pressure               = std::move(pressure);
     state.gap                    = std::move(gap);
-    state.nominal_pressure       = mean(state.pressure) + fluid_load;
+    state.nominal_pressure       = mean(state.pressure) + wall.fluid_load();
     state.mean_gap               = mean(state.gap);
     state.contact_area           = area.fraction;
     state.contact_area_corrected = area.corrected_fraction;
@@ -251,15 +238,14 @@ namespace strait
   }
 
   ContactState
-  ContactSolver::state_without_contact(const double mean_gap)
+  ContactSolver::state_without_contact(const double mean_gap) const
   {
-    forget();
     ContactState state;
-    state.nominal_pressure = fluid_load;
-    state.pressure         = SlabField(heights.layout_pointer());
-    state.gap              = SlabField(heights.layout_pointer());
-    for (std::size_t i = 0; i < heights.size(); ++i)
-      state.gap[i] = std::max(0., mean_gap + mean_height - heights[i]);
+    state.nominal_pressure = wall.fluid_load();
+    state.pressure         = SlabField(wall.layout());
+    state.gap              = SlabField(wall.layout());
+    for (std::size_t i = 0; i < state.gap.size(); ++i)
+      state.gap[i] = std::max(0., mean_gap + wall.mean_height() - wall.heights()[i]);
     state.mean_gap  = mean(state.gap);
     state.converged = true;
     return state;
@@ -268,11 +254,10 @@ namespace strait
   void
   ContactSolver::note_memory(const std::size_t optimiser_bytes)
   {
-    // Heights, pressure and gap; the coarser grids hold a quarter of this.
-    const std::size_t fields =
-      2 * heights.size() + pressure.size() + (dry_heights.empty() ? 0 : heights.size());
-    const std::size_t bytes = fields * sizeof(double) + earlier.memory_consumption() +
-                              problem->memory_consumption() + optimiser_bytes;
+    // Pressure and gap; the coarser grids hold a quarter of this.
+    const std::size_t bytes = wall.memory_consumption() +
+                              2 * wall.heights().size() * sizeof(double) +
+                              problem.memory_consumption() + optimiser_bytes;
     peak_memory = std::max(peak_memory, bytes);
   }
 } // namespace strait

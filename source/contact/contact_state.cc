@@ -6,18 +6,12 @@ namespace strait
   namespace
   {
     void
-    transfer_relaxation(StateArchive &archive, std::vector<RelaxationStep> &relaxation)
+    transfer_step(StateArchive &archive, RelaxationStep &step)
     {
-      auto n_steps = static_cast<long>(relaxation.size());
-      archive.value(n_steps);
-      relaxation.resize(n_steps);
-      for (RelaxationStep &step : relaxation)
-        {
-          archive.value(step.iteration);
-          archive.value(step.energy);
-          archive.value(step.residual);
-          archive.value(step.step);
-        }
+      archive.value(step.iteration);
+      archive.value(step.energy);
+      archive.value(step.residual);
+      archive.value(step.step);
     }
   } // namespace
 
@@ -34,16 +28,16 @@ namespace strait
     archive.value(state.iterations);
     archive.value(state.fft_pairs);
     archive.value(state.converged);
-    bool is_adhesive = state.adhesion.has_value();
-    archive.value(is_adhesive);
-    if (!is_adhesive)
+    state.approach.transfer(archive, *layout);
+    if (!transfer_presence(archive, state.adhesion))
       return;
-    if (archive.is_reading())
-      state.adhesion.emplace();
     archive.value(state.adhesion->adhesive_energy);
     archive.value(state.adhesion->total_energy);
     archive.value(state.adhesion->smallest_curvature);
     archive.value(state.adhesion->detached);
-    transfer_relaxation(archive, state.adhesion->relaxation);
+    archive.field(state.adhesion->softest_direction, *layout);
+    transfer_all(archive, state.adhesion->relaxation, [&](RelaxationStep &step) {
+      transfer_step(archive, step);
+    });
   }
 } // namespace strait

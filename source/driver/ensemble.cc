@@ -115,14 +115,14 @@ namespace strait
                  const std::string &status,
                  Scatter           &scatter)
     {
-      Threshold threshold;
+      Transition threshold;
       threshold.lower = threshold.upper = threshold.contact_area = std::nan("");
       if (!run.thresholds.empty())
         threshold = run.thresholds.front();
-      const double crossover = (1 - run.crossover) * threshold.critical_load();
+      const double crossover = (1 - run.crossover) * threshold.middle();
       const double exponent =
         run.exponent.n_points < 2 ? std::nan("") : run.exponent.exponent;
-      scatter.add("critical_load", threshold.critical_load());
+      scatter.add("critical_load", threshold.middle());
       scatter.add("contact_area", threshold.contact_area);
       scatter.add("crossover_load", crossover);
       scatter.add("crossover_reduced_load", run.crossover);
@@ -139,7 +139,7 @@ namespace strait
                                       status};
       if (with_theory)
         {
-          const double load = (1 - run.theory_crossover) * threshold.critical_load();
+          const double load = (1 - run.theory_crossover) * threshold.middle();
           scatter.add(theory_column, load);
           row.insert(row.end() - 1, full_precision(load));
         }

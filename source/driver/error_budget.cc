@@ -2,7 +2,7 @@
 #include <strait/base/text.h>
 #include <strait/contact/grid_transfer.h>
 #include <strait/driver/error_budget.h>
-#include <strait/driver/flow_stage.h>
+#include <strait/seal/flow_stage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,31 +45,33 @@ namespace strait
   double
   ErrorBudget::leak_on(const int halvings, const Step &step)
   {
-    SlabField gap = step.gap;
-    if (step.contact)
+    SlabField gap = step.state.gap();
+    if (step.state.contact)
       {
         const bool by_load = scene.contact.control == ContactControl::load;
-        gap                = coarser[halvings - 1]
-                ->solve(by_load ? step.contact->nominal_pressure : step.mean_gap)
-                .gap;
+        gap =
+          coarser[halvings - 1]
+            ->solve(by_load ? step.state.contact->nominal_pressure : step.state.mean_gap)
+            .gap;
       }
     else
       for (int h = 0; h < halvings; ++h)
         gap = restrict_by_injection(gap);
-    return leak_rate_of(gap, step.slip_length, scene.fluid);
+    return leak_rate_of(gap, step.state.control.slip_length, scene.fluid);
   }
 
   void
   ErrorBudget::add_contact_grid(const Step &step, StepErrors &errors)
   {
-    if (step.contact ? coarser.size() < 2 : !can_be_coarsened(step.gap.grid()))
+    if (step.state.contact ? coarser.size() < 2
+                           : !can_be_coarsened(step.state.gap().grid()))
       return;
-    const double fine  = step.flow->result.leak_rate;
-    const double half  = leak_on(1, step);
-    const double first = (fine - half) / fine;
-    double       error = std::abs(first);
-    const bool   nested =
-      step.contact || std::min(step.gap.grid().nx, step.gap.grid().ny) >= 128;
+    const double fine   = step.flow->result.leak_rate;
+    const double half   = leak_on(1, step);
+    const double first  = (fine - half) / fine;
+    double       error  = std::abs(first);
+    const bool   nested = step.state.contact || std::min(step.state.gap().grid().nx,
+                                                       step.state.gap().grid().ny) >= 128;
     if (const double quarter = nested ? leak_on(2, step) : half; half != 0)
       {
         const double second = (half - quarter) / fine;
@@ -85,30 +87,23 @@ namespace strait
     errors.items.push_back({"contact grid", error, "Contact/Grid points"});
   }
 
-  void
-  ErrorBudget::transfer(StateArchive &archive)
-  {
-    for (const auto &solver : coarser)
-      solver->transfer(archive);
-  }
-
   StepErrors
   ErrorBudget::assess(const Step &step)
   {
     StepErrors        errors;
     const FlowResult &flow    = step.flow->result;
-    const double      by_wall = step.feedback ? step.feedback->mesh_error : 0.;
+    const double      by_wall = step.state.fluid ? step.state.fluid->mesh_error : 0.;
     errors.items.push_back(
       {"mesh", .5 * flow.relative_width() - by_wall, "Fluid/Target accuracy"});
     errors.items.push_back({"linear solver",
                             ReynoldsSolver::linear_share * scene.fluid.target_accuracy,
                             "Fluid/Target accuracy"});
-    if (step.contact)
+    if (step.state.contact)
       errors.items.push_back({"contact tolerance",
-                              3. * step.contact->residual * rms_height /
+                              3. * step.state.contact->residual * rms_height /
                                 step.flow->paths.front().bottleneck_gap,
                               "Contact/Tolerance"});
-    if (step.feedback)
+    if (step.state.fluid)
       {
         errors.items.push_back(
           {"fluid pressure on the wall", by_wall, "Fluid/Target accuracy"});
@@ -124,7 +119,8 @@ namespace strait
           scene.fluid.interpolation == GapInterpolation::monotone_cubic
             ? GapInterpolation::bilinear
             : GapInterpolation::monotone_cubic;
-        const double leak = leak_rate_of(step.gap, step.slip_length, other);
+        const double leak =
+          leak_rate_of(step.state.gap(), step.state.control.slip_length, other);
         errors.items.push_back({"gap interpolation",
                                 std::abs(leak / flow.leak_rate - 1.),
                                 "Contact/Grid points"});

@@ -48,7 +48,7 @@ namespace strait
   void
   write_grid_fields(const std::string &directory, const Step &step)
   {
-    const SlabLayout   &layout = step.gap.layout();
+    const SlabLayout   &layout = step.state.gap().layout();
     const PeriodicGrid &grid   = layout.grid();
     const std::string   name   = numbered(directory, "fields", step.number) + ".h5";
     require_space(name,
@@ -59,12 +59,12 @@ namespace strait
                             dealii::HDF5::File::FileAccessMode::create,
                             layout.communicator());
     std::vector<GridDataset> datasets = {{"gap", false}};
-    write_slabs(file, "gap", layout, local_values(step.gap));
-    if (step.contact)
+    write_slabs(file, "gap", layout, local_values(step.state.gap()));
+    if (step.state.contact)
       {
-        write_slabs(file, "pressure", layout, local_values(step.contact->pressure));
+        write_slabs(file, "pressure", layout, local_values(step.state.contact->pressure));
         datasets.push_back({"pressure", false});
-        file.set_attribute("nominal_pressure", step.contact->nominal_pressure);
+        file.set_attribute("nominal_pressure", step.state.contact->nominal_pressure);
       }
     if (step.flow)
       {
@@ -99,7 +99,7 @@ namespace strait
     const auto             &tria    = dofs.get_triangulation();
 
     PotentialProblem::Vector owned_pressure(dofs.locally_owned_dofs(),
-                                            step.gap.layout().communicator());
+                                            step.state.gap().layout().communicator());
     owned_pressure = problem.solution();
     owned_pressure *= fluid.inlet_pressure - fluid.outlet_pressure;
     owned_pressure.add(fluid.outlet_pressure);
@@ -127,7 +127,7 @@ namespace strait
     out.add_data_vector(leaks, "leaks");
     out.build_patches(step.flow->solver->mesh().mapping(), dofs.get_fe().degree);
     const std::string name = numbered(directory, "flow", step.number);
-    MPI_Comm          comm = step.gap.layout().communicator();
+    MPI_Comm          comm = step.state.gap().layout().communicator();
     // About what it takes, compressed; the library would print errors of its own.
     const std::uintmax_t bytes_per_cell =
       30 * dofs.get_fe().degree * dofs.get_fe().degree;

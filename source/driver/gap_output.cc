@@ -35,7 +35,7 @@ namespace strait
     const TheoryResult &theory    = *step.theory;
     const auto         &persson   = theory.persson_gaps;
     const auto         &simulated = theory.simulated_gaps;
-    const bool          is_begun  = !step.gap.empty();
+    const bool          is_begun  = !step.state.gap().empty();
     dealii::HDF5::File  file(directory + "/fields-" + std::to_string(step.number) + ".h5",
                             is_begun ? Mode::open : Mode::create,
                             comm);

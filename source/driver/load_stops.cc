@@ -21,7 +21,7 @@ namespace strait
   } // namespace
 
   std::vector<LoadStop>
-  plan_stops(const Scene &scene, const std::vector<Threshold> &thresholds)
+  plan_stops(const Scene &scene, const std::vector<Transition> &thresholds)
   {
     const std::vector<double> slips =
       scene.fluid.enabled ? scene.fluid.slip_lengths : std::vector<double>{0.};
@@ -35,10 +35,10 @@ namespace strait
       append_way_back(stops, slips.size());
 
     std::vector<LoadStop> near_threshold;
-    for (const Threshold &threshold : thresholds)
+    for (const Transition &threshold : thresholds)
       for (const double reduced : scene.programme.reduced_loads)
         near_threshold.push_back(
-          {(1 - reduced) * threshold.critical_load(), threshold.slip_length});
+          {(1 - reduced) * threshold.middle(), threshold.slip_length});
     const bool upwards = scene.programme.path != LoadPath::unloading;
     std::stable_sort(near_threshold.begin(),
                      near_threshold.end(),

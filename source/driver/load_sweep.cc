@@ -3,13 +3,30 @@
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/step_report.h>
 #include <strait/driver/threshold_doubts.h>
+#include <strait/seal/coupled_seal.h>
+#include <strait/seal/make_seal.h>
 #include <strait/surface/statistics.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace strait
 {
+  namespace
+  {
+    /** Of walls that the fluid has parted: nothing limits the leak. */
+    StepFlow
+    unlimited_flow(const std::size_t n_points)
+    {
+      StepFlow flow;
+      flow.clusters.percolates = true;
+      flow.clusters.states.assign(n_points, NodeState::percolating);
+      flow.result.leak_rate = flow.result.upper = std::numeric_limits<double>::infinity();
+      return flow;
+    }
+  } // namespace
+
   LoadSweep::LoadSweep(const Scene &scene_,
                        SlabField    heights,
                        Log         &log_,
@@ -19,52 +36,21 @@ namespace strait
     , log(log_)
     , timers(timers_)
     , layout(heights.layout_pointer())
-    , first_guess(0.)
+    , rms_slope(scene.programme.find_threshold ? statistics(heights).rms_slope : 0.)
+    , contact(complete_contact(scene, heights, surface_energy, log))
   {
     if (scene.fluid.enabled)
       {
-        flow =
-          std::make_unique<FlowStage>(scene.fluid, heights.layout_pointer(), log, timers);
+        flow = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
         if (scene.programme.find_threshold)
           flow->watch_constrictions();
         error_budget = std::make_unique<ErrorBudget>(scene, heights);
       }
     if (scene.theory.enabled)
       theory = std::make_unique<TheoryPrediction>(scene, &heights);
-    if (!scene.contact.enabled)
-      {
-        given_gap = std::move(heights);
-        return;
-      }
-    ContactParameters parameters = scene.contact;
-    if (scene.programme.find_threshold)
-      {
-        // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
-        // saddle at 0.229: start a little to the side that the scene names.
-        const double share = scene.programme.path == LoadPath::unloading ? .28 : .2;
-        first_guess =
-          share * parameters.effective_modulus * statistics(heights).rms_slope;
-        // The verdict must not depend on what the solver leaves over.
-        parameters.tolerance =
-          std::min(parameters.tolerance, .01 * scene.programme.threshold_tolerance);
-      }
-    if (surface_energy > 0.)
-      {
-        parameters.adhesion.surface_energy   = surface_energy;
-        parameters.adhesion.matched_pressure = 0.;
-      }
-    if (scene.contact.adhesion.enabled)
-      adhesive =
-        std::make_unique<AdhesiveSweep>(scene, parameters, std::move(heights), log);
-    else
-      contact = std::make_unique<ContactSolver>(parameters, std::move(heights));
-    if (scene.fluid.feedback.enabled)
-      coupling = std::make_unique<CoupledStage>(scene, *contact, *flow, log);
+    seal = make_seal(scene, contact, std::move(heights), flow.get(), log);
     if (scene.programme.find_threshold || scene.programme.find_blow_out)
-      search = std::make_unique<SealSearch>(
-        scene,
-        SealSearch::Stages{contact.get(), adhesive.get(), flow.get(), coupling.get()},
-        log);
+      search = std::make_unique<SealSearch>(scene, *seal, layout, flow->domain(), log);
   }
 
   void
@@ -84,15 +70,17 @@ namespace strait
   LoadSweep::end_searches()
   {
     search.reset();
-    if (adhesive)
-      adhesive->end_search();
   }
 
-  const std::vector<Threshold> &
+  const std::vector<Transition> &
   LoadSweep::find_thresholds()
   {
-    const auto scope = timers.scope("threshold");
-    thresholds       = search->find_thresholds(first_guess);
+    // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
+    // saddle at 0.229: start a little to the side that the scene names.
+    const double factor = scene.programme.path == LoadPath::unloading ? .28 : .2;
+    const auto   scope  = timers.scope("threshold");
+    thresholds =
+      search->find_critical_loads(factor * contact.effective_modulus * rms_slope);
     return thresholds;
   }
 
@@ -103,10 +91,10 @@ namespace strait
     return search->find_blow_outs();
   }
 
-  const Threshold *
+  const Transition *
   LoadSweep::threshold_of(const double slip_length) const
   {
-    for (const Threshold &threshold : thresholds)
+    for (const Transition &threshold : thresholds)
       if (threshold.slip_length == slip_length)
         return &threshold;
     return nullptr;
@@ -118,32 +106,19 @@ namespace strait
     const std::vector<LoadStop> stops = plan_stops(scene, thresholds);
     while (next_stop < stops.size())
       {
-        const std::size_t k = next_stop;
-        step.number         = static_cast<int>(k) + 1;
-        step.branch         = branch_of(scene, stops, k);
-        step.slip_length    = stops[k].slip_length;
-        if (coupling)
-          press_with_fluid(step, stops[k].target);
-        else
+        step.number = static_cast<int>(next_stop) + 1;
+        step.branch = branch_of(scene, stops, next_stop);
+        if (!press(step, stops[next_stop]))
           {
-            if (is_pressed(stops))
-              step.contact_seconds = step.dissipated_energy = 0.; // another slip length
-            else if (!press(step, stops[k]))
-              {
-                log.warn(
-                  format("the surfaces part under tension before the pressure %.6g: "
-                         "%zu steps are left out",
-                         stops[k].target,
-                         stops.size() - k));
-                break;
-              }
-            leak(step);
+            log.warn(
+              format("the surfaces part under tension before the pressure %.6g: "
+                     "%zu steps are left out",
+                     stops[next_stop].target,
+                     stops.size() - next_stop));
+            break;
           }
-        compare_with_threshold(step);
-        compare_with_theory(step);
-        step.errors =
-          step.flow && step.flow->solver ? error_budget->assess(step) : StepErrors();
-        converged = converged && step.converged();
+        leak(step);
+        judge(step);
         report_step(step, static_cast<int>(stops.size()), timers.total(), log);
         ++next_stop;
         if (!consume(step))
@@ -152,118 +127,80 @@ namespace strait
     return converged;
   }
 
-  /** Whether the next step differs from the last in the slip length only. */
-  bool
-  LoadSweep::is_pressed(const std::vector<LoadStop> &stops) const
-  {
-    return next_stop > 0 && next_stop < stops.size() && !step.gap.empty() &&
-           stops[next_stop].target == stops[next_stop - 1].target;
-  }
-
-  void
-  LoadSweep::transfer(StateArchive &archive)
-  {
-    transfer_thresholds(archive, thresholds);
-    auto n_steps_done = static_cast<long>(next_stop);
-    archive.value(n_steps_done);
-    next_stop = n_steps_done;
-    archive.value(converged);
-    if (contact)
-      contact->transfer(archive);
-    if (adhesive)
-      adhesive->transfer(archive);
-    if (coupling)
-      coupling->transfer(archive);
-    if (error_budget)
-      error_budget->transfer(archive);
-    transfer_search(archive);
-    bool goes_on = step.contact && !coupling && is_pressed(plan_stops(scene, thresholds));
-    archive.value(goes_on);
-    if (!goes_on)
-      return;
-    if (archive.is_reading())
-      step.contact.emplace();
-    strait::transfer(archive, *step.contact, layout);
-    step.gap      = step.contact->gap;
-    step.mean_gap = step.contact->mean_gap;
-  }
-
-  /** A search that is done leaves nothing. */
-  void
-  LoadSweep::transfer_search(StateArchive &archive)
-  {
-    bool searches = search != nullptr;
-    archive.value(searches);
-    if (!searches)
-      end_searches();
-    if (search)
-      search->transfer(archive);
-  }
-
-  /** Set what the step has of contact. Return whether there is any. */
+  /** Follow the path to the next stop. Returns whether the surfaces are still together.
+   */
   bool
   LoadSweep::press(Step &step, const LoadStop &stop)
   {
-    if (!scene.contact.enabled)
+    const Control control{stop.target, scene.fluid.inlet_pressure, stop.slip_length};
+    const bool is_first = next_stop == 0 || stop.begins_anew || step.state.gap().empty();
+    step.dissipated_energy = 0.;
+    if (!is_first && seal->are_alike(step.state.control, control))
       {
-        step.gap      = given_gap;
-        SlabField gap = given_gap;
-        for (double &value : gap)
-          value = std::max(value, 0.);
-        step.mean_gap = mean(gap);
+        step.state.control         = control; // another slip length
+        step.state.contact_seconds = 0.;
         return true;
       }
     const auto scope = timers.scope("contact");
-    const auto start = Timers::Clock::now();
-    if (!adhesive)
-      step.contact = contact->solve(stop.target);
-    else
+    step.flow.reset(); // its mesh was made for another gap
+    Arrival arrival = follow(*seal,
+                             control,
+                             is_first ? nullptr : &step.state,
+                             flow ? Aim::leak_rate : Aim::verdict,
+                             jump_search(scene));
+    for (const Jump &jump : arrival.jumps)
       {
-        BranchFollower &path = adhesive->path();
-        if (step.number == 1 || stop.begins_anew)
-          path.begin_anew();
-        BranchFollower::Arrival arrival = path.go_to(stop.target);
-        if (!arrival.state)
-          return false;
-        step.contact           = std::move(arrival.state);
-        step.dissipated_energy = arrival.dissipated;
+        log.line(describe(jump));
+        step.dissipated_energy += jump.dissipated;
+        all_jumps.push_back(jump);
       }
-    step.gap             = step.contact->gap;
-    step.mean_gap        = step.contact->mean_gap;
-    step.contact_seconds = Timers::seconds_since(start);
+    if (!arrival.state)
+      return false;
+    step.state = std::move(*arrival.state);
     return true;
   }
 
+  /** Find the channel that percolates and solve the flow in it. */
   void
   LoadSweep::leak(Step &step)
   {
     if (!flow)
       return;
-    const auto scope  = timers.scope("flow");
-    const auto start  = Timers::Clock::now();
-    step.flow         = flow->solve(step.gap, step.slip_length);
+    const auto   scope    = timers.scope("flow");
+    const auto   start    = Timers::Clock::now();
+    const double accuracy = scene.fluid.target_accuracy;
+    if (step.state.fluid && step.state.fluid->lifted_off)
+      step.flow = unlimited_flow(step.state.gap().size());
+    else
+      step.flow = flow->solve(step.state.gap(),
+                              step.state.control.slip_length,
+                              share_of_bracket(step.state, accuracy));
+    if (step.state.fluid && step.flow->solver)
+      allow_for_feedback(step.flow->result, *step.state.fluid, accuracy);
+    flow->warn_of_width(step.flow->result);
     step.flow_seconds = Timers::seconds_since(start);
   }
 
+  /** Say how sure the step is, and what theory makes of it. */
   void
-  LoadSweep::press_with_fluid(Step &step, const double target)
+  LoadSweep::judge(Step &step)
   {
-    const auto scope = timers.scope("coupling");
-    const auto start = Timers::Clock::now();
-    step.flow.reset(); // its mesh was made for another gap
-    coupling->solve(step, target);
-    step.flow_seconds = Timers::seconds_since(start) - step.contact_seconds;
+    compare_with_threshold(step);
+    compare_with_theory(step);
+    step.errors =
+      step.flow && step.flow->solver ? error_budget->assess(step) : StepErrors();
+    converged = converged && step.converged();
   }
 
   void
   LoadSweep::compare_with_threshold(Step &step) const
   {
     step.doubts.clear();
-    const Threshold *threshold = threshold_of(step.slip_length);
+    const Transition *threshold = threshold_of(step.state.control.slip_length);
     if (threshold == nullptr)
       return;
     const double reduced =
-      1. - step.contact->nominal_pressure / threshold->critical_load();
+      1. - step.state.contact->nominal_pressure / threshold->middle();
     step.reduced_load = reduced;
     if (reduced > 0 && step.flow->constrictions)
       step.doubts = doubts_near_threshold({reduced,
@@ -277,27 +214,39 @@ namespace strait
   {
     if (!theory)
       return;
-    const auto scope = timers.scope("theory");
-    step.theory      = theory->predict(step.contact ? step.contact->nominal_pressure : 0.,
-                                  step.slip_length,
-                                  &step.gap,
-                                  threshold_of(step.slip_length));
+    const auto   scope = timers.scope("theory");
+    const double slip  = step.state.control.slip_length;
+    step.theory =
+      theory->predict(step.state.contact ? step.state.contact->nominal_pressure : 0.,
+                      slip,
+                      &step.state.gap(),
+                      threshold_of(slip));
   }
 
-  const std::vector<Jump> &
-  LoadSweep::jumps() const
+  void
+  LoadSweep::transfer(StateArchive &archive)
   {
-    static const std::vector<Jump> none;
-    return adhesive ? adhesive->jumps() : none;
+    strait::transfer(archive, thresholds);
+    auto n_steps_done = static_cast<long>(next_stop);
+    archive.value(n_steps_done);
+    next_stop = n_steps_done;
+    archive.value(converged);
+    transfer_all(archive, all_jumps, [&](Jump &jump) {
+      strait::transfer(archive, jump);
+    });
+    bool searches = search != nullptr;
+    archive.value(searches);
+    if (!searches)
+      end_searches();
+    if (search)
+      search->transfer(archive);
+    if (next_stop > 0 && scene.contact.enabled)
+      strait::transfer(archive, step.state, layout);
   }
 
   std::size_t
   LoadSweep::memory_consumption() const
   {
-    const std::size_t grid = adhesive  ? adhesive->memory_consumption()
-                             : contact ? contact->memory_consumption()
-                                       : given_gap.size() * sizeof(double);
-    return grid + (flow ? flow->memory_consumption() : 0) +
-           (coupling ? coupling->memory_consumption() : 0);
+    return seal->memory_consumption() + (flow ? flow->memory_consumption() : 0);
   }
 } // namespace strait

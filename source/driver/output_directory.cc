@@ -206,7 +206,7 @@ namespace strait
   }
 
   void
-  OutputDirectory::write(const std::vector<Threshold> &thresholds)
+  OutputDirectory::write(const std::vector<Transition> &thresholds)
   {
     run_on_root(comm, [&]() {
       write_thresholds(path + "/threshold.csv", thresholds, grid_of(scene));
@@ -236,27 +236,27 @@ namespace strait
       error_budget.push_back(to_json(step).text());
     run_on_root(comm, [&]() {
       table.append(step);
-      if (step.contact && step.contact->adhesion &&
-          !step.contact->adhesion->relaxation.empty())
+      if (step.state.contact && step.state.contact->adhesion &&
+          !step.state.contact->adhesion->relaxation.empty())
         write_relaxation(path + "/relaxation-" + std::to_string(step.number) + ".csv",
-                         step.contact->adhesion->relaxation);
+                         step.state.contact->adhesion->relaxation);
       if (scene.programme.find_threshold)
         constrictions.append(step);
     });
     if (scene.programme.find_threshold)
       scaling.collect(step);
-    if (step.feedback && step.feedback->lifted_off)
+    if (step.state.fluid && step.state.fluid->lifted_off)
       return; // there is no state to show
     const bool wanted = scene.output.fields == FieldOutput::all ||
                         (scene.output.fields == FieldOutput::last && is_last);
     if (wanted)
       {
-        if (!step.gap.empty())
+        if (!step.state.gap().empty())
           write_grid_fields(path, step);
         write_flow_fields(path, step, scene.fluid);
         write_gap_distributions(path, step, comm);
       }
-    if (scene.output.pictures && !step.gap.empty())
+    if (scene.output.pictures && !step.state.gap().empty())
       write_picture_data(path, step, scene.fluid);
   }
 

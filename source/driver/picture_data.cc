@@ -140,10 +140,10 @@ namespace strait
     std::vector<double>
     openness(const Step &step)
     {
-      std::vector<double> result(step.gap.size());
+      std::vector<double> result(step.state.gap().size());
       for (std::size_t k = 0; k < result.size(); ++k)
         if (!step.flow)
-          result[k] = step.gap[k] > 0 ? 1 : 0;
+          result[k] = step.state.gap()[k] > 0 ? 1 : 0;
         else
           {
             const NodeState state = step.flow->clusters.states[k];
@@ -165,12 +165,13 @@ namespace strait
     collect(const Step &step, const FluidParameters &fluid, const Raster &raster)
     {
       constexpr float   none   = std::numeric_limits<float>::quiet_NaN();
-      const SlabLayout &layout = step.gap.layout();
+      const SlabLayout &layout = step.state.gap().layout();
       PictureFields     fields;
-      fields.gap  = thin_out(layout, step.gap.data(), raster);
+      fields.gap  = thin_out(layout, step.state.gap().data(), raster);
       fields.open = thin_out(layout, openness(step).data(), raster);
-      if (step.contact)
-        fields.contact_pressure = thin_out(layout, step.contact->pressure.data(), raster);
+      if (step.state.contact)
+        fields.contact_pressure =
+          thin_out(layout, step.state.contact->pressure.data(), raster);
       if (!step.flow || !step.flow->solver)
         return fields;
 
@@ -211,7 +212,7 @@ namespace strait
     {
       if (!step.flow || step.flow->seal == nullptr)
         return;
-      const PeriodicGrid &grid = step.gap.grid();
+      const PeriodicGrid &grid = step.state.gap().grid();
       std::vector<float>  values;
       for (const OutlineEdge &e :
            step.flow->seal->outline(std::min(grid.dx(), grid.dy())))
@@ -228,18 +229,18 @@ namespace strait
                      const Step            &step,
                      const FluidParameters &fluid)
     {
-      file.set_attribute("lx", step.gap.grid().lx);
-      file.set_attribute("ly", step.gap.grid().ly);
+      file.set_attribute("lx", step.state.gap().grid().lx);
+      file.set_attribute("ly", step.state.gap().grid().ly);
       file.set_attribute("inlet_pressure", fluid.inlet_pressure);
       file.set_attribute("outlet_pressure", fluid.outlet_pressure);
       file.set_attribute("direction",
                          std::string(!fluid.mesh_file.empty()              ? "mesh"
                                      : fluid.direction == FlowDirection::x ? "x"
                                                                            : "y"));
-      if (step.contact)
+      if (step.state.contact)
         {
-          file.set_attribute("nominal_pressure", step.contact->nominal_pressure);
-          file.set_attribute("contact_area", step.contact->contact_area);
+          file.set_attribute("nominal_pressure", step.state.contact->nominal_pressure);
+          file.set_attribute("contact_area", step.state.contact->contact_area);
         }
       if (!step.flow)
         return;
@@ -248,8 +249,10 @@ namespace strait
       if (!step.flow->paths.empty())
         {
           const FlowPath &path = step.flow->paths.front();
-          file.set_attribute("worst_x", path.bottleneck.ix * step.gap.grid().dx());
-          file.set_attribute("worst_y", path.bottleneck.iy * step.gap.grid().dy());
+          file.set_attribute("worst_x",
+                             path.bottleneck.ix * step.state.gap().grid().dx());
+          file.set_attribute("worst_y",
+                             path.bottleneck.iy * step.state.gap().grid().dy());
         }
     }
   } // namespace
@@ -259,9 +262,9 @@ namespace strait
                      const Step            &step,
                      const FluidParameters &fluid)
   {
-    const Raster        raster(step.gap.grid());
+    const Raster        raster(step.state.gap().grid());
     const PictureFields fields = collect(step, fluid, raster);
-    MPI_Comm            comm   = step.gap.layout().communicator();
+    MPI_Comm            comm   = step.state.gap().layout().communicator();
     const std::string   path =
       directory + "/picture-" + std::to_string(step.number) + ".h5";
     constexpr std::size_t n_fields = 5;

@@ -34,20 +34,23 @@ namespace strait
     if (scene.contact.enabled)
       {
         columns.push_back({"branch", [](const Step &step) { return step.branch; }});
-        add("pressure", [](const Step &step) { return step.contact->nominal_pressure; });
-        add("mean_gap", [](const Step &step) { return step.mean_gap; });
-        add("contact_area", [](const Step &step) { return step.contact->contact_area; });
+        add("pressure",
+            [](const Step &step) { return step.state.contact->nominal_pressure; });
+        add("mean_gap", [](const Step &step) { return step.state.mean_gap; });
+        add("contact_area",
+            [](const Step &step) { return step.state.contact->contact_area; });
         add("contact_area_corrected",
-            [](const Step &step) { return step.contact->contact_area_corrected; });
+            [](const Step &step) { return step.state.contact->contact_area_corrected; });
       }
     else if (is_theory_only(scene))
       {
         add("pressure", [](const Step &step) { return step.theory->pressure; });
         if (scene.fluid.has_slip())
-          add("slip_length", [](const Step &step) { return step.slip_length; });
+          add("slip_length",
+              [](const Step &step) { return step.state.control.slip_length; });
       }
     else
-      add("mean_gap", [](const Step &step) { return step.mean_gap; });
+      add("mean_gap", [](const Step &step) { return step.state.mean_gap; });
     if (scene.fluid.enabled)
       add_flow_columns(scene);
     if (scene.contact.enabled)
@@ -63,19 +66,20 @@ namespace strait
       }
     if (scene.contact.enabled && scene.contact.adhesion.enabled)
       {
-        add("adhesive_energy",
-            [](const Step &step) { return step.contact->adhesion->adhesive_energy; });
+        add("adhesive_energy", [](const Step &step) {
+          return step.state.contact->adhesion->adhesive_energy;
+        });
         add("dissipated_energy", [](const Step &step) { return step.dissipated_energy; });
       }
     if (scene.contact.enabled)
-      add("contact_seconds", [](const Step &step) { return step.contact_seconds; });
+      add("contact_seconds", [](const Step &step) { return step.state.contact_seconds; });
     if (scene.fluid.enabled)
       add("flow_seconds", [](const Step &step) { return step.flow_seconds; });
     if (scene.fluid.feedback.enabled)
       {
-        add("fluid_load", [](const Step &step) { return step.feedback->fluid_load; });
+        add("fluid_load", [](const Step &step) { return step.state.fluid->load; });
         add("feedback_iterations",
-            [](const Step &step) { return step.feedback->iterations; });
+            [](const Step &step) { return step.state.fluid->rounds; });
       }
     if (scene.theory.enabled)
       add_theory_columns(scene);
@@ -87,7 +91,7 @@ namespace strait
   {
     const FluidParameters fluid = scene.fluid;
     if (fluid.has_slip())
-      add("slip_length", [](const Step &step) { return step.slip_length; });
+      add("slip_length", [](const Step &step) { return step.state.control.slip_length; });
     add("percolates", [](const Step &step) { return step.flow->clusters.percolates; });
     if (scene.programme.find_threshold)
       add("reduced_load",
@@ -104,13 +108,13 @@ namespace strait
         });
       }
     add("effective_gap", [fluid](const Step &step) {
-      return effective_gap(fluid, step.gap.grid(), *step.flow);
+      return effective_gap(fluid, step.state.gap().grid(), *step.flow);
     });
     const auto add_constriction = [this](const std::string &name, auto value) {
       add(name, [value](const Step &step) {
         return step.flow->paths.empty()
                  ? not_a_number
-                 : value(step.flow->paths.front(), step.gap.grid());
+                 : value(step.flow->paths.front(), step.state.gap().grid());
       });
     };
     add_constriction("worst_constriction_x",
@@ -143,9 +147,11 @@ namespace strait
   void
   ResultTable::add_contact_columns()
   {
-    add("contact_residual", [](const Step &step) { return step.contact->residual; });
-    add("contact_iterations", [](const Step &step) { return step.contact->iterations; });
-    add("fft_pairs", [](const Step &step) { return step.contact->fft_pairs; });
+    add("contact_residual",
+        [](const Step &step) { return step.state.contact->residual; });
+    add("contact_iterations",
+        [](const Step &step) { return step.state.contact->iterations; });
+    add("fft_pairs", [](const Step &step) { return step.state.contact->fft_pairs; });
   }
 
   void

@@ -48,7 +48,7 @@ namespace strait
     transfer_summary(StateArchive &archive, RunSummary &summary)
     {
       archive.value(summary.converged);
-      transfer_thresholds(archive, summary.thresholds);
+      transfer(archive, summary.thresholds);
       archive.value(summary.exponent.from);
       archive.value(summary.exponent.to);
       archive.value(summary.exponent.exponent);

@@ -6,27 +6,17 @@
 namespace strait
 {
   void
-  report_flow(const FlowResult &flow, Log &log)
-  {
-    log.progress(format("  flow: mesh %u, %llu cells, leak rate between %.4g and %.4g",
-                        flow.refinements + 1,
-                        flow.cells,
-                        flow.lower,
-                        flow.upper));
-  }
-
-  void
   report_step(const Step &step, const int n_steps, const double seconds_so_far, Log &log)
   {
     std::string text = format("step %d of %d", step.number, n_steps);
-    if (step.contact)
+    if (step.state.contact)
       text +=
         format(": pressure %.5g, contact %.3f %%, residual %.1e (%ld FFT pairs, %.1f s)",
-               step.contact->nominal_pressure,
-               100. * step.contact->contact_area,
-               step.contact->residual,
-               step.contact->fft_pairs,
-               step.contact_seconds);
+               step.state.contact->nominal_pressure,
+               100. * step.state.contact->contact_area,
+               step.state.contact->residual,
+               step.state.contact->fft_pairs,
+               step.state.contact_seconds);
     if (step.flow && step.flow->clusters.percolates)
       text += format("; leak rate %.5g ± %.1g %% (%llu cells, %.1f s)",
                      step.flow->result.leak_rate,
@@ -39,7 +29,7 @@ namespace strait
       text += format("; 1 - L/L_c = %.3g", *step.reduced_load);
     if (step.theory)
       text += format("%stheory: contact %.3f %%, leak rate %.4g",
-                     step.contact || step.flow
+                     step.state.contact || step.flow
                        ? "; "
                        : format(": pressure %.5g, ", step.theory->pressure).c_str(),
                      100. * step.theory->contact_area,

@@ -55,10 +55,10 @@ namespace strait
   }
 
   TheoryResult
-  TheoryPrediction::predict(const double     pressure,
-                            const double     slip_length,
-                            const SlabField *gap,
-                            const Threshold *threshold) const
+  TheoryPrediction::predict(const double      pressure,
+                            const double      slip_length,
+                            const SlabField  *gap,
+                            const Transition *threshold) const
   {
     TheoryResult    result;
     GapDistribution fine, half;
@@ -89,7 +89,7 @@ namespace strait
                              const double           pressure,
                              const double           slip_length,
                              const GapDistribution *simulated,
-                             const Threshold       *threshold,
+                             const Transition      *threshold,
                              TheoryResult          *details) const
   {
     Leak            leak = {not_a_number, not_a_number};
@@ -119,7 +119,7 @@ namespace strait
   double
   TheoryPrediction::dimension(const PerssonTheory &with,
                               const double         slip_length,
-                              const Threshold     *threshold) const
+                              const Transition    *threshold) const
   {
     switch (parameters.dimension)
       {
@@ -129,7 +129,7 @@ namespace strait
           {
             if (parameters.gaps == TheoryGaps::simulated)
               return dimension_parameter(threshold->contact_area);
-            const double critical = threshold->critical_load();
+            const double critical = threshold->middle();
             if (slip_length == 0.)
               return dimension_parameter(with.contact_area(critical));
             return dimension_parameter(

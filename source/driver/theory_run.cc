@@ -62,7 +62,7 @@ namespace strait
       for (const double slip_length : scene.fluid.slip_lengths)
         {
           ++step.number;
-          step.slip_length = slip_length;
+          step.state.control.slip_length = slip_length;
           {
             const auto scope = timers.scope("theory");
             step.theory      = theory.predict(pressure, slip_length, nullptr, nullptr);

@@ -9,9 +9,9 @@
 namespace strait
 {
   void
-  write_thresholds(const std::string            &path,
-                   const std::vector<Threshold> &thresholds,
-                   const PeriodicGrid           &grid)
+  write_thresholds(const std::string             &path,
+                   const std::vector<Transition> &thresholds,
+                   const PeriodicGrid            &grid)
   {
     CsvFile file;
     file.open(path,
@@ -23,12 +23,12 @@ namespace strait
                "slip_length",
                "contact_solves",
                "fft_pairs"});
-    for (const Threshold &t : thresholds)
+    for (const Transition &t : thresholds)
       file.append({full_precision(t.lower),
                    full_precision(t.upper),
                    full_precision(t.contact_area),
-                   full_precision(t.last_constriction.ix * grid.dx()),
-                   full_precision(t.last_constriction.iy * grid.dy()),
+                   full_precision(t.bottleneck.ix * grid.dx()),
+                   full_precision(t.bottleneck.iy * grid.dy()),
                    full_precision(t.slip_length),
                    std::to_string(t.n_solves),
                    std::to_string(t.fft_pairs)});
@@ -47,22 +47,23 @@ namespace strait
                                       "x",
                                       "y",
                                       "solves"};
-    if (!blow_outs.empty() && blow_outs.front().resealing)
+    if (!blow_outs.empty() && blow_outs.front().closing)
       names.insert(names.end(), {"resealing_pressure_lower", "resealing_pressure_upper"});
     file.open(path, names);
     for (const BlowOut &found : blow_outs)
       {
-        std::vector<std::string> row = {full_precision(found.load),
-                                        full_precision(found.lower),
-                                        full_precision(found.upper),
-                                        full_precision(found.contact_area),
-                                        full_precision(found.constriction.ix * grid.dx()),
-                                        full_precision(found.constriction.iy * grid.dy()),
-                                        std::to_string(found.n_solves)};
-        if (found.resealing)
+        std::vector<std::string> row = {
+          full_precision(found.load),
+          full_precision(found.opening.lower),
+          full_precision(found.opening.upper),
+          full_precision(found.opening.contact_area),
+          full_precision(found.opening.bottleneck.ix * grid.dx()),
+          full_precision(found.opening.bottleneck.iy * grid.dy()),
+          std::to_string(found.opening.n_solves)};
+        if (found.closing)
           row.insert(row.end(),
-                     {full_precision(found.resealing->lower),
-                      full_precision(found.resealing->upper)});
+                     {full_precision(found.closing->lower),
+                      full_precision(found.closing->upper)});
         file.append(row);
       }
   }
@@ -94,11 +95,11 @@ namespace strait
     const ConstrictionReport &report = *step.flow->constrictions;
     const FlowPath           &path   = step.flow->paths.front();
     file.append({std::to_string(step.number),
-                 full_precision(step.contact->nominal_pressure),
-                 full_precision(step.slip_length),
+                 full_precision(step.state.contact->nominal_pressure),
+                 full_precision(step.state.control.slip_length),
                  full_precision(step.reduced_load.value_or(std::nan(""))),
-                 full_precision(path.bottleneck.ix * step.gap.grid().dx()),
-                 full_precision(path.bottleneck.iy * step.gap.grid().dy()),
+                 full_precision(path.bottleneck.ix * step.state.gap().grid().dx()),
+                 full_precision(path.bottleneck.iy * step.state.gap().grid().dy()),
                  full_precision(report.throat.gap),
                  full_precision(report.throat.length),
                  full_precision(report.throat.width),
@@ -113,13 +114,13 @@ namespace strait
   {
     if (step.theory && step.reduced_load && *step.reduced_load > 0 &&
         step.theory->leak_rate != 0)
-      theory[step.slip_length].push_back(
+      theory[step.state.control.slip_length].push_back(
         {*step.reduced_load, std::abs(step.theory->leak_rate)});
     if (!step.flow || !step.flow->constrictions || !step.reduced_load ||
         !(*step.reduced_load > 0) || !step.converged())
       return;
     const Throat &throat     = step.flow->constrictions->throat;
-    Quantities   &quantities = by_slip_length[step.slip_length];
+    Quantities   &quantities = by_slip_length[step.state.control.slip_length];
     const auto    add        = [&](const char *name, const double value) {
       if (!(value > 0))
         return;

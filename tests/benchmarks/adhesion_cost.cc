@@ -79,12 +79,13 @@ namespace
     const std::vector<double> loads =
       is_rough ? there_and_back(.05, .01, 9) : there_and_back(.9, .02, 10);
 
-    long   first = 0, pairs = 0, most = 0;
-    int    iterations = 0;
-    double start = seconds(), first_seconds = 0;
+    long         first = 0, pairs = 0, most = 0;
+    int          iterations = 0;
+    double       start = seconds(), first_seconds = 0;
+    ContactState state;
     for (std::size_t k = 0; k < loads.size(); ++k)
       {
-        const ContactState state = solver.solve(loads[k]);
+        state = solver.solve(loads[k], k > 0 ? &state : nullptr);
         if (!state.converged)
           std::printf("load %g: residual %g\n", loads[k], state.residual);
         if (k == 0)

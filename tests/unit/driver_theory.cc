@@ -27,7 +27,7 @@ namespace
   Threshold
   threshold_at(const double load, const double slip_length = 0.)
   {
-    Threshold threshold;
+    Transition threshold;
     threshold.lower = threshold.upper = load;
     threshold.slip_length             = slip_length;
     return threshold;
@@ -68,8 +68,8 @@ namespace
     constexpr double       load   = .23;
     for (const double slip_length : {0., -.003 * height})
       {
-        const Threshold threshold = threshold_at(load, slip_length);
-        const auto      leak      = [&](const double at) {
+        const Transition threshold = threshold_at(load, slip_length);
+        const auto       leak      = [&](const double at) {
           return theory.predict(at, slip_length, nullptr, &threshold).leak_rate;
         };
         EXPECT_GT(leak(.5 * load), 100 * leak(.95 * load));
@@ -88,7 +88,7 @@ namespace
     for (int row = 0; row < gap.layout().n_rows(); ++row)
       for (int ix = 0; ix < 3; ++ix)
         gap(ix, row) = 0.;
-    Threshold threshold    = threshold_at(.2);
+    Transition threshold   = threshold_at(.2);
     threshold.contact_area = .4;
     // A share of .3 that does not conduct, sealed at .4: 1 − .3/.4.
     EXPECT_NEAR(theory.predict(.1, 0., &gap, &threshold).leak_rate, .25 / 12, 1e-13);

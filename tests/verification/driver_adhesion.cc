@@ -2,7 +2,8 @@
 // Adhesion against what is known: the sphere between the limits of Bradley and of
 // Johnson, Kendall and Roberts, and the loads at which the square saddle closes.
 #include <strait/contact/adhesive_contact_solver.h>
-#include <strait/driver/branch_follower.h>
+#include <strait/seal/dry_seal.h>
+#include <strait/seal/path.h>
 
 #include "driver_fixture.h"
 
@@ -33,23 +34,27 @@ namespace
     contact.adhesion.enabled   = true;
     contact.adhesion.method    = method;
     contact.maximum_iterations = 5000;
-    const AdhesionLaw     law  = {surface_energy,
+    const AdhesionLaw law      = {surface_energy,
                                   std::cbrt(surface_energy * surface_energy) / tabor};
-    AdhesiveContactSolver solver(contact,
-                                 law,
-                                 AdhesiveStart::without_adhesion,
-                                 make_surface(surface, MPI_COMM_WORLD)
-                                   ->heights(
-                                     make_layout({n, n, box, box}, MPI_COMM_WORLD)));
+    DrySeal           seal(std::make_unique<AdhesiveContactSolver>(
+      contact,
+      law,
+      AdhesiveStart::without_adhesion,
+      make_surface(surface, MPI_COMM_WORLD)
+        ->heights(make_layout({n, n, box, box}, MPI_COMM_WORLD))));
 
-    Log            log(MPI_COMM_WORLD, true);
-    const double   unit = pi * surface_energy / (box * box);
-    BranchFollower path(solver, ContactControl::load, 4e-3 * unit, log);
-    path.go_to(unit);
-    const double area = path.go_to(0.).state->contact_area_corrected;
-    EXPECT_FALSE(path.go_to(-2.2 * unit).state);
-    EXPECT_TRUE(path.jumps().back().is_pull_off);
-    return {-path.jumps().back().before.pressure / unit,
+    const double unit = pi * surface_energy / (box * box);
+    const auto   go   = [&](const double load, const SealState *from) {
+      return follow(
+        seal, {load, 0., 0.}, from, Aim::verdict, {ContactControl::load, 4e-3 * unit});
+    };
+    const SealState pressed  = *go(unit, nullptr).state;
+    const SealState unloaded = *go(0., &pressed).state;
+    const Arrival   parted   = go(-2.2 * unit, &unloaded);
+    const double    area     = unloaded.contact->contact_area_corrected;
+    EXPECT_FALSE(parted.state);
+    EXPECT_TRUE(parted.jumps.back().is_pull_off);
+    return {-parted.jumps.back().before.pressure / unit,
             std::sqrt(area / pi) * box / jkr_radius};
   }
 
@@ -85,7 +90,7 @@ namespace
     scene.programme.path                  = path;
     scene.programme.find_threshold        = true;
     scene.programme.threshold_tolerance   = 1e-3;
-    return run_sweep(scene).thresholds.at(0).critical_load();
+    return run_sweep(scene).thresholds.at(0).middle();
   }
 
   TEST(AdhesiveSaddle, ClosesAndOpensAtTheKnownLoads)

@@ -2,12 +2,15 @@
 // The fluid presses the walls apart: closed forms, and the saddle whose throat lies in
 // the middle of the box.
 #include <strait/base/scene.h>
+#include <strait/contact/contact_solver.h>
 #include <strait/reference/pressed_wall.h>
+#include <strait/seal/make_seal.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "driver_fixture.h"
@@ -45,9 +48,7 @@ namespace strait
       SilentSweep silent(scene);
       Step        last;
       EXPECT_TRUE(silent.loads.run([&last](const Step &step) {
-        last.contact      = step.contact;
-        last.gap          = step.gap;
-        last.feedback     = step.feedback;
+        last.state        = step.state;
         last.flow         = StepFlow();
         last.flow->result = step.flow->result;
         return true;
@@ -75,11 +76,12 @@ namespace strait
       const Step pressed           = last_step(wet);
       const Step alone             = last_step(dry);
       double     largest           = 0;
-      for (std::size_t k = 0; k < alone.gap.size(); ++k)
-        largest = std::max(largest, std::abs(pressed.gap[k] - alone.gap[k]));
+      for (std::size_t k = 0; k < alone.state.gap().size(); ++k)
+        largest =
+          std::max(largest, std::abs(pressed.state.gap()[k] - alone.state.gap()[k]));
       EXPECT_LT(largest, 1e-7); // heights up to 4; the solver's tolerance is 1e-8
-      EXPECT_NEAR(pressed.feedback->fluid_load, pressure, 1e-12);
-      EXPECT_LE(pressed.feedback->iterations, 2);
+      EXPECT_NEAR(pressed.state.fluid->load, pressure, 1e-12);
+      EXPECT_LE(pressed.state.fluid->rounds, 2);
       EXPECT_EQ(pressed.flow->result.leak_rate, 0);
     }
 
@@ -88,10 +90,10 @@ namespace strait
       Scene scene                         = coupled_saddle(128);
       scene.programme.threshold_tolerance = 1e-6;
       scene.fluid.feedback.enabled        = false;
-      const double dry             = run_sweep(scene).thresholds[0].critical_load();
-      scene.fluid.feedback.enabled = true;
+      const double dry                    = run_sweep(scene).thresholds[0].middle();
+      scene.fluid.feedback.enabled        = true;
       const double wet =
-        run_sweep(with_equal_reservoirs(scene, .3)).thresholds[0].critical_load();
+        run_sweep(with_equal_reservoirs(scene, .3)).thresholds[0].middle();
       EXPECT_NEAR(wet, dry + .3, 1e-5);
     }
 
@@ -124,7 +126,8 @@ namespace strait
             {
               const double x = static_cast<double>(ix) / n;
               largest =
-                std::max(largest, std::abs(step.gap(ix, 0) - 1. - exact.gap_change(x)));
+                std::max(largest,
+                         std::abs(step.state.gap()(ix, 0) - 1. - exact.gap_change(x)));
             }
           errors.push_back(largest / exact.gap_change(1. / 6));
         }
@@ -151,6 +154,51 @@ namespace strait
       EXPECT_LT(std::abs(errors[1]), .7 * std::abs(errors[0]));
     }
 
+    /** A contact under a fluid whose pressure does not change with the gap. */
+    class FixedFluid : public SealModel
+    {
+    public:
+      FixedFluid(const ContactParameters &parameters,
+                 const SlabField         &heights,
+                 SlabField                pressure_)
+        : contact(parameters, heights)
+        , pressure(std::move(pressure_))
+      {
+      }
+
+      SealState
+      solve(const Control &control, const SealState *from, Aim) override
+      {
+        SealState state;
+        state.control = control;
+        state.contact =
+          contact.solve(control.target, from ? &*from->contact : nullptr, &pressure);
+        return state;
+      }
+
+      bool
+      are_alike(const Control &a, const Control &b) const override
+      {
+        return a.target == b.target;
+      }
+
+      bool
+      depends_on_path() const override
+      {
+        return false;
+      }
+
+      std::size_t
+      memory_consumption() const override
+      {
+        return contact.memory_consumption();
+      }
+
+    private:
+      ContactSolver   contact;
+      const SlabField pressure;
+    };
+
     TEST(Coupled, ExponentUnderAFixedFluidPressure)
     {
       // A pressure that does not move with the throat is only another surface: the
@@ -162,20 +210,23 @@ namespace strait
       Timers            timers;
       ContactParameters parameters = scene.contact;
       parameters.tolerance         = 1e-9;
-      ContactSolver contact(parameters, heights_of(scene));
-      FlowStage     flow(scene.fluid, contact.layout(), log, timers);
-      CoupledStage  coupling(scene, contact, flow, log);
-      Step          step;
-      coupling.settle(step, 1.45);
-      EXPECT_TRUE(step.feedback->converged);
+      const SlabField heights      = heights_of(scene);
+      FlowStage       flow(scene.fluid, heights.layout_pointer(), log, timers);
+      const auto      pressed = make_seal(scene, parameters, heights, &flow, log)
+                             ->solve({1.45, .15, 0.}, nullptr, Aim::verdict);
+      EXPECT_TRUE(pressed.fluid->converged);
 
-      SealSearch   search(scene, {&contact, nullptr, &flow, nullptr}, log);
-      const double critical = search.find_thresholds(1.5).front().critical_load();
+      FixedFluid   seal(parameters, heights, pressed.fluid->pressure);
+      SealSearch   search(scene, seal, heights.layout_pointer(), flow.domain(), log);
+      const double critical = search.find_critical_loads(1.5).front().middle();
       EXPECT_GT(critical, 1.5); // the fluid carries 5 % of it
       std::vector<double> leak_rates;
       for (const double reduced : {.04, .02})
-        leak_rates.push_back(
-          flow.solve(contact.solve((1 - reduced) * critical).gap, 0.).result.leak_rate);
+        {
+          const SealState state =
+            seal.solve({(1 - reduced) * critical, .15, 0.}, nullptr, Aim::leak_rate);
+          leak_rates.push_back(flow.solve(state.gap(), 0.).result.leak_rate);
+        }
       const double exponent = std::log2(leak_rates[0] / leak_rates[1]);
       EXPECT_GT(exponent, 3.4);
       EXPECT_LT(exponent, 3.6);
@@ -191,18 +242,20 @@ namespace strait
       scene.programme.find_resealing      = true;
       scene.programme.pressures           = {1.5};
       SilentSweep   silent(scene);
-      const BlowOut found = silent.loads.find_blow_outs().front();
-      EXPECT_LE(found.upper - found.lower, 1e-3 * found.upper);
-      EXPECT_NEAR(found.constriction.ix / 64., .5, 2. / 64);
+      const BlowOut found   = silent.loads.find_blow_outs().front();
+      const double  opening = found.opening.upper;
+      EXPECT_LE(found.opening.relative_width(), 1e-3);
+      EXPECT_NEAR(found.opening.bottleneck.ix / 64., .5, 2. / 64);
       // One constriction has no hysteresis.
-      EXPECT_LE(found.resealing->upper - found.resealing->lower, 1e-3 * found.upper);
-      EXPECT_NEAR(found.resealing->upper, found.upper, 3e-3 * found.upper);
+      ASSERT_TRUE(found.closing);
+      EXPECT_LE(found.closing->relative_width(), 1e-3);
+      EXPECT_NEAR(found.closing->upper, opening, 3e-3 * opening);
 
       scene.programme.find_threshold = true;
       scene.programme.path           = LoadPath::unloading;
       scene.programme.pressures      = {1.};
-      scene.fluid.inlet_pressure     = found.upper;
-      EXPECT_NEAR(run_sweep(scene).thresholds[0].critical_load(), 1.5, .003);
+      scene.fluid.inlet_pressure     = opening;
+      EXPECT_NEAR(run_sweep(scene).thresholds[0].middle(), 1.5, .003);
     }
 
     TEST(Coupled, LiftsOffUnderMoreFluidThanLoad)
@@ -226,18 +279,21 @@ namespace strait
       scene.fluid.feedback.enabled   = false;
       scene.programme.find_threshold = false;
       scene.programme.pressures      = {.5, 1.};
-      Log           log(MPI_COMM_WORLD, true);
-      Timers        timers;
-      ContactSolver contact(scene.contact, heights_of(scene));
-      FlowStage     flow(scene.fluid, contact.layout(), log, timers);
-      SilentSweep   silent(scene);
+      Log             log(MPI_COMM_WORLD, true);
+      Timers          timers;
+      const SlabField heights = heights_of(scene);
+      ContactSolver   contact(scene.contact, heights);
+      ContactState    alone;
+      FlowStage       flow(scene.fluid, heights.layout_pointer(), log, timers);
+      SilentSweep     silent(scene);
       EXPECT_TRUE(silent.loads.run([&](const Step &step) {
-        const ContactState alone = contact.solve(step.contact->nominal_pressure);
-        EXPECT_EQ(step.contact->fft_pairs, alone.fft_pairs);
+        alone = contact.solve(step.state.contact->nominal_pressure,
+                              step.number > 1 ? &alone : nullptr);
+        EXPECT_EQ(step.state.contact->fft_pairs, alone.fft_pairs);
         const StepFlow dry = flow.solve(alone.gap, 0.);
         EXPECT_EQ(step.flow->result.unknowns, dry.result.unknowns);
         EXPECT_EQ(step.flow->result.leak_rate, dry.result.leak_rate);
-        EXPECT_FALSE(step.feedback);
+        EXPECT_FALSE(step.state.fluid);
         return true;
       }));
       EXPECT_EQ(silent.loads.memory_consumption(),
@@ -260,15 +316,11 @@ namespace strait
           scene.fluid.inlet_pressure = expected.inlet_pressure;
           std::vector<int> rounds;
           SilentSweep      silent(scene);
-          const Threshold  threshold = silent.loads.find_thresholds().front();
-          EXPECT_NEAR(threshold.critical_load() / 1.436526,
-                      expected.ratio,
-                      expected.tolerance);
-          EXPECT_NEAR(threshold.last_constriction.ix / 128. - .5,
-                      expected.shift,
-                      1. / 128);
+          const Transition threshold = silent.loads.find_thresholds().front();
+          EXPECT_NEAR(threshold.middle() / 1.436526, expected.ratio, expected.tolerance);
+          EXPECT_NEAR(threshold.bottleneck.ix / 128. - .5, expected.shift, 1. / 128);
           EXPECT_TRUE(silent.loads.run([&rounds](const Step &step) {
-            rounds.push_back(step.feedback->iterations);
+            rounds.push_back(step.state.fluid->rounds);
             return true;
           }));
           EXPECT_LE(rounds[0], 8);

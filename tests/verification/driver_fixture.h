@@ -25,8 +25,8 @@ namespace strait
 
   struct Sweep
   {
-    std::vector<Threshold> thresholds;
-    std::vector<Row>       rows;
+    std::vector<Transition> thresholds;
+    std::vector<Row>        rows;
   };
 
   inline SlabField
@@ -59,14 +59,14 @@ namespace strait
     EXPECT_TRUE(silent.loads.run([&result](const Step &step) {
       const FlowResult &flow = step.flow->result;
       result.rows.push_back(
-        {step.contact->nominal_pressure,
-         step.contact->contact_area_corrected,
-         step.mean_gap,
+        {step.state.contact->nominal_pressure,
+         step.state.contact->contact_area_corrected,
+         step.state.mean_gap,
          step.flow->paths.empty() ? 0. : step.flow->paths[0].bottleneck_gap,
          flow.leak_rate,
          flow.lower,
          flow.upper,
-         step.slip_length,
+         step.state.control.slip_length,
          step.reduced_load.value_or(0.),
          step.flow->constrictions ? step.flow->constrictions->throat : Throat()});
       return true;

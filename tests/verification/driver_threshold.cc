@@ -37,12 +37,12 @@ namespace strait
         {
           const Sweep result = run_sweep(threshold_scene(n, 1e-6));
           ASSERT_EQ(result.thresholds.size(), 1U);
-          const Threshold &threshold = result.thresholds.front();
+          const Transition &threshold = result.thresholds.front();
           EXPECT_LE(threshold.relative_width(), 1e-6);
-          EXPECT_NEAR(threshold.critical_load(), expected[found.size()], 3e-6);
+          EXPECT_NEAR(threshold.middle(), expected[found.size()], 3e-6);
           EXPECT_NEAR(threshold.contact_area, .402, 3e-3);
           EXPECT_LE(threshold.n_solves, 16);
-          found.push_back(threshold.critical_load());
+          found.push_back(threshold.middle());
         }
       // The differences fall as h^p; so does the rest of the series.
       const double ratio = (found[0] - found[1]) / (found[1] - found[2]);
@@ -53,11 +53,11 @@ namespace strait
 
     TEST(SaddleThreshold, FromAboveItIsTheSame)
     {
-      Scene        scene        = threshold_scene(128, 1e-4);
-      const double loading      = run_sweep(scene).thresholds[0].critical_load();
-      scene.programme.path      = LoadPath::unloading;
-      const Threshold unloading = run_sweep(scene).thresholds[0];
-      EXPECT_NEAR(unloading.critical_load() / loading, 1., 1e-4);
+      Scene        scene         = threshold_scene(128, 1e-4);
+      const double loading       = run_sweep(scene).thresholds[0].middle();
+      scene.programme.path       = LoadPath::unloading;
+      const Transition unloading = run_sweep(scene).thresholds[0];
+      EXPECT_NEAR(unloading.middle() / loading, 1., 1e-4);
       EXPECT_LE(unloading.n_solves, 12);
     }
 
@@ -99,7 +99,7 @@ namespace strait
       scene.programme.reduced_loads = {.01};
       const Sweep result            = run_sweep(scene);
       ASSERT_EQ(result.thresholds.size(), 2U);
-      const Threshold &dry = result.thresholds[0], &slip = result.thresholds[1];
+      const Transition &dry = result.thresholds[0], &slip = result.thresholds[1];
       EXPECT_LT(slip.upper, dry.lower);
       // Known loads of the first search serve the second.
       EXPECT_LT(slip.n_solves, dry.n_solves);

@@ -7,13 +7,13 @@
 #include <strait/contact/gap_optimisation.h>
 #include <strait/contact/gap_stability.h>
 #include <strait/contact/half_space_problem.h>
+#include <strait/contact/wall.h>
 
 #include <memory>
-#include <vector>
 
 namespace strait
 {
-  /** Where the first state of a path comes from. */
+  /** Where a state without a past comes from. */
   enum class AdhesiveStart
   {
     without_adhesion, // the state of the same load without adhesion: loading
@@ -21,12 +21,12 @@ namespace strait
   };
 
   /**
-   * Solves the contact of an adhesive half-space with one surface, load after load.
+   * Solves the contact of an adhesive half-space with one surface.
    *
-   * The energy is not convex. Each solve goes down in energy from the last state, or
-   * from where the last two lead to, so that the states follow a branch until that
-   * ends. At the end it is checked that the energy has a minimum; if not, the state is
-   * pushed off and goes down further.
+   * The energy is not convex. Each solve goes down in energy from the state that it
+   * starts from, or from where the last two lead to, so that the states follow a branch
+   * until that ends. At the end it is checked that the energy has a minimum; if not, the
+   * state is pushed off and goes down further.
    */
   class AdhesiveContactSolver : public ContactModel
   {
@@ -38,41 +38,44 @@ namespace strait
                           SlabField                heights);
 
     /**
-     * See ContactModel. Under load control the target may be negative, but not in the
-     * first solve. A `detached` state is no equilibrium; recall() an earlier one before
-     * the next solve. Collective.
+     * See ContactModel. Under load control the target may be negative, but not without a
+     * state to start from. A `detached` state is no equilibrium, and none to start from.
+     * Collective.
      */
-    ContactState solve(double target) override;
+    ContactState solve(double              target,
+                       const ContactState *from           = nullptr,
+                       const SlabField    *fluid_pressure = nullptr) override;
 
-    void          forget() override;
-    ContactMemory memory() const override;
-    void          recall(const ContactMemory &memory) override;
-    void          transfer(StateArchive &archive) override;
-    std::size_t   memory_consumption() const override;
+    bool
+    depends_on_path() const override
+    {
+      return true;
+    }
+
+    std::size_t
+    memory_consumption() const override
+    {
+      return peak_memory;
+    }
 
   private:
+    bool                          loads() const;
     std::unique_ptr<GapOptimiser> make_optimiser(double target, RelaxationObserver);
-
-    SlabField    first_gap(double target) const;
-    void         choose_start(double target);
-    void         extrapolate(double target);
-    void         push_off();
-    ContactState state_of(const GapOptimiser &, const GapSolution &) const;
+    void                          check(double target, const ContactState *from) const;
+    SlabField                     first_gap(double target) const;
+    SlabField start_gap(double target, const ContactState *from, bool is_dry) const;
+    void      push_off(SlabField &gap);
+    ContactState
+    state_of(const GapOptimiser &optimiser, const GapSolution &, SlabField gap) const;
 
     const ContactParameters parameters;
     const AdhesionLaw       law;
     const AdhesiveStart     start;
-    SlabField               heights;
+    Wall                    wall;
     double                  traction_scale; // rms of K h, or what a flat surface has
     HalfSpaceGapProblem     problem;
     GapStability            stability;
     std::size_t             peak_memory = 0;
-
-    // The gap of the last state, and of the one before.
-    SlabField          gap;
-    double             last_target = 0;
-    std::vector<float> earlier_gap;
-    double             earlier_target = 0;
   };
 } // namespace strait
 

@@ -8,48 +8,33 @@
 
 namespace strait
 {
-  /** What a state depends on besides its load, where it depends on its past. */
-  struct ContactMemory
-  {
-    SlabField gap; // empty: nothing yet, or no such dependence
-    double    target = 0;
-  };
-
-  /** A half-space against one surface, load after load, whatever acts between them. */
+  /**
+   * A half-space against one surface, whatever acts between them. It remembers nothing:
+   * what a state owes to its past comes in with the state that it starts from.
+   */
   class ContactModel
   {
   public:
     virtual ~ContactModel() = default;
 
     /**
-     * The state under the nominal pressure or, in gap control, at the mean gap
-     * @p target. Collective. Throws InputError if there is no such state.
+     * The state under the nominal pressure or, in gap control, at the mean gap @p target,
+     * reached from the state @p from, or without a past if that is null. A fluid of the
+     * pressure @p fluid_pressure, on the grid of the heights and continued under the
+     * contact, presses the walls apart unless that is null: it displaces the half-space
+     * and carries its mean pressure of the load, and a point opens where the solid would
+     * press less than the fluid. Collective. Throws InputError if there is no such state,
+     * ComputationError if the fluid carries more than the load.
      */
-    virtual ContactState solve(double target) = 0;
+    virtual ContactState solve(double              target,
+                               const ContactState *from           = nullptr,
+                               const SlabField    *fluid_pressure = nullptr) = 0;
 
-    /** Start the next solve anew, without the states before. */
-    virtual void forget() = 0;
+    /** Whether the state depends on the one it starts from by more than the tolerance. */
+    virtual bool depends_on_path() const = 0;
 
-    /** What the next solve starts from, where its result depends on that. */
-    virtual ContactMemory
-    memory() const
-    {
-      return {};
-    }
-
-    /** Start the next solve from there. */
-    virtual void
-    recall(const ContactMemory &)
-    {
-    }
-
-    /** All that later solves depend on, be it within the tolerance only. Collective. */
-    virtual void
-    transfer(StateArchive &)
-    {
-    }
-
-    /** Largest number of bytes held on this rank during a solve so far. */
+    /** Largest number of bytes held on this rank during a solve so far, the state that
+     *  was made included. */
     virtual std::size_t memory_consumption() const = 0;
   };
 } // namespace strait

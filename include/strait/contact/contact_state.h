@@ -2,6 +2,7 @@
 #ifndef strait_contact_contact_state_h
 #define strait_contact_contact_state_h
 
+#include <strait/contact/approach.h>
 #include <strait/spectral/slab_field.h>
 #include <strait/spectral/state_archive.h>
 
@@ -34,6 +35,10 @@ namespace strait
      *  and the mean gap was still growing when this was noticed. */
     bool detached = false;
 
+    /** The direction of the smallest curvature, from which the next state seeks its own.
+     */
+    std::vector<double> softest_direction;
+
     std::vector<RelaxationStep> relaxation; // if the scene asks for it
   };
 
@@ -43,7 +48,8 @@ namespace strait
    * gap is 0 exactly where pressure > 0, and >= 0 everywhere: a point is open
    * where its gap is positive. pressure is >= 0 everywhere. With adhesion it is the
    * reaction of the wall; the attraction γ'(g) comes on top, so that its mean is the
-   * nominal pressure plus that of γ'(g).
+   * nominal pressure plus that of γ'(g). Where a fluid presses as well, pressure is what
+   * the solid bears beyond the fluid, and nominal_pressure includes the fluid's mean.
    */
   struct ContactState
   {
@@ -57,6 +63,8 @@ namespace strait
     int       iterations             = 0; // on the grid itself, without coarser ones
     long      fft_pairs              = 0; // likewise
     bool      converged              = false;
+
+    Approach approach; // where it was come to from
 
     std::optional<AdhesiveState> adhesion;
   };

@@ -2,7 +2,7 @@
 #ifndef strait_driver_adhesion_tables_h
 #define strait_driver_adhesion_tables_h
 
-#include <strait/driver/branch_follower.h>
+#include <strait/seal/path.h>
 
 #include <string>
 #include <vector>

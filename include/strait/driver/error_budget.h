@@ -39,9 +39,6 @@ namespace strait
     /** The errors of a step that leaks. Collective. */
     StepErrors assess(const Step &step);
 
-    /** What the contact on coarser grids starts from. Collective. */
-    void transfer(StateArchive &archive);
-
   private:
     /** The leak rate of the step on a coarser grid; 0 if that seals. */
     double leak_on(int halvings, const Step &step);

@@ -3,7 +3,7 @@
 #define strait_driver_load_stops_h
 
 #include <strait/base/scene.h>
-#include <strait/driver/threshold_search.h>
+#include <strait/seal/seal_search.h>
 
 #include <cstddef>
 #include <string>
@@ -23,8 +23,8 @@ namespace strait
    * The steps of @p scene in their order: the Pressures, back again in a cycle, each
    * with all slip lengths; and the Reduced loads of each of the @p thresholds.
    */
-  std::vector<LoadStop> plan_stops(const Scene                  &scene,
-                                   const std::vector<Threshold> &thresholds);
+  std::vector<LoadStop> plan_stops(const Scene                   &scene,
+                                   const std::vector<Transition> &thresholds);
 
   /** "loading" or "unloading": what the scene says, but where the path matters or turns
    *  the direction of the last change up to the stop @p k. */

@@ -5,10 +5,10 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
-#include <strait/driver/branch_follower.h>
 #include <strait/driver/result_table.h>
 #include <strait/driver/step.h>
 #include <strait/driver/threshold_tables.h>
+#include <strait/seal/path.h>
 
 #include <string>
 #include <vector>
@@ -46,7 +46,7 @@ namespace strait
     void transfer(StateArchive &archive);
 
     /** Write threshold.csv. Collective. */
-    void write(const std::vector<Threshold> &thresholds);
+    void write(const std::vector<Transition> &thresholds);
 
     /** Write blow_out.csv. Collective. */
     void write(const std::vector<BlowOut> &blow_outs);

@@ -5,7 +5,7 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/driver/exponent_fit.h>
-#include <strait/driver/threshold_search.h>
+#include <strait/seal/seal_search.h>
 #include <strait/spectral/periodic_grid.h>
 
 #include <vector>
@@ -18,12 +18,12 @@ namespace strait
   /** What a run leaves besides its files. */
   struct RunSummary
   {
-    bool                   converged = true;  // all steps
-    bool                   stopped   = false; // by a signal, before the last step
-    std::vector<Threshold> thresholds;        // if the scene looks for them
-    ExponentFit            exponent;          // of the leak rate at the smallest slip
-    double                 crossover = 0.; // reduced load, see crossover_reduced_load()
-    double theory_crossover          = 0.; // that of the theory, if the scene asks for it
+    bool                    converged = true;  // all steps
+    bool                    stopped   = false; // by a signal, before the last step
+    std::vector<Transition> thresholds;        // if the scene looks for them
+    ExponentFit             exponent;          // of the leak rate at the smallest slip
+    double                  crossover = 0.; // reduced load, see crossover_reduced_load()
+    double theory_crossover = 0.; // that of the theory, if the scene asks for it
   };
 
   /**

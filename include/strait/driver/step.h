@@ -3,52 +3,16 @@
 #define strait_driver_step_h
 
 #include <strait/base/text.h>
-#include <strait/contact/contact_state.h>
-#include <strait/driver/constriction_report.h>
 #include <strait/driver/theory_prediction.h>
-#include <strait/flow/reynolds_solver.h>
-#include <strait/percolation/clusters.h>
-#include <strait/percolation/flow_path.h>
+#include <strait/seal/seal_state.h>
+#include <strait/seal/step_flow.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace strait
 {
-  /** What the fluid does in one gap. */
-  struct StepFlow
-  {
-    Clusters              clusters;
-    std::vector<FlowPath> paths;  // empty where nothing percolates
-    FlowResult            result; // zero leak rate where nothing percolates
-
-    /** The mesh that the scene names, where the fluid flows; null: the box. */
-    const SealMesh *seal         = nullptr;
-    double          shape_factor = 0.; // of that mesh: Q/(K Δp) at a uniform K
-
-    /** If the scene looks for the threshold and something percolates. */
-    std::optional<ConstrictionReport> constrictions;
-
-    /** Mesh and pressure; none where nothing percolates. Valid until the next
-     *  step changes the gap. */
-    std::unique_ptr<ReynoldsSolver> solver;
-  };
-
-  /** How contact and flow came to agree, where the fluid presses on the wall. */
-  struct StepFeedback
-  {
-    double fluid_load         = 0.; // mean fluid pressure over the nominal area
-    int    iterations         = 0;  // rounds of contact and flow
-    int    contact_iterations = 0;  // of all rounds
-    long   fft_pairs          = 0;  // likewise
-    double mesh_error = 0; // what the last mesh changed of the leak rate, relative
-    bool   converged  = false;
-    bool   undecided  = false; // see FeedbackResult
-    bool   lifted_off = false; // the fluid carries more than the load
-  };
-
   /** One source of error of a leak rate. */
   struct ErrorItem
   {
@@ -68,28 +32,23 @@ namespace strait
   /** One step of the load programme, with all that its output may need. */
   struct Step
   {
-    int                         number = 0;    // counts from 1
-    std::string                 branch;        // loading or unloading
-    SlabField                   gap;           // a given one is below zero where closed
-    double                      mean_gap = 0.; // closed points count as zero
-    std::optional<ContactState> contact;       // unless the gap was given
-    double                      dissipated_energy = 0.; // by jumps of the contact
-    std::optional<StepFlow>     flow;                   // unless the fluid is off
-    std::optional<StepFeedback> feedback; // if the fluid presses on the wall
-    std::optional<TheoryResult> theory;   // if the scene asks for it
-    double                      slip_length = 0.;
+    int         number = 0; // counts from 1
+    std::string branch;     // loading or unloading
+    SealState   state;
+    double dissipated_energy = 0.; // by jumps of the contact on the way [energy/area]
+
+    std::optional<StepFlow>     flow;         // unless the fluid is off
+    std::optional<TheoryResult> theory;       // if the scene asks for it
     std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
     StepErrors                  errors;       // of the leak rate, if there is one
     std::vector<std::string>    doubts;       // about a result that may have converged
-    double                      contact_seconds = 0.;
-    double                      flow_seconds    = 0.;
+    double                      flow_seconds = 0.;
 
     /** Whether all solvers reached what was asked of them. */
     bool
     converged() const
     {
-      return (!contact || contact->converged) && (!flow || flow->result.status == "ok") &&
-             (!feedback || feedback->converged);
+      return state.converged() && (!flow || flow->result.status == "ok");
     }
 
     /** "ok", or a short word for each thing that failed or is in doubt, joined by +. */
@@ -97,14 +56,14 @@ namespace strait
     status() const
     {
       std::vector<std::string> words;
-      if (contact && !contact->converged)
+      if (state.contact && !state.contact->converged)
         words.emplace_back("contact-not-converged");
       if (flow && flow->result.status != "ok")
         words.push_back(flow->result.status);
-      if (feedback && !feedback->converged)
-        words.emplace_back(feedback->lifted_off  ? "lifted-off"
-                           : feedback->undecided ? "feedback-undecided"
-                                                 : "feedback-not-converged");
+      if (state.fluid && !state.fluid->converged)
+        words.emplace_back(state.fluid->lifted_off  ? "lifted-off"
+                           : state.fluid->undecided ? "feedback-undecided"
+                                                    : "feedback-not-converged");
       words.insert(words.end(), doubts.begin(), doubts.end());
       return words.empty() ? "ok" : join(words, "+");
     }

@@ -3,7 +3,7 @@
 #define strait_driver_theory_prediction_h
 
 #include <strait/base/scene.h>
-#include <strait/driver/threshold_search.h>
+#include <strait/seal/seal_search.h>
 #include <strait/theory/persson.h>
 
 #include <optional>
@@ -45,10 +45,10 @@ namespace strait
      * pressure that is not positive leaves contact area and mean gap not numbers.
      * Collective.
      */
-    TheoryResult predict(double           pressure,
-                         double           slip_length,
-                         const SlabField *gap,
-                         const Threshold *threshold) const;
+    TheoryResult predict(double            pressure,
+                         double            slip_length,
+                         const SlabField  *gap,
+                         const Transition *threshold) const;
 
     const RadialSpectrum &
     spectrum() const
@@ -67,11 +67,11 @@ namespace strait
                     double                 pressure,
                     double                 slip_length,
                     const GapDistribution *simulated,
-                    const Threshold       *threshold,
+                    const Transition      *threshold,
                     TheoryResult          *details) const;
     double dimension(const PerssonTheory &with,
                      double               slip_length,
-                     const Threshold     *threshold) const;
+                     const Transition    *threshold) const;
 
     TheoryParameters parameters;
     bool             keeps_gaps;  // for the output of fields

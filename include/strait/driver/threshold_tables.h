@@ -4,10 +4,9 @@
 
 #include <strait/base/csv_file.h>
 #include <strait/base/log.h>
-#include <strait/driver/blow_out.h>
 #include <strait/driver/exponent_fit.h>
 #include <strait/driver/step.h>
-#include <strait/driver/threshold_search.h>
+#include <strait/seal/seal_search.h>
 #include <strait/spectral/periodic_grid.h>
 #include <strait/spectral/state_archive.h>
 
@@ -23,9 +22,9 @@ namespace strait
                        const PeriodicGrid         &grid);
 
   /** Write threshold.csv: one row for each slip length. For rank 0 only. */
-  void write_thresholds(const std::string            &path,
-                        const std::vector<Threshold> &thresholds,
-                        const PeriodicGrid           &grid);
+  void write_thresholds(const std::string             &path,
+                        const std::vector<Transition> &thresholds,
+                        const PeriodicGrid            &grid);
 
   /** The table constrictions.csv: where the pressure drops at each step. */
   class ConstrictionTable

@@ -4,6 +4,7 @@
 
 #include <strait/spectral/slab_field.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,33 @@ namespace strait
     template <typename Number>
     void field_of(std::vector<Number> &values, const SlabLayout &layout);
   };
+
+  /** A list of any length; @p transfer_item puts or takes each of its items. Collective.
+   */
+  template <typename Item, typename Transfer>
+  void
+  transfer_all(StateArchive      &archive,
+               std::vector<Item> &items,
+               const Transfer    &transfer_item)
+  {
+    auto n_items = static_cast<long>(items.size());
+    archive.value(n_items);
+    items.resize(n_items);
+    for (Item &item : items)
+      transfer_item(item);
+  }
+
+  /** Whether there is a value, which is made where it is to be taken. Collective. */
+  template <typename Value>
+  bool
+  transfer_presence(StateArchive &archive, std::optional<Value> &value)
+  {
+    bool exists = value.has_value();
+    archive.value(exists);
+    if (exists != value.has_value())
+      value = exists ? std::make_optional<Value>() : std::nullopt;
+    return exists;
+  }
 } // namespace strait
 
 #endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_wall_h
+#define strait_contact_wall_h
+
+#include <strait/spectral/slab_field.h>
+
+#include <cstddef>
+
+namespace strait
+{
+  /**
+   * The rough surface as the solid meets it: below its highest peak and, where a fluid
+   * presses on the half-space, displaced by G p_f, so that contact is the dry problem
+   * with this surface under the load that the fluid leaves.
+   */
+  class Wall
+  {
+  public:
+    /** @p heights [length]; @p contact_modulus is E* > 0. Collective. Throws InputError
+     *  if a height is not finite. */
+    Wall(SlabField heights, double contact_modulus);
+
+    /**
+     * Let a fluid of the pressure @p fluid_pressure press from now on, or none if that is
+     * null. It is on the grid of the heights and continued under the contact; the mean of
+     * its pressure is the load that it carries. Collective; one FFT pair with a fluid.
+     */
+    void wet(const SlabField *fluid_pressure);
+
+    /** At most 0 [length]. The reference stays valid and always shows the present. */
+    const SlabField &
+    heights() const
+    {
+      return displaced;
+    }
+
+    const SlabLayoutPtr &
+    layout() const
+    {
+      return displaced.layout_pointer();
+    }
+
+    /** Mean of heights(). */
+    double
+    mean_height() const
+    {
+      return mean_of_heights;
+    }
+
+    /** Of the surface without the fluid, about its mean. */
+    double
+    rms_height() const
+    {
+      return dry_rms_height;
+    }
+
+    /** Mean pressure of the fluid; 0 without. */
+    double
+    fluid_load() const
+    {
+      return load;
+    }
+
+    /** Bytes on this rank. */
+    std::size_t
+    memory_consumption() const
+    {
+      return (displaced.size() + dry.size()) * sizeof(double);
+    }
+
+  private:
+    void lower_highest_peak_to_zero();
+
+    const double modulus;
+    SlabField    displaced;
+    SlabField    dry; // empty before the first fluid
+    double       mean_of_heights = 0.;
+    double       dry_rms_height  = 0.;
+    double       load            = 0.;
+  };
+} // namespace strait
+
+#endif

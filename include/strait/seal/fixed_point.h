@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_seal_fixed_point_h
+#define strait_seal_fixed_point_h
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * Proposes the next iterate on the way to a fixed point x = F(x) of a map that is
+   * costly and known only through its values.
+   *
+   * Anderson acceleration (J. ACM 12, 1965; type II of Fang and Saad 2009): of all
+   * combinations of the last rounds, with weights that add up to one, the one whose
+   * residual F(x) − x would be smallest if F were affine. Without history it is plain
+   * relaxation. Knows neither physics nor how the values are distributed.
+   */
+  class FixedPoint
+  {
+  public:
+    /** Sum of a[i]·b[i] over all values, those of other ranks included. Collective. */
+    using Product =
+      std::function<double(const std::vector<float> &a, const std::vector<float> &b)>;
+
+    /**
+     * @p history: how many earlier rounds are combined, 0 or more, at 8 B a value
+     * each; @p relaxation: share of the residual that is taken, in (0, 1].
+     */
+    FixedPoint(Product product, int history, double relaxation);
+
+    /**
+     * The next iterate, in place of @p x, after F(@p x) = @p image was found. Both have
+     * @p n values on this rank. Collective if the product is.
+     */
+    void advance(double *x, const double *image, std::size_t n);
+
+    /**
+     * The same by plain relaxation, with half the share each time that the residual
+     * turns round. What this round says is remembered all the same.
+     */
+    void relax_towards(double *x, const double *image, std::size_t n);
+
+    /** Forget the rounds before, because the map has changed. */
+    void restart();
+
+    /** Begin at another point or with a map that has changed a little: what the rounds
+     *  before say about directions still holds. */
+    void move_on();
+
+    /** Take only this share of each residual from now on. */
+    void relax(double new_relaxation);
+
+    /** Until it moves on, plain relaxation takes at most @p factor times as much of that
+     *  as before, and never more than all. */
+    void damp(double factor);
+
+    double
+    relaxation() const
+    {
+      return share;
+    }
+
+    /** Bytes on this rank. */
+    std::size_t memory_consumption() const;
+
+  private:
+    // Differences between one round and the next. Single precision is enough to
+    // find a direction: the residual that they are fitted to is exact.
+    struct Difference
+    {
+      std::vector<float> x;
+      std::vector<float> residual;
+    };
+
+    void                remember(const double *x, const double *image, std::size_t n);
+    std::vector<double> best_weights() const;
+
+    Product                 product;
+    int                     history;
+    double                  share;
+    std::vector<Difference> differences; // the latest last
+    std::vector<float>      last_residual;
+    std::vector<double>     last_x;
+    double                  damping = 1., most_damping = 1.; // factors of the share
+    bool                    has_last = false; // on a rank without values as well
+  };
+} // namespace strait
+
+#endif

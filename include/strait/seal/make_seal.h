@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_seal_make_seal_h
+#define strait_seal_make_seal_h
+
+#include <strait/base/log.h>
+#include <strait/base/scene.h>
+#include <strait/seal/flow_stage.h>
+#include <strait/seal/path.h>
+#include <strait/seal/seal_model.h>
+
+#include <memory>
+
+namespace strait
+{
+  /**
+   * The contact parameters of the scene with all that a run has to find out first: a
+   * tolerance that the verdict of a threshold search does not notice, and the surface
+   * energy of the adhesion, which is @p surface_energy where that is positive. What
+   * adhesion there is is told to @p log. Collective. Throws as adhesion_of_scene().
+   */
+  ContactParameters complete_contact(const Scene     &scene,
+                                     const SlabField &heights,
+                                     double           surface_energy,
+                                     Log             &log);
+
+  /**
+   * The seal of @p scene: the only place that knows which models there are. Of its
+   * @p contact the section is complete; @p flow is needed where the fluid presses on the
+   * walls. Collective. The references must outlive the model.
+   */
+  std::unique_ptr<SealModel> make_seal(const Scene             &scene,
+                                       const ContactParameters &contact,
+                                       SlabField                heights,
+                                       FlowStage               *flow,
+                                       Log                     &log);
+
+  /** How finely the scene wants jumps enclosed. */
+  JumpSearch jump_search(const Scene &scene);
+} // namespace strait
+
+#endif

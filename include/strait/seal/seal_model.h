@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_seal_seal_model_h
+#define strait_seal_seal_model_h
+
+#include <strait/seal/seal_state.h>
+
+#include <cstddef>
+
+namespace strait
+{
+  /** What a state is wanted for. */
+  enum class Aim
+  {
+    verdict,  // whether a channel percolates
+    leak_rate // how much leaks, to the accuracy that the scene asks for
+  };
+
+  /**
+   * What makes a state of a seal out of what the outside prescribes: a surface that is
+   * the gap itself, a contact, a contact with adhesion, or one that a fluid presses
+   * apart. It remembers nothing; the past comes in with the state that a path comes from.
+   */
+  class SealModel
+  {
+  public:
+    virtual ~SealModel() = default;
+
+    /** The state under @p control, reached from @p from, or without a past if that is
+     *  null. Collective. Throws InputError if there is no such state. */
+    virtual SealState solve(const Control &control, const SealState *from, Aim aim) = 0;
+
+    /** Whether two controls lead to one state. */
+    virtual bool are_alike(const Control &a, const Control &b) const = 0;
+
+    /** Whether a state depends on the one it was reached from by more than the
+     *  tolerance. */
+    virtual bool depends_on_path() const = 0;
+
+    /** Largest number of bytes held on this rank during a solve so far. */
+    virtual std::size_t memory_consumption() const = 0;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_seal_seal_state_h
+#define strait_seal_seal_state_h
+
+#include <strait/contact/contact_state.h>
+
+#include <optional>
+
+namespace strait
+{
+  /** What the outside prescribes. */
+  struct Control
+  {
+    double target         = 0.; // nominal pressure, or mean gap under gap control
+    double inlet_pressure = 0.;
+    double slip_length    = 0.; // negative: an immobile layer of fluid on each wall
+  };
+
+  /** The fluid where it presses on the walls. */
+  struct FluidState
+  {
+    SlabField pressure;  // on the grid, continued under the contact [pressure]
+    double    load = 0.; // its mean over the nominal area
+
+    int    rounds     = 0;  // of contact and flow, until they agreed
+    double mesh_error = 0.; // what the last mesh changed of the leak rate, relative
+
+    bool converged  = false;
+    bool undecided  = false; // the seal opens and closes at this control
+    bool lifted_off = false; // the fluid carries more than the load
+  };
+
+  /** How a path that ends in a state went on in its last step. */
+  struct PathTrend
+  {
+    bool   is_known      = false; // not at the first state of a path
+    double area          = 0.;    // change of the contact area with the load
+    double slope         = 0.;    // change of the slope of the energy with the load
+    double largest_slope = 0.;    // of the energy, on the path so far
+  };
+
+  /** A seal, and all that its past leaves behind. */
+  struct SealState
+  {
+    Control                     control;
+    std::optional<ContactState> contact;       // none where the surface is the gap itself
+    SlabField                   given_gap;     // there; below zero where closed [length]
+    double                      mean_gap = 0.; // closed points count as zero
+    std::optional<FluidState>   fluid;         // where it presses on the walls
+    PathTrend                   trend;
+    double                      contact_seconds = 0.; // spent on the contact
+
+    /** As the contact leaves it, [length]; at most 0 where closed. */
+    const SlabField &
+    gap() const
+    {
+      return contact ? contact->gap : given_gap;
+    }
+
+    /** Whether contact, and contact with fluid, reached what was asked of them. */
+    bool
+    converged() const
+    {
+      return (!contact || contact->converged) && (!fluid || fluid->converged);
+    }
+  };
+
+  /** Put @p state in an archive, or take it out; a given gap is left out. Collective. */
+  void transfer(StateArchive &archive, SealState &state, const SlabLayoutPtr &layout);
+} // namespace strait
+
+#endif

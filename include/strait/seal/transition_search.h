@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_seal_transition_search_h
+#define strait_seal_transition_search_h
+
+#include <strait/percolation/flow_lattice.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace strait
+{
+  /** What one state tells about percolation. */
+  struct Probe
+  {
+    /** > 0: it leaks, and this is the gap of the bottleneck; else how firmly it is
+     * closed, likewise as a length. */
+    double    openness     = 0.;
+    double    contact_area = 0.;
+    GridPoint bottleneck;
+    long      fft_pairs = 0;
+  };
+
+  /** Between two values of what varies along a path, a load or a pressure. */
+  struct Passage
+  {
+    double before; // nearer to where the path comes from
+    double beyond;
+  };
+
+  /**
+   * Encloses the value at which a seal that is asked for one value after the other begins
+   * or ceases to leak. Knows nothing of what varies.
+   *
+   * Where only the value counts, the openness v falls with it and changes its sign at the
+   * transition. On the open side it is the gap of a constriction, which vanishes as
+   * (1 − L/L_c)^(6/5) with the load L, on the sealed side a contact pressure, which was
+   * found to grow as (L/L_c − 1)^0.63: raised to the reciprocal powers both are
+   * close to linear, and a line through two loads of one side foretells the
+   * transition. Within a grid spacing of closing, v itself is linear through zero, and
+   * the line through one load of each side does. The next load lies a little beyond, so
+   * that it closes in from the other side. Every value that was asked serves later
+   * searches at other levels of the openness.
+   *
+   * Where it counts as well what the seal was before, steps matter: a state that a small
+   * step keeps may be lost by a large one. Then the transition is where small steps along
+   * the path lose the state.
+   */
+  class TransitionSearch
+  {
+  public:
+    using Ask = std::function<Probe(double value)>;
+
+    /** @p tolerance: relative width of the bracket to reach. */
+    TransitionSearch(Ask ask, double tolerance);
+
+    /**
+     * Enclose the value above which the openness is no more than @p level, beginning with
+     * @p first. Throws ComputationError if no value within a factor of 10⁶ of the first
+     * brackets it. Collective if asking is.
+     */
+    Passage enclose(double first, double level);
+
+    /**
+     * Enclose where the state that is there at `known.before` is lost on the way to
+     * `known.beyond`, where it is lost in one step, and beyond that if small steps keep
+     * it. @p is_kept judges a probe. Nothing if it is not lost within a factor of 10⁶.
+     * Collective if asking is.
+     */
+    using Kept = std::function<bool(const Probe &)>;
+    std::optional<Passage> approach(Passage known, const Kept &is_kept);
+
+    /**
+     * The same from @p kept, where the state is there, in steps that grow from @p step,
+     * which is negative on the way to smaller values.
+     */
+    std::optional<Passage> leave(double kept, double step, const Kept &is_kept);
+
+    /** Ask at one value. Collective if asking is. */
+    const Probe &ask_at(double value);
+
+    /** The last answer at a value that was asked. */
+    const Probe &
+    at(const double value) const
+    {
+      return asked.at(value);
+    }
+
+    /** How many answers there were so far, and the FFT pairs that these took. */
+    int
+    n_asked() const
+    {
+      return n_answers;
+    }
+
+    long
+    n_fft_pairs() const
+    {
+      return fft_pairs;
+    }
+
+  private:
+    /** A value, the openness there above the level, and the same straightened. */
+    struct Point
+    {
+      double value;
+      double openness;
+      double straight;
+    };
+
+    /** What is known at one level, the last of each side nearest to the transition. */
+    struct Known
+    {
+      std::vector<Point> open;   // ascending
+      std::vector<Point> sealed; // descending
+
+      double
+      width() const
+      {
+        return sealed.back().value - open.back().value;
+      }
+    };
+
+    Known       known_at(double level) const;
+    double      value_outside(const Known &known, double first) const;
+    double      value_between(const Known &known, bool bisect) const;
+    static bool is_linear(const Known &known);
+    std::optional<Passage>
+    lose_slowly(Passage at, double first_step, const Kept &is_kept);
+
+    Ask                     ask;
+    double                  tolerance;
+    std::map<double, Probe> asked;
+    int                     n_answers = 0;
+    long                    fft_pairs = 0;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_seal_wall_feedback_h
+#define strait_seal_wall_feedback_h
+
+#include <strait/base/feedback_parameters.h>
+#include <strait/seal/fixed_point.h>
+#include <strait/spectral/slab_field.h>
+
+#include <functional>
+#include <limits>
+
+namespace strait
+{
+  /** What one round of contact and flow makes of an assumed fluid pressure. */
+  struct FeedbackRound
+  {
+    bool      percolates = false; // in the gap under the assumed pressure
+    double    leak_rate  = 0.;    // likewise
+    SlabField fluid_pressure;     // that follows from this gap
+  };
+
+  /** How far to iterate. */
+  struct FeedbackGoal
+  {
+    double tolerance; // of the change of the fluid pressure, as FeedbackParameters'
+    bool   leak_rate = true; // until that has settled as closely, too
+    bool   goes_on = false;  // the iteration before, with a map that has changed a little
+
+    /** No guess may have a larger mean pressure, such as the load. */
+    double largest_mean = std::numeric_limits<double>::infinity();
+  };
+
+  /** How the iteration ended. */
+  struct FeedbackResult
+  {
+    int    iterations = 0;  // rounds
+    double change     = 0;  // of the fluid pressure in the last round, see Tolerance;
+                            // where a gap stays ajar of a mixture of the last rounds
+    double leak_change = 0; // of the leak rate in these, relative
+    bool   converged   = false;
+
+    /**
+     * The fluid of the open channel closes it and that of the closed one opens it, and no
+     * state between agrees with itself within the tolerance: it opens and closes at
+     * this load.
+     */
+    bool undecided = false;
+
+    /** Whether these changes are as small as that. */
+    bool
+    agrees_within(const FeedbackGoal &goal) const
+    {
+      return change <= goal.tolerance &&
+             (!goal.leak_rate || leak_change <= goal.tolerance);
+    }
+  };
+
+  /**
+   * Finds the fluid pressure that contact and flow agree on: that under which the gap
+   * is such that the fluid has this pressure.
+   *
+   * The first rounds combine those before (FixedPoint), then every other one does; the
+   * plain ones between keep it from wandering where single grid points open and close,
+   * and whether a guess that combines pays is seen soon or never, so that after 30 rounds
+   * all are plain. (Such alternation: Banerjee, Suryanarayana, Pask, Chem. Phys. Lett.
+   * 647, 2016.)
+   *
+   * Where the verdict on percolation changes, the map has jumped: the iteration goes on
+   * more cautiously from where it is, and after a few such changes it halves the distance
+   * between a pressure that leaves the channel open and one that closes it, until they
+   * agree within the tolerance. There it goes on along the jump, or away from it; where
+   * the two sides only lead to each other there is no state, and the last round is one
+   * that leaves the channel open.
+   *
+   * The map also jumps, or is too steep for the grid, where a gap that is ajar lets the
+   * fluid through and closes once it has: a throttle that regulates itself. Where the
+   * plain rounds walk in circles their steps become smaller, until they stay in one
+   * place: the state is found if there a mixture of their changes is none.
+   */
+  class WallFeedback
+  {
+  public:
+    using Round = std::function<FeedbackRound(const SlabField &assumed)>;
+
+    WallFeedback(const FeedbackParameters &parameters, const SlabLayoutPtr &layout);
+
+    /**
+     * Iterate from pressure() on. The last call of @p round is for the pressure()
+     * that is left. @p largest_pressure, that of a reservoir, is the measure of
+     * changes. Collective.
+     */
+    FeedbackResult
+    solve(const Round &round, double largest_pressure, const FeedbackGoal &goal);
+
+    /** The pressure that is assumed, on the grid; a start for solve(). */
+    SlabField &
+    pressure()
+    {
+      return assumed;
+    }
+
+    /** Bytes on this rank. */
+    std::size_t memory_consumption() const;
+
+  private:
+    // What the rounds of relaxation did since one of them.
+    struct Walk
+    {
+      SlabField start;   // assumed then
+      SlabField mixture; // of the changes, the smallest
+      double    leak_rate   = 0;
+      int       n_rounds    = 0; // 0: it has not begun
+      double    distance    = 0; // the largest from the start
+      double    leak_change = 0; // likewise, relative
+    };
+
+    void propose(const SlabField &image, int round, const FeedbackGoal &goal);
+    bool stays_in_place(const FeedbackRound &now,
+                        const FeedbackGoal  &goal,
+                        FeedbackResult      &result);
+    bool enclose(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
+    bool
+    is_undecided(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
+    double difference(const SlabField &a, const SlabField &b) const;
+    double size(const SlabField &change) const;
+    double relative(double squares, const SlabField &field) const;
+
+    const FeedbackParameters parameters;
+    double                   scale = 1.;
+    SlabField                assumed;
+    FixedPoint               fixed_point;
+    SlabField                open_side, closed_side; // the last with either verdict
+    Walk                     walk;
+    SlabField                last_image;         // of an iteration that has converged
+    double                   last_leak_rate = 0; // 0: there was none
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/contact/half_space.h>
+#include <strait/contact/wall.h>
+
+#include <cmath>
+#include <utility>
+
+namespace strait
+{
+  Wall::Wall(SlabField heights, const double contact_modulus)
+    : modulus(contact_modulus)
+    , displaced(std::move(heights))
+  {
+    lower_highest_peak_to_zero();
+    dry_rms_height = rms(displaced);
+    if (!std::isfinite(dry_rms_height))
+      throw InputError(
+        "The surface has heights that are not finite numbers; mend the "
+        "Expression or File of the section Surface.");
+  }
+
+  void
+  Wall::wet(const SlabField *fluid_pressure)
+  {
+    if (fluid_pressure == nullptr && dry.empty())
+      return;
+    if (dry.empty())
+      dry = displaced;
+    if (fluid_pressure == nullptr)
+      {
+        displaced = std::exchange(dry, SlabField());
+        load      = 0.;
+      }
+    else
+      {
+        HalfSpace(layout(), modulus).apply(fluid_pressure->data(), displaced.data());
+        for (std::size_t i = 0; i < displaced.size(); ++i)
+          displaced[i] = dry[i] - displaced[i];
+        load = mean(*fluid_pressure);
+      }
+    lower_highest_peak_to_zero();
+  }
+
+  void
+  Wall::lower_highest_peak_to_zero()
+  {
+    const double peak = max_value(displaced);
+    for (double &h : displaced)
+      h -= peak;
+    mean_of_heights = mean(displaced);
+  }
+} // namespace strait

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/base/timers.h>
+#include <strait/flow/pressure_on_grid.h>
+#include <strait/seal/coupled_seal.h>
+#include <strait/seal/unsettled_pools.h>
+#include <strait/seal/wall_feedback.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    // How closely contact and flow agree while the mesh is being found, of the accuracy
+    // that is asked for.
+    constexpr double looseness = .1;
+
+    // How much smaller than the target accuracy the width of the bracket is on the first
+    // mesh, and how much on each mesh than on the one before: the gap amplifies the
+    // errors of the fluid's pressure, the more so the closer it is to the threshold.
+    constexpr double mesh_share = .25;
+
+    struct LiftedOff
+    {
+    };
+  } // namespace
+
+  /** The way to one state. */
+  class CoupledSeal::Iteration
+  {
+  public:
+    Iteration(CoupledSeal &seal, const Control &control, const SealState *from);
+
+    /** Contact and flow that agree to the accuracy of a verdict. */
+    void settle();
+
+    /** The same to that of a leak rate. */
+    void find_mesh();
+
+    SealState state;
+
+    std::size_t
+    memory_consumption() const
+    {
+      return feedback.memory_consumption() + pools.memory_consumption() +
+             seal.extension.memory_consumption();
+    }
+
+  private:
+    bool          is_limited_by_load() const;
+    void          agree(FeedbackGoal goal);
+    FeedbackRound round(const SlabField &assumed);
+    SlabField     pressure_in_gap(SlabField start);
+    void          lift_off();
+    double        largest_pressure() const;
+
+    CoupledSeal     &seal;
+    const Control    control;
+    const SealState *from;
+    FlowStage       &flow;
+    StepFlow         fluid_flow;
+    WallFeedback     feedback;
+    UnsettledPools   pools;
+    FeedbackResult   last_result;
+    bool             has_extended; // so that the pressure is a start under the contact
+    int              n_iterations = 0;
+    long             fft_pairs    = 0;
+  };
+
+  CoupledSeal::CoupledSeal(const Scene                  &scene_,
+                           std::unique_ptr<ContactModel> contact_,
+                           const SlabLayoutPtr          &layout_,
+                           FlowStage                    &flow_,
+                           Log                          &log_)
+    : scene(scene_)
+    , contact(std::move(contact_))
+    , layout(layout_)
+    , flow(flow_)
+    , log(log_)
+    , extension(layout, scene.fluid.direction)
+  {
+  }
+
+  SealState
+  CoupledSeal::solve(const Control &control, const SealState *from, const Aim aim)
+  {
+    flow.set_inlet_pressure(control.inlet_pressure);
+    Iteration iteration(*this, control, from);
+    if (aim == Aim::verdict)
+      iteration.settle();
+    else
+      iteration.find_mesh();
+    peak_memory = std::max(peak_memory, iteration.memory_consumption());
+    return std::move(iteration.state);
+  }
+
+  std::size_t
+  CoupledSeal::memory_consumption() const
+  {
+    return contact->memory_consumption() + peak_memory;
+  }
+
+  CoupledSeal::Iteration::Iteration(CoupledSeal     &seal_,
+                                    const Control   &control_,
+                                    const SealState *from_)
+    : seal(seal_)
+    , control(control_)
+    , from(from_)
+    , flow(seal.flow)
+    , feedback(seal.scene.fluid.feedback, seal.layout)
+    , has_extended(from != nullptr && from->fluid)
+  {
+    state.control = control;
+    state.fluid.emplace();
+    if (!has_extended)
+      return;
+    feedback.pressure() = from->fluid->pressure;
+    // What carried another load is not to lift this one off before it was tried.
+    constexpr double largest_share = .99;
+    const double     fluid_load    = mean(feedback.pressure());
+    if (is_limited_by_load() && fluid_load >= control.target)
+      for (double &pressure : feedback.pressure())
+        pressure *= largest_share * control.target / fluid_load;
+  }
+
+  /** Whether the fluid cannot carry more than the load: adhesion could hold against it.
+   */
+  bool
+  CoupledSeal::Iteration::is_limited_by_load() const
+  {
+    return seal.scene.contact.control == ContactControl::load &&
+           !seal.scene.contact.adhesion.enabled;
+  }
+
+  void
+  CoupledSeal::Iteration::settle()
+  {
+    // The verdict should not depend on what the iteration leaves over, but below that it
+    // is what contact and flow leave over that counts.
+    constexpr double least = 1e-5;
+    FeedbackGoal     goal{
+      std::min(seal.scene.fluid.feedback.tolerance,
+               std::max(.1 * seal.scene.programme.threshold_tolerance, least))};
+    goal.leak_rate = false;
+    agree(goal);
+  }
+
+  /**
+   * Let contact and flow come near each other on finer and finer meshes until the leak
+   * rate does not depend on the mesh that the fluid's pressure on the wall is found on,
+   * and then agree.
+   */
+  void
+  CoupledSeal::Iteration::find_mesh()
+  {
+    // If the leak rate changes by more than that, contact and flow went to another
+    // state, for which another mesh of this share is wanted.
+    constexpr double another_state = .5;
+    constexpr int    max_finer = 2, max_states = 4;
+
+    const double target_accuracy = flow.fluid().target_accuracy;
+    const double tolerance       = seal.scene.fluid.feedback.tolerance;
+    FluidState  &fluid           = *state.fluid;
+    FeedbackGoal goal{std::max(tolerance, looseness * target_accuracy)};
+    double       share = mesh_share;
+
+    std::optional<double> leak_before;
+    const auto            certify = [&]() -> const FlowResult            &{
+      flow.certify(fluid_flow, state.contact->gap, control.slip_length, share);
+      return fluid_flow.result;
+    };
+    for (int finer = 0, states = 1;;)
+      {
+        agree(goal);
+        goal.goes_on = true;
+        if (fluid.lifted_off)
+          return;
+        if (!fluid.converged || !fluid_flow.solver)
+          break;
+        bool stays = true;
+        if (leak_before)
+          {
+            // A change below the width of the bracket, or below what the iteration leaves
+            // over, is chance.
+            const FlowResult &now = certify();
+            fluid.mesh_error      = std::max({std::abs(*leak_before / now.leak_rate - 1.),
+                                              .5 * now.relative_width(),
+                                              goal.tolerance});
+            stays                 = fluid.mesh_error <= another_state;
+            const bool is_narrow =
+              now.relative_width() + 2. * fluid.mesh_error <= target_accuracy;
+            if (is_narrow || (stays ? finer == max_finer : states == max_states))
+              break;
+          }
+        if (stays)
+          {
+            ++finer;
+            share *= mesh_share;
+          }
+        else
+          {
+            ++states;
+            flow.discard_mesh();
+          }
+        leak_before = certify().leak_rate;
+      }
+    goal.tolerance = tolerance;
+    if (fluid.converged && !last_result.agrees_within(goal))
+      agree(goal);
+  }
+
+  void
+  CoupledSeal::Iteration::agree(FeedbackGoal goal)
+  {
+    if (is_limited_by_load())
+      goal.largest_mean = control.target;
+    FluidState &fluid = *state.fluid;
+    try
+      {
+        last_result =
+          feedback.solve([&](const SlabField &assumed) { return round(assumed); },
+                         largest_pressure(),
+                         goal);
+        fluid.converged           = last_result.converged;
+        fluid.undecided           = last_result.undecided;
+        fluid.load                = mean(feedback.pressure());
+        state.contact->iterations = n_iterations;
+        state.contact->fft_pairs  = fft_pairs;
+      }
+    catch (const LiftedOff &)
+      {
+        lift_off();
+      }
+    fluid.pressure = feedback.pressure();
+  }
+
+  double
+  CoupledSeal::Iteration::largest_pressure() const
+  {
+    const double largest = std::max(std::abs(flow.fluid().inlet_pressure),
+                                    std::abs(flow.fluid().outlet_pressure));
+    return largest > 0 ? largest : 1.;
+  }
+
+  FeedbackRound
+  CoupledSeal::Iteration::round(const SlabField &assumed)
+  {
+    if (is_limited_by_load() && mean(assumed) >= control.target)
+      throw LiftedOff();
+    const auto          start = Timers::Clock::now();
+    const ContactState *near  = state.contact     ? &*state.contact
+                                : from != nullptr ? &*from->contact
+                                                  : nullptr;
+    ContactState        next  = seal.contact->solve(control.target, near, &assumed);
+    if (next.adhesion && next.adhesion->detached)
+      throw LiftedOff();
+    state.contact  = std::move(next);
+    state.mean_gap = state.contact->mean_gap;
+    state.contact_seconds += Timers::seconds_since(start);
+    ++state.fluid->rounds;
+    n_iterations += state.contact->iterations;
+    fft_pairs += state.contact->fft_pairs;
+
+    flow.follow(fluid_flow, state.contact->gap, control.slip_length, mesh_share);
+
+    FeedbackRound result;
+    result.percolates     = fluid_flow.clusters.percolates;
+    result.leak_rate      = fluid_flow.result.upper;
+    result.fluid_pressure = pressure_in_gap(assumed);
+    seal.log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",
+                             mean(result.fluid_pressure),
+                             result.leak_rate));
+    return result;
+  }
+
+  /** The pressure of the fluid in the present gap; @p start under the contact is where
+   *  its extension starts from. */
+  SlabField
+  CoupledSeal::Iteration::pressure_in_gap(SlabField start)
+  {
+    const std::vector<NodeState> &states = fluid_flow.clusters.states;
+    pools.note(states);
+    SlabField    open_gap = FlowStage::seen_gap(state.contact->gap, control.slip_length);
+    const double inlet    = flow.fluid().inlet_pressure;
+    const double drop     = inlet - flow.fluid().outlet_pressure;
+    const GridDeposit::Sums channel =
+      fluid_flow.solver ? pressure_on_grid(*fluid_flow.solver, seal.layout)
+                        : GridDeposit::Sums();
+    for (std::size_t k = 0; k < start.size(); ++k)
+      switch (pools.contains(k) ? pools.state_before(k) : states[k])
+        {
+          case NodeState::percolating:
+            if (pools.contains(k))
+              break; // it keeps what it had when it was cut off
+            // On the seam the channel may reach one side only; see extend().
+            start[k] = channel.area.empty() || channel.area[k] == 0
+                         ? inlet
+                         : inlet - drop * (1. - channel.integral[k] / channel.area[k]);
+            break;
+          case NodeState::inlet_side:
+            start[k] = inlet;
+            break;
+          case NodeState::outlet_side:
+            start[k] = flow.fluid().outlet_pressure;
+            break;
+          case NodeState::pocket:
+          case NodeState::outside: // there is none of them in the box
+            start[k] = seal.scene.fluid.feedback.pool_pressure;
+            break;
+          case NodeState::closed:
+            if (!has_extended)
+              start[k] = .5 * (inlet + flow.fluid().outlet_pressure);
+            open_gap[k] = std::min(open_gap[k], 0.);
+            break;
+        }
+    has_extended = true;
+    // The next round starts from here, so that no more is needed than to come nearer.
+    constexpr double reduction = 1e-3;
+    seal.extension.extend(
+      start, open_gap, inlet, flow.fluid().outlet_pressure, reduction);
+    return start;
+  }
+
+  void
+  CoupledSeal::Iteration::lift_off()
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    ContactState    &contact  = state.contact.emplace();
+    contact.pressure          = SlabField(seal.layout);
+    contact.gap               = SlabField(seal.layout, infinite);
+    contact.nominal_pressure  = control.target;
+    contact.converged         = true;
+    if (seal.scene.contact.adhesion.enabled)
+      contact.adhesion.emplace();
+    contact.mean_gap = state.mean_gap = infinite;
+    state.fluid->lifted_off           = true;
+    state.fluid->converged            = false;
+    state.fluid->load                 = control.target;
+    seal.log.warn(
+      format("the fluid alone carries a load of %.6g: the walls part and nothing "
+             "limits the leak",
+             control.target));
+  }
+
+  double
+  share_of_bracket(const SealState &state, const double target_accuracy)
+  {
+    return state.fluid
+             ? std::max(mesh_share, 1. - 2. * state.fluid->mesh_error / target_accuracy)
+             : 1.;
+  }
+
+  void
+  allow_for_feedback(FlowResult       &result,
+                     const FluidState &fluid,
+                     const double      target_accuracy)
+  {
+    result.lower *= std::max(0., 1. - fluid.mesh_error);
+    result.upper *= 1. + fluid.mesh_error;
+    if (fluid.undecided)
+      result.lower = 0; // it is closed at times
+    else if (result.status == "ok" && result.relative_width() > target_accuracy)
+      {
+        result.status = "flow-accuracy";
+        result.reason = "the fluid's pressure on the wall still changes with the mesh";
+      }
+  }
+} // namespace strait

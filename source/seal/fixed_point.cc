@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/seal/fixed_point.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    // Of the residual in relaxation, in units of the largest allowed; maps that are
+    // steeper oscillate on.
+    constexpr double least_damping = 1. / 16;
+  } // namespace
+
+  FixedPoint::FixedPoint(Product product_, const int history_, const double relaxation)
+    : product(std::move(product_))
+    , history(history_)
+    , share(relaxation)
+  {
+  }
+
+  void
+  FixedPoint::advance(double *x, const double *image, const std::size_t n)
+  {
+    remember(x, image, n);
+    const std::vector<double> weights = best_weights();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        double from = x[i], change = image[i] - x[i];
+        for (std::size_t k = 0; k < differences.size(); ++k)
+          {
+            from -= weights[k] * differences[k].x[i];
+            change -= weights[k] * differences[k].residual[i];
+          }
+        x[i] = from + share * change;
+      }
+  }
+
+  void
+  FixedPoint::relax_towards(double *x, const double *image, const std::size_t n)
+  {
+    const bool has_before = has_last && history > 0;
+    remember(x, image, n);
+    if (has_before)
+      {
+        const double now    = product(last_residual, last_residual);
+        const double change = product(last_residual, differences.back().residual);
+        damping = now < change ? std::max(.5 * damping, least_damping * most_damping)
+                               : 2. * damping;
+      }
+    else if (history == 0)
+      damping = most_damping;
+    damping           = std::min(damping, most_damping);
+    const double part = damping * share;
+    for (std::size_t i = 0; i < n; ++i)
+      x[i] += part * (image[i] - x[i]);
+  }
+
+  void
+  FixedPoint::remember(const double *x, const double *image, const std::size_t n)
+  {
+    if (history == 0)
+      return;
+    std::vector<float> residual(n);
+    for (std::size_t i = 0; i < n; ++i)
+      residual[i] = static_cast<float>(image[i] - x[i]);
+    if (has_last)
+      {
+        if (differences.size() == static_cast<std::size_t>(history))
+          differences.erase(differences.begin());
+        Difference newest;
+        newest.x.resize(n);
+        newest.residual.resize(n);
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            newest.x[i]        = static_cast<float>(x[i] - last_x[i]);
+            newest.residual[i] = residual[i] - last_residual[i];
+          }
+        differences.push_back(std::move(newest));
+      }
+    last_x.assign(x, x + n);
+    last_residual = std::move(residual);
+    has_last      = true;
+  }
+
+  std::vector<double>
+  FixedPoint::best_weights() const
+  {
+    // Rounds that say almost the same as others must not fight each other.
+    constexpr double       dependent = 1e-8;
+    const std::size_t      m         = differences.size();
+    dealii::Vector<double> b(m), weights(m);
+    if (m > 0)
+      {
+        dealii::LAPACKFullMatrix<double> A(m, m);
+        for (std::size_t i = 0; i < m; ++i)
+          {
+            for (std::size_t j = 0; j <= i; ++j)
+              A(i, j) = A(j, i) =
+                product(differences[i].residual, differences[j].residual);
+            b(i) = product(differences[i].residual, last_residual);
+          }
+        A.compute_inverse_svd(dependent);
+        A.vmult(weights, b);
+      }
+    return {weights.begin(), weights.end()};
+  }
+
+  void
+  FixedPoint::restart()
+  {
+    differences.clear();
+    move_on();
+  }
+
+  void
+  FixedPoint::move_on()
+  {
+    last_residual.clear();
+    last_x.clear();
+    has_last = false;
+    damping = most_damping = 1.;
+  }
+
+  void
+  FixedPoint::relax(const double new_relaxation)
+  {
+    share = new_relaxation;
+  }
+
+  void
+  FixedPoint::damp(const double factor)
+  {
+    most_damping = std::min(1., factor * most_damping);
+  }
+
+  std::size_t
+  FixedPoint::memory_consumption() const
+  {
+    std::size_t n =
+      last_residual.capacity() * sizeof(float) + last_x.capacity() * sizeof(double);
+    for (const Difference &d : differences)
+      n += (d.x.capacity() + d.residual.capacity()) * sizeof(float);
+    return n;
+  }
+} // namespace strait

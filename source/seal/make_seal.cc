@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/contact/adhesion_of_scene.h>
+#include <strait/contact/adhesive_contact_solver.h>
+#include <strait/contact/contact_solver.h>
+#include <strait/seal/coupled_seal.h>
+#include <strait/seal/dry_seal.h>
+#include <strait/seal/make_seal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    /** Find the law and tell of it. Returns its surface energy. */
+    double
+    find_surface_energy(const ContactParameters &parameters,
+                        const SlabField         &heights,
+                        Log                     &log)
+    {
+      if (parameters.adhesion.matched_pressure > 0)
+        log.line("adhesion: a surface energy is sought that doubles the contact area");
+      const AdhesionScale scale(parameters, heights);
+      const AdhesionLaw   law        = adhesion_of_scene(parameters, heights);
+      const double        resolution = scale.resolution(law);
+      log.line(
+        format("adhesion: surface energy %.5g, range %.5g, Tabor number %.4g, E*/(k a) = "
+               "%.3g",
+               law.surface_energy,
+               law.range,
+               scale.tabor_number(law),
+               resolution));
+      if (resolution < resolved_adhesion)
+        log.warn(
+          format("the range of the adhesion is short for the grid: E*/(k a) with the "
+                 "slope k of the attraction is %.3g and should be at least %g, or loads "
+                 "of jumps depend on the grid",
+                 resolution,
+                 resolved_adhesion));
+      return law.surface_energy;
+    }
+
+    std::unique_ptr<ContactModel>
+    make_contact(const Scene &scene, const ContactParameters &contact, SlabField heights)
+    {
+      if (!contact.adhesion.enabled)
+        return std::make_unique<ContactSolver>(contact, std::move(heights));
+      const AdhesionLaw   law   = adhesion_of_scene(contact, heights);
+      const AdhesiveStart start = scene.programme.path == LoadPath::unloading
+                                    ? AdhesiveStart::full_contact
+                                    : AdhesiveStart::without_adhesion;
+      return std::make_unique<AdhesiveContactSolver>(contact,
+                                                     law,
+                                                     start,
+                                                     std::move(heights));
+    }
+  } // namespace
+
+  ContactParameters
+  complete_contact(const Scene     &scene,
+                   const SlabField &heights,
+                   const double     surface_energy,
+                   Log             &log)
+  {
+    ContactParameters parameters = scene.contact;
+    if (scene.programme.find_threshold)
+      // The verdict must not depend on what the solver leaves over.
+      parameters.tolerance =
+        std::min(parameters.tolerance, .01 * scene.programme.threshold_tolerance);
+    if (!scene.contact.enabled || !scene.contact.adhesion.enabled)
+      return parameters;
+    const auto know = [&](const double energy) {
+      parameters.adhesion.surface_energy   = energy;
+      parameters.adhesion.matched_pressure = 0.;
+    };
+    if (surface_energy > 0.)
+      know(surface_energy);
+    know(find_surface_energy(parameters, heights, log));
+    return parameters;
+  }
+
+  std::unique_ptr<SealModel>
+  make_seal(const Scene             &scene,
+            const ContactParameters &contact,
+            SlabField                heights,
+            FlowStage               *flow,
+            Log                     &log)
+  {
+    if (!scene.contact.enabled)
+      return std::make_unique<GivenGap>(std::move(heights));
+    const SlabLayoutPtr           layout = heights.layout_pointer();
+    std::unique_ptr<ContactModel> model =
+      make_contact(scene, contact, std::move(heights));
+    if (!scene.fluid.feedback.enabled)
+      return std::make_unique<DrySeal>(std::move(model));
+    return std::make_unique<CoupledSeal>(scene, std::move(model), layout, *flow, log);
+  }
+
+  JumpSearch
+  jump_search(const Scene &scene)
+  {
+    double largest = 0;
+    for (const double target : scene.programme.pressures)
+      largest = std::max(largest, std::abs(target));
+    return {scene.contact.control, scene.programme.jump_tolerance * largest};
+  }
+} // namespace strait

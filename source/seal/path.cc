@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/seal/path.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    // How many times faster than in the last step the contact area, and the mean gap
+    // (or, under gap control, the pressure) may change, plus how much.
+    constexpr double steeper_area = 3., free_change_of_area = .01;
+    constexpr double steeper = 1.3, free_change = 1e-3; // the latter of the largest
+
+    /** Between the change of the energy and the trapezoidal rule, in units of the
+     *  range that the slopes at the ends leave: a smooth path has a twelfth of the
+     *  relative step, a jump at a share f of the step |f − 1/2|. */
+    constexpr double largest_skewness = .025;
+
+    /** What a jump must dissipate, in units of the largest slope and the step. */
+    constexpr double slope_noise = 1e-3;
+
+    /** Of one step: a rough contact line may move in many small jumps, which together
+     *  are not worth more. */
+    constexpr int max_solves = 60;
+
+    PathPoint
+    point_of(const SealState &state)
+    {
+      const ContactState &contact = *state.contact;
+      return {state.control.target,
+              contact.nominal_pressure,
+              contact.mean_gap,
+              contact.contact_area,
+              contact.adhesion->total_energy};
+    }
+
+    void
+    transfer(StateArchive &archive, PathPoint &point)
+    {
+      archive.value(point.target);
+      archive.value(point.pressure);
+      archive.value(point.mean_gap);
+      archive.value(point.contact_area);
+      archive.value(point.energy);
+    }
+
+    /** One step of a path whose states have an energy. */
+    class Stride
+    {
+    public:
+      Stride(const SealState &from, const SealState &to, const ContactControl control_)
+        : control(control_)
+        , before(point_of(from))
+        , after(point_of(to))
+        , trend(from.trend)
+        , largest_slope(std::max(from.trend.largest_slope, std::abs(slope_at(after))))
+        , change(after.target - before.target)
+        , rise(after.energy - before.energy)
+      {
+        // How much the energy changes without dissipation, by the slope at either end.
+        std::tie(least, most) =
+          std::minmax({slope_at(before) * change, slope_at(after) * change});
+      }
+
+      bool
+      is_smooth() const
+      {
+        // The largest slope of the path before: this state may be beyond a jump.
+        const double noise = slope_noise * trend.largest_slope * std::abs(change);
+        if (rise < least - noise || std::abs(rise - .5 * (least + most)) >
+                                      largest_skewness * (most - least) + noise)
+          return false;
+        if (!trend.is_known)
+          return true;
+        const double area  = std::abs(after.contact_area - before.contact_area);
+        const double slope = std::abs(slope_at(after) - slope_at(before));
+        return area <=
+                 free_change_of_area + steeper_area * std::abs(trend.area * change) &&
+               slope <= free_change * trend.largest_slope +
+                          steeper * std::abs(trend.slope * change);
+      }
+
+      /** What a step that is no smooth one, and can be no shorter, may be. */
+      std::optional<Jump>
+      jump() const
+      {
+        if (rise >= least) // steep, but no jump
+          return {};
+        // The load of the jump is unknown within the step: the middle of the slopes.
+        return Jump{before, after, .5 * (least + most) - rise, false};
+      }
+
+      Jump
+      pull_off() const
+      {
+        return {before, after, 0., true};
+      }
+
+      PathTrend
+      trend_after() const
+      {
+        PathTrend next     = trend;
+        next.largest_slope = largest_slope;
+        if (change != 0)
+          {
+            next.is_known = true;
+            next.area     = (after.contact_area - before.contact_area) / change;
+            next.slope    = (slope_at(after) - slope_at(before)) / change;
+          }
+        return next;
+      }
+
+    private:
+      /** dH/dp. */
+      double
+      slope_at(const PathPoint &point) const
+      {
+        return control == ContactControl::load ? point.mean_gap : -point.pressure;
+      }
+
+      ContactControl  control;
+      PathPoint       before, after;
+      const PathTrend trend;
+      double          largest_slope, change, rise;
+      double          least = 0, most = 0;
+    };
+
+    bool
+    has_energy(const SealState &state)
+    {
+      return state.contact && state.contact->adhesion && !state.fluid;
+    }
+
+    bool
+    has_detached(const SealState &state)
+    {
+      return state.contact && state.contact->adhesion &&
+             state.contact->adhesion->detached;
+    }
+
+    double
+    slope_of_first(const SealState &state, const ContactControl control)
+    {
+      return std::abs(control == ContactControl::load ? state.contact->mean_gap
+                                                      : state.contact->nominal_pressure);
+    }
+
+    Control
+    halfway(const Control &a, const Control &b)
+    {
+      return {.5 * (a.target + b.target),
+              .5 * (a.inlet_pressure + b.inlet_pressure),
+              .5 * (a.slip_length + b.slip_length)};
+    }
+  } // namespace
+
+  void
+  transfer(StateArchive &archive, Jump &jump)
+  {
+    transfer(archive, jump.before);
+    transfer(archive, jump.after);
+    archive.value(jump.dissipated);
+    archive.value(jump.is_pull_off);
+  }
+
+  Arrival
+  follow(SealModel        &model,
+         const Control    &to,
+         const SealState  *from,
+         const Aim         aim,
+         const JumpSearch &how)
+  {
+    Arrival              arrival;
+    std::vector<Control> ahead      = {to};
+    long                 pairs      = 0;
+    double               seconds    = 0;
+    int                  iterations = 0, n_solves = 0;
+    while (!ahead.empty())
+      {
+        const SealState *here  = arrival.state ? &*arrival.state : from;
+        SealState        state = model.solve(ahead.back(), here, aim);
+        seconds += state.contact_seconds;
+        if (state.contact)
+          {
+            pairs += state.contact->fft_pairs;
+            iterations += state.contact->iterations;
+          }
+        const bool detached = has_detached(state);
+        if (here != nullptr && has_energy(state))
+          {
+            const Stride stride(*here, state, how.control);
+            if (detached || (how.tolerance > 0 && !stride.is_smooth()))
+              {
+                const bool may_halve = how.tolerance > 0 && ++n_solves < max_solves;
+                if (may_halve &&
+                    std::abs(ahead.back().target - here->control.target) > how.tolerance)
+                  {
+                    ahead.push_back(halfway(ahead.back(), here->control));
+                    continue;
+                  }
+                if (detached)
+                  arrival.jumps.push_back(stride.pull_off());
+                else if (const auto jump = stride.jump())
+                  arrival.jumps.push_back(*jump);
+              }
+            state.trend = stride.trend_after();
+          }
+        else if (has_energy(state))
+          state.trend.largest_slope = slope_of_first(state, how.control);
+        if (detached)
+          {
+            arrival.state.reset();
+            return arrival;
+          }
+        arrival.state = std::move(state);
+        ahead.pop_back();
+      }
+    if (arrival.state->contact)
+      {
+        arrival.state->contact->fft_pairs  = pairs;
+        arrival.state->contact->iterations = iterations;
+      }
+    arrival.state->contact_seconds = seconds;
+    return arrival;
+  }
+
+  std::string
+  describe(const Jump &jump)
+  {
+    if (jump.is_pull_off)
+      return format("the surfaces part between the nominal pressures %.6g and %.6g",
+                    jump.before.target,
+                    jump.after.target);
+    return format(
+      "jump between %.6g and %.6g: contact %.3f %% to %.3f %%, %.4g "
+      "dissipated per area",
+      jump.before.target,
+      jump.after.target,
+      100 * jump.before.contact_area,
+      100 * jump.after.contact_area,
+      jump.dissipated);
+  }
+} // namespace strait

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/base/text.h>
+#include <strait/percolation/bottleneck.h>
+#include <strait/seal/seal_search.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    // Of a usual pressure: what leaks with so little leaks by itself.
+    constexpr double negligible = 1e-6;
+
+    void
+    transfer_probe(StateArchive &archive, Probe &probe)
+    {
+      archive.value(probe.openness);
+      archive.value(probe.contact_area);
+      archive.value(probe.bottleneck.ix);
+      archive.value(probe.bottleneck.iy);
+      archive.value(probe.fft_pairs);
+    }
+
+    void
+    transfer(StateArchive &archive, Transition &transition)
+    {
+      archive.value(transition.slip_length);
+      archive.value(transition.lower);
+      archive.value(transition.upper);
+      archive.value(transition.contact_area);
+      archive.value(transition.bottleneck.ix);
+      archive.value(transition.bottleneck.iy);
+      archive.value(transition.n_solves);
+      archive.value(transition.fft_pairs);
+    }
+  } // namespace
+
+  void
+  transfer(StateArchive &archive, std::vector<Transition> &transitions)
+  {
+    transfer_all(archive, transitions, [&](Transition &t) { transfer(archive, t); });
+  }
+
+  SealSearch::SealSearch(const Scene         &scene_,
+                         SealModel           &model_,
+                         const SlabLayoutPtr &layout_,
+                         const FlowDomain    &domain_,
+                         Log                 &log_)
+    : scene(scene_)
+    , model(model_)
+    , layout(layout_)
+    , domain(domain_)
+    , log(log_)
+  {
+  }
+
+  std::vector<Transition>
+  SealSearch::find_critical_loads(const double first_guess)
+  {
+    std::vector<Transition> result;
+    double                  slip_length = 0.;
+    const auto              ask_load    = [&](const double load) {
+      return ask({load, scene.fluid.inlet_pressure, slip_length}, side_of_path());
+    };
+    const double                    tolerance = scene.programme.threshold_tolerance;
+    std::optional<TransitionSearch> search;
+    for (const double next_length : scene.fluid.slip_lengths)
+      {
+        slip_length = next_length;
+        // A dry contact, once probed, serves all slip lengths.
+        if (!search || !model.are_alike({1., 0., 0.}, {1., 0., slip_length}))
+          search.emplace(ask_load, tolerance);
+        result.push_back(critical_load(*search, first_guess, slip_length));
+        const Transition &found = result.back();
+        log.line(
+          format("threshold%s: critical load between %.10g and %.10g, contact "
+                 "%.3f %% (%d contact solves, %ld FFT pairs)",
+                 scene.fluid.has_slip()
+                   ? format(" for slip length %.4g", slip_length).c_str()
+                   : "",
+                 found.lower,
+                 found.upper,
+                 100. * found.contact_area,
+                 found.n_solves,
+                 found.fft_pairs));
+      }
+    return result;
+  }
+
+  Transition
+  SealSearch::critical_load(TransitionSearch &search,
+                            const double      first,
+                            const double      slip_length)
+  {
+    const int    n_before     = search.n_asked();
+    const long   pairs_before = search.n_fft_pairs();
+    const double level        = -2. * slip_length;
+    Passage      found        = search.enclose(first, level);
+    if (model.depends_on_path())
+      {
+        const bool from_open = side_of_path() == Side::open;
+        if (!from_open)
+          std::swap(found.before, found.beyond);
+        const auto passage = search.approach(found, [&](const Probe &probe) {
+          return (probe.openness > level) == from_open;
+        });
+        if (!passage)
+          throw ComputationError(
+            std::string("The threshold was not found: the contact stays ") +
+            (from_open ? "open" : "sealed") + " however far the load goes.");
+        found = *passage;
+        if (!from_open)
+          std::swap(found.before, found.beyond);
+      }
+    Transition result  = between(search, found.before, found.beyond, found.before);
+    result.slip_length = slip_length;
+    result.n_solves -= n_before;
+    result.fft_pairs -= pairs_before;
+    return result;
+  }
+
+  std::vector<BlowOut>
+  SealSearch::find_blow_outs()
+  {
+    std::vector<BlowOut> result;
+    for (const double load : scene.programme.pressures)
+      {
+        open_state.reset();
+        sealed_state.reset();
+        result.push_back(blow_out(load));
+        const BlowOut &found = result.back();
+        log.line(
+          format("blow-out at a load of %.6g: inlet pressure between %.8g and "
+                 "%.8g (%d solves of contact and flow)",
+                 load,
+                 found.opening.lower,
+                 found.opening.upper,
+                 found.opening.n_solves));
+        if (found.closing)
+          log.line(format("it closes again between %.8g and %.8g",
+                          found.closing->lower,
+                          found.closing->upper));
+      }
+    return result;
+  }
+
+  BlowOut
+  SealSearch::blow_out(const double load)
+  {
+    const double outlet = scene.fluid.outlet_pressure;
+    const double slip   = scene.fluid.slip_lengths.front();
+    Side         side   = Side::sealed;
+    // The difference of pressure is what varies.
+    TransitionSearch search(
+      [&](const double difference) {
+        return ask({load, outlet + difference, slip}, side);
+      },
+      scene.programme.threshold_tolerance);
+    const auto leaks = [slip](const Probe &probe) { return probe.openness > -2. * slip; };
+    const auto holds = [&](const Probe &probe) { return !leaks(probe); };
+
+    BlowOut result;
+    result.load               = load;
+    const double least        = negligible * load;
+    const bool   leaks_anyway = leaks(search.ask_at(least));
+    if (!leaks_anyway)
+      {
+        const auto passage = holds(search.ask_at(load))
+                               ? search.leave(load, load, holds)
+                               : search.approach({least, load}, holds);
+        if (!passage)
+          throw ComputationError("An inlet pressure of " + to_text(outlet + load) +
+                                 " and much more is held; no blow-out pressure was "
+                                 "found.");
+        result.opening =
+          between(search, passage->before, passage->beyond, passage->beyond);
+      }
+    if (scene.programme.find_resealing)
+      {
+        side = Side::open;
+        result.closing =
+          leaks_anyway ? Transition() : re_sealing(search, result.opening.upper, leaks);
+      }
+    result.opening.n_solves = search.n_asked();
+    const auto add_outlet   = [outlet](Transition &difference) {
+      difference.lower += outlet;
+      difference.upper += outlet;
+    };
+    add_outlet(result.opening);
+    if (result.closing)
+      add_outlet(*result.closing);
+    return result;
+  }
+
+  Transition
+  SealSearch::re_sealing(TransitionSearch             &search,
+                         const double                  leaking,
+                         const TransitionSearch::Kept &leaks)
+  {
+    // Where there is no hysteresis it closes at once.
+    const double first_step = -scene.programme.threshold_tolerance * leaking;
+    const auto   passage    = search.leave(leaking, first_step, leaks);
+    return passage ? between(search, passage->beyond, passage->before, passage->before)
+                   : Transition();
+  }
+
+  Transition
+  SealSearch::between(const TransitionSearch &search,
+                      const double            lower,
+                      const double            upper,
+                      const double            open) const
+  {
+    Transition result;
+    result.lower        = lower;
+    result.upper        = upper;
+    result.contact_area = search.at(lower).contact_area;
+    result.bottleneck   = search.at(open).bottleneck;
+    result.n_solves     = search.n_asked();
+    result.fft_pairs    = search.n_fft_pairs();
+    return result;
+  }
+
+  /** Of a path in load. */
+  SealSearch::Side
+  SealSearch::side_of_path() const
+  {
+    return scene.programme.path == LoadPath::unloading ? Side::sealed : Side::open;
+  }
+
+  Probe
+  SealSearch::ask(const Control &control, const Side path_comes_from)
+  {
+    if (next == answers.size())
+      {
+        answers.push_back(probe(control, path_comes_from));
+        ++next;
+        look_up();
+        return answers.back();
+      }
+    return answers[next++];
+  }
+
+  std::optional<SealState> &
+  SealSearch::place_of(const Side side)
+  {
+    return side == Side::open || !model.depends_on_path() ? open_state : sealed_state;
+  }
+
+  Probe
+  SealSearch::probe(const Control &control, const Side path_comes_from)
+  {
+    const std::optional<SealState> &near = place_of(path_comes_from);
+    // A path leads on from where it was, not back.
+    const bool is_ahead =
+      near &&
+      (!model.depends_on_path() || control.target == near->control.target ||
+       (path_comes_from == Side::open) == (near->control.target < control.target));
+    SealState state = model.solve(control, is_ahead ? &*near : nullptr, Aim::verdict);
+
+    Probe result;
+    result.openness     = openness(state, result.bottleneck);
+    result.contact_area = state.contact->contact_area;
+    result.fft_pairs    = state.contact->fft_pairs;
+    const bool leaks    = result.openness > -2. * control.slip_length;
+    report(state, leaks);
+    const bool is_sound = state.contact->converged &&
+                          !(state.contact->adhesion && state.contact->adhesion->detached);
+    if (is_sound || !model.depends_on_path())
+      place_of(leaks ? Side::open : Side::sealed) = std::move(state);
+    return result;
+  }
+
+  double
+  SealSearch::openness(const SealState &state, GridPoint &place) const
+  {
+    // Under pressure a point is closed the more firmly the more its own spacing is
+    // indented: a length, like the gap, and of one slope with it.
+    const PeriodicGrid &grid = layout->grid();
+    const double        softness =
+      std::max(grid.dx(), grid.dy()) / scene.contact.effective_modulus;
+    SlabField signed_gap = state.gap();
+    for (std::size_t k = 0; k < signed_gap.size(); ++k)
+      if (state.contact->pressure[k] > 0)
+        signed_gap[k] = -softness * state.contact->pressure[k];
+    const Bottleneck bottleneck = find_bottleneck(signed_gap, domain);
+    place                       = bottleneck.point;
+    return bottleneck.value;
+  }
+
+  void
+  SealSearch::report(const SealState &state, const bool leaks) const
+  {
+    const Control &control = state.control;
+    log.progress(format("  load %.8g, inlet pressure %.6g: %s",
+                        control.target,
+                        control.inlet_pressure,
+                        leaks ? "leaks" : "seals"));
+    if (!state.contact->converged)
+      log.warn(format("the contact did not converge at a load of %.6g, residual %.1e",
+                      control.target,
+                      state.contact->residual));
+    if (state.fluid && !state.fluid->converged && !state.fluid->undecided &&
+        !state.fluid->lifted_off)
+      log.warn(
+        format("contact and flow did not agree at a load of %.6g and an inlet "
+               "pressure of %.6g",
+               control.target,
+               control.inlet_pressure));
+  }
+
+  void
+  SealSearch::transfer(StateArchive &archive)
+  {
+    transfer_all(archive, answers, [&](Probe &probe) { transfer_probe(archive, probe); });
+    if (archive.is_reading())
+      next = 0;
+    for (std::optional<SealState> *state : {&open_state, &sealed_state})
+      if (transfer_presence(archive, *state))
+        strait::transfer(archive, **state, layout);
+  }
+} // namespace strait

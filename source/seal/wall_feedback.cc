@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/seal/wall_feedback.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr int rounds_combined = 6;
+
+    // Of an iteration; see the class.
+    constexpr int last_combined = 30;
+
+    // So often the verdict may change before the two sides are enclosed.
+    constexpr int changes_allowed = 3;
+
+    FixedPoint::Product
+    product_over(MPI_Comm comm)
+    {
+      return [comm](const std::vector<float> &a, const std::vector<float> &b) {
+        double local = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+          local += static_cast<double>(a[i]) * b[i];
+        return sum(comm, local);
+      };
+    }
+
+    void
+    subtract(SlabField &from, const SlabField &field)
+    {
+      for (std::size_t i = 0; i < from.size(); ++i)
+        from[i] -= field[i];
+    }
+
+    /** Replace @p a by its mixture with @p b that is smallest. */
+    void
+    mix_towards_zero(SlabField &a, const SlabField &b)
+    {
+      double along = 0, apart = 0;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        {
+          along += a[i] * (a[i] - b[i]);
+          apart += (a[i] - b[i]) * (a[i] - b[i]);
+        }
+      const MPI_Comm comm = a.layout().communicator();
+      along               = sum(comm, along);
+      apart               = sum(comm, apart);
+      const double share  = apart > 0 ? std::clamp(along / apart, 0., 1.) : 0.;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        a[i] += share * (b[i] - a[i]);
+    }
+  } // namespace
+
+  WallFeedback::WallFeedback(const FeedbackParameters &feedback_parameters,
+                             const SlabLayoutPtr      &layout)
+    : parameters(feedback_parameters)
+    , assumed(layout)
+    , fixed_point(product_over(layout->communicator()),
+                  parameters.acceleration == Acceleration::anderson ? rounds_combined : 0,
+                  parameters.relaxation)
+  {
+  }
+
+  FeedbackResult
+  WallFeedback::solve(const Round        &round,
+                      const double        largest_pressure,
+                      const FeedbackGoal &goal)
+  {
+    scale = largest_pressure;
+    FeedbackResult result;
+    int            changes_of_verdict = 0;
+    bool           is_first = true, percolated = false;
+    if (goal.goes_on && !last_image.empty())
+      {
+        propose(last_image, 0, goal);
+        fixed_point.move_on();
+      }
+    else
+      {
+        fixed_point.restart();
+        last_leak_rate = 0;
+      }
+    last_image = SlabField();
+    walk       = Walk();
+    fixed_point.relax(parameters.relaxation);
+    while (result.iterations < parameters.maximum_iterations)
+      {
+        FeedbackRound now = round(assumed);
+        ++result.iterations;
+        result.change = difference(now.fluid_pressure, assumed);
+        result.leak_change =
+          now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
+        const bool flips  = !is_first && percolated != now.percolates;
+        const bool agrees = result.agrees_within(goal);
+        if (agrees || (!flips && stays_in_place(now, goal, result)))
+          {
+            result.converged = true;
+            last_image       = agrees ? std::move(now.fluid_pressure) : assumed;
+            walk             = Walk();
+            return result;
+          }
+        if (flips)
+          {
+            fixed_point.restart();
+            fixed_point.relax(.5 * fixed_point.relaxation());
+            walk = Walk();
+            ++changes_of_verdict;
+          }
+        is_first                                   = false;
+        percolated                                 = now.percolates;
+        last_leak_rate                             = now.leak_rate;
+        (now.percolates ? open_side : closed_side) = assumed;
+        if (changes_of_verdict <= changes_allowed)
+          propose(now.fluid_pressure, result.iterations, goal);
+        else if (enclose(round, goal, result))
+          return result;
+        else
+          {
+            changes_of_verdict = 0;
+            is_first           = true;
+            walk               = Walk();
+            fixed_point.restart();
+            fixed_point.relax(parameters.relaxation);
+          }
+      }
+    return result;
+  }
+
+  void
+  WallFeedback::propose(const SlabField &image, const int round, const FeedbackGoal &goal)
+  {
+    if ((round > 8 && round % 2 == 1) || round >= last_combined)
+      {
+        fixed_point.relax_towards(assumed.data(), image.data(), assumed.size());
+        return;
+      }
+    fixed_point.advance(assumed.data(), image.data(), assumed.size());
+    if (mean(assumed) >= goal.largest_mean)
+      {
+        assumed = image;
+        fixed_point.restart();
+      }
+  }
+
+  /**
+   * Whether the rounds of relaxation stay within the tolerance of one place, where a
+   * mixture of their changes is none. Where they walk in larger circles the steps to come
+   * are made smaller.
+   */
+  bool
+  WallFeedback::stays_in_place(const FeedbackRound &now,
+                               const FeedbackGoal  &goal,
+                               FeedbackResult      &result)
+  {
+    constexpr int    rounds_of_a_walk = 16;
+    constexpr double circular = .5, smaller = .25;
+    if (result.iterations < last_combined)
+      return false;
+    SlabField change = now.fluid_pressure;
+    subtract(change, assumed);
+    if (walk.n_rounds == 0)
+      {
+        walk = {assumed, std::move(change), now.leak_rate, 1};
+        return false;
+      }
+    mix_towards_zero(walk.mixture, change);
+    walk.distance = std::max(walk.distance, difference(assumed, walk.start));
+    if (walk.leak_rate > 0)
+      walk.leak_change =
+        std::max(walk.leak_change, std::abs(now.leak_rate / walk.leak_rate - 1.));
+    if (++walk.n_rounds < rounds_of_a_walk)
+      return false;
+    const FeedbackResult mixed{result.iterations, size(walk.mixture), walk.leak_change};
+    if (walk.distance <= goal.tolerance && mixed.agrees_within(goal))
+      {
+        result = mixed;
+        return true;
+      }
+    fixed_point.damp(mixed.change < circular * result.change ? smaller : 1. / smaller);
+    walk = Walk();
+    return false;
+  }
+
+  /** Returns false if the iteration is to go on from what is assumed then. */
+  bool
+  WallFeedback::enclose(const Round        &round,
+                        const FeedbackGoal &goal,
+                        FeedbackResult     &result)
+  {
+    while (difference(open_side, closed_side) > goal.tolerance)
+      {
+        if (result.iterations >= parameters.maximum_iterations)
+          return true;
+        for (std::size_t i = 0; i < assumed.size(); ++i)
+          assumed[i] = .5 * (open_side[i] + closed_side[i]);
+        const FeedbackRound now = round(assumed);
+        ++result.iterations;
+        result.change = difference(now.fluid_pressure, assumed);
+        if (result.change <= goal.tolerance)
+          {
+            result.converged = true;
+            return true;
+          }
+        (now.percolates ? open_side : closed_side) = assumed;
+      }
+    return is_undecided(round, goal, result);
+  }
+
+  /**
+   * At the jump, where @c open_side and @c closed_side are one within the tolerance, the
+   * fluid changes as a mixture of what follows from either: the one that changes least
+   * (Filippov's, for differential equations). If it changes nothing there is no state;
+   * else it says where to go on, along the jump or away from it.
+   */
+  bool
+  WallFeedback::is_undecided(const Round        &round,
+                             const FeedbackGoal &goal,
+                             FeedbackResult     &result)
+  {
+    assumed             = closed_side;
+    SlabField on_closed = round(assumed).fluid_pressure;
+    assumed             = open_side;
+    SlabField on_open   = round(assumed).fluid_pressure;
+    result.iterations += 2;
+    subtract(on_open, open_side);
+    subtract(on_closed, closed_side);
+    mix_towards_zero(on_open, on_closed);
+    result.change    = size(on_open);
+    result.undecided = result.change <= goal.tolerance;
+    if (!result.undecided)
+      for (std::size_t i = 0; i < assumed.size(); ++i)
+        assumed[i] += on_open[i];
+    return result.undecided;
+  }
+
+  double
+  WallFeedback::difference(const SlabField &a, const SlabField &b) const
+  {
+    double squares = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      squares += (a[i] - b[i]) * (a[i] - b[i]);
+    return relative(squares, a);
+  }
+
+  double
+  WallFeedback::size(const SlabField &change) const
+  {
+    double squares = 0;
+    for (const double value : change)
+      squares += value * value;
+    return relative(squares, change);
+  }
+
+  /** Root mean square over the grid of @p field, whose local @p squares are given. */
+  double
+  WallFeedback::relative(const double squares, const SlabField &field) const
+  {
+    const auto n_points = static_cast<double>(field.grid().n_points());
+    return std::sqrt(sum(field.layout().communicator(), squares) / n_points) / scale;
+  }
+
+  std::size_t
+  WallFeedback::memory_consumption() const
+  {
+    return fixed_point.memory_consumption() +
+           (assumed.size() + open_side.size() + closed_side.size() +
+            2 * walk.start.size() + last_image.size()) *
+             sizeof(double);
+  }
+} // namespace strait

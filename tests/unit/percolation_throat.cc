@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/driver/exponent_fit.h>
+#include <strait/percolation/bottleneck.h>
+#include <strait/percolation/throat.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace strait
+{
+  namespace
+  {
+    TEST(ExponentFit, FindsPowersAndTheirDrift)
+    {
+      std::vector<ScalingPoint> points;
+      for (const double epsilon : {.1, .003, .02, .01})
+        points.push_back({epsilon, 7 * std::pow(epsilon, 3.45)});
+      const ExponentFit fit = fit_exponent(points, .02);
+      EXPECT_EQ(fit.n_points, 3);
+      EXPECT_DOUBLE_EQ(fit.from, .003);
+      EXPECT_DOUBLE_EQ(fit.to, .02);
+      EXPECT_NEAR(fit.exponent, 3.45, 1e-12);
+      EXPECT_NEAR(fit.error, 0., 1e-6);
+
+      const auto slopes = local_slopes(points);
+      ASSERT_EQ(slopes.size(), 3U);
+      EXPECT_DOUBLE_EQ(slopes[0].to, .1);
+      EXPECT_DOUBLE_EQ(slopes[2].from, .003);
+      for (const ExponentFit &slope : slopes)
+        EXPECT_NEAR(slope.exponent, 3.45, 1e-12);
+      EXPECT_LT(fit_exponent(points, .001).n_points, 2);
+    }
+
+    SlabField
+    sample(const int n, const std::function<double(double, double)> &value)
+    {
+      SlabField field(make_layout({n, n, 1., 1.}, MPI_COMM_WORLD));
+      for (int row = 0; row < field.layout().n_rows(); ++row)
+        for (int ix = 0; ix < n; ++ix)
+          field(ix, row) =
+            value(static_cast<double>(ix) / n,
+                  static_cast<double>(field.layout().first_row() + row) / n);
+      return field;
+    }
+
+    TEST(Throat, OfATurnedSaddleAtTheCorner)
+    {
+      // Turned by 30°, at the corner of the box, where rows and columns wrap around.
+      const double length = .3, width = .2, g0 = .01;
+      const auto   gap = [=](double x, double y) {
+        x -= std::round(x);
+        y -= std::round(y);
+        const double s = std::sqrt(.75) * x + .5 * y, t = -.5 * x + std::sqrt(.75) * y;
+        return g0 * (1 + s * s / (length * length)) * (1 - t * t / (width * width));
+      };
+      const Throat throat = measure_throat(sample(256, gap), {0, 0});
+      EXPECT_DOUBLE_EQ(throat.gap, g0);
+      EXPECT_NEAR(throat.length, length, 1e-3);
+      EXPECT_NEAR(throat.width, width, 1e-3);
+      const Throat valley =
+        measure_throat(sample(64, [](double, const double y) { return 1 + y * (1 - y); }),
+                       {5, 32});
+      EXPECT_TRUE(std::isnan(valley.length));
+    }
+
+    TEST(Constrictions, AreDividedWhereTheChannelWidens)
+    {
+      const std::vector<double> gaps  = {3, 1, 1.2, 1.1, 5, 2, 2.9, 2.1, 4};
+      const auto                parts = divide_into_constrictions(gaps);
+      ASSERT_EQ(parts.size(), 2U);
+      EXPECT_EQ(parts[0].first, 0U);
+      EXPECT_EQ(parts[0].last, 4U);
+      EXPECT_EQ(parts[1].last, 8U);
+      EXPECT_EQ(divide_into_constrictions({1, 1, 1}).size(), 1U);
+      EXPECT_EQ(divide_into_constrictions({4, 3, 2, 1}).size(), 1U);
+    }
+
+    TEST(Bottleneck, OfTheWidestWayOnBothSidesOfClosing)
+    {
+      // Two ways across: one with a neck of 0.3, one that is closed by -0.2.
+      const auto field = [](const double shift) {
+        return sample(32, [=](const double x, const double y) {
+          if (std::abs(y - .25) < .02)
+            return (std::abs(x - .5) < .02 ? .3 : 1.) + shift;
+          if (std::abs(y - .75) < .02)
+            return (std::abs(x - .25) < .02 ? -.2 : 1.) + shift;
+          return -1. + shift;
+        });
+      };
+      for (const double shift : {0., -.4})
+        {
+          const Bottleneck found = find_bottleneck(field(shift), FlowDirection::x);
+          EXPECT_DOUBLE_EQ(found.value, .3 + shift);
+          EXPECT_EQ(found.point.ix, 16);
+          EXPECT_EQ(found.point.iy, 8);
+        }
+      EXPECT_DOUBLE_EQ(find_bottleneck(field(0.), FlowDirection::y).value, -1.);
+    }
+  } // namespace
+} // namespace strait

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/seal/harmonic_extension.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr double inlet = 3., outlet = 1.;
+
+    /** Open but for a disc and a bar across the box. */
+    double
+    gap_at(const double x, const double y)
+    {
+      const double disc = std::hypot(x - .6, y - .5) - .2;
+      return std::min(disc, std::abs(x - .15) - .05);
+    }
+
+    SlabLayoutPtr
+    layout_for(const int nx, const int ny)
+    {
+      return make_layout(PeriodicGrid{nx, ny, 1., 1.}, MPI_COMM_WORLD);
+    }
+
+    template <class Function>
+    SlabField
+    field_of(const SlabLayoutPtr &layout, const Function &f)
+    {
+      SlabField           field(layout);
+      const PeriodicGrid &grid = layout->grid();
+      for (int row = 0; row < layout->n_rows(); ++row)
+        for (int ix = 0; ix < grid.nx; ++ix)
+          field(ix, row) = f(ix * grid.dx(), (layout->first_row() + row) * grid.dy());
+      return field;
+    }
+
+    TEST(HarmonicExtension, KeepsLinearAndUniformPressures)
+    {
+      for (const FlowDirection direction : {FlowDirection::x, FlowDirection::y})
+        {
+          const bool          along_x = direction == FlowDirection::x;
+          const SlabLayoutPtr layout  = layout_for(64, 48);
+          HarmonicExtension   continuation(layout, direction);
+          const auto          turned = [along_x](const double x, const double y) {
+            return along_x ? gap_at(x, y) : gap_at(y, x);
+          };
+          const SlabField gap   = field_of(layout, turned);
+          const auto      exact = [along_x](const double x, const double y) {
+            return inlet + (outlet - inlet) * (along_x ? x : y);
+          };
+          SlabField pressure = field_of(layout, [&](const double x, const double y) {
+            return turned(x, y) > 0 ? exact(x, y) : 0.;
+          });
+          EXPECT_GT(continuation.extend(pressure, gap, inlet, outlet), 0);
+          double          largest = 0;
+          const SlabField linear  = field_of(layout, exact);
+          for (int row = 0; row < layout->n_rows(); ++row)
+            for (int ix = 0; ix < 64; ++ix)
+              if (along_x ? ix > 0 : layout->first_row() + row > 0)
+                largest =
+                  std::max(largest, std::abs(pressure(ix, row) - linear(ix, row)));
+          EXPECT_LT(largest, 1e-5);
+
+          SlabField uniform(layout, 2.);
+          EXPECT_EQ(continuation.extend(uniform, gap, 2., 2.), 0);
+          EXPECT_DOUBLE_EQ(min_value(uniform), 2.);
+          EXPECT_DOUBLE_EQ(max_value(uniform), 2.);
+        }
+    }
+
+    TEST(HarmonicExtension, ObeysTheMaximumPrinciple)
+    {
+      const SlabLayoutPtr layout = layout_for(64, 64);
+      HarmonicExtension   continuation(layout, FlowDirection::x);
+      const SlabField     gap      = field_of(layout, gap_at);
+      SlabField           pressure = field_of(layout, [](const double x, const double y) {
+        return gap_at(x, y) <= 0 ? 77. : x < .15 ? inlet : y < .5 ? outlet : 2.;
+      });
+      continuation.extend(pressure, gap, inlet, outlet);
+      EXPECT_LE(max_value(pressure), inlet + 1e-6);
+      EXPECT_GE(min_value(pressure), outlet - 1e-6);
+    }
+
+    TEST(HarmonicExtension, DoesNotJumpWhenAPointOpens)
+    {
+      // The same point, just closed and just open, with a pressure out of line.
+      const SlabLayoutPtr layout = layout_for(32, 32);
+      HarmonicExtension   continuation(layout, FlowDirection::x);
+      double              means[2];
+      for (const int open : {0, 1})
+        {
+          SlabField gap = field_of(layout, [open](const double x, const double y) {
+            const bool opening = x == .5 && y == .25;
+            return opening ? 1e-6 * open : gap_at(x, y);
+          });
+          SlabField pressure =
+            field_of(layout, [](const double x, const double y) { return x + y; });
+          continuation.extend(pressure, gap, 1., 0.);
+          means[open] = mean(pressure);
+        }
+      EXPECT_NEAR(means[0], means[1], 1e-6);
+    }
+  } // namespace
+} // namespace strait

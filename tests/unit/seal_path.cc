@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Paths on a contact whose branches are known.
+#include <strait/seal/path.h>
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace
+{
+  using namespace strait;
+
+  /**
+   * A contact that closes at the load 1 and opens again at 0.6: the mean gap is
+   * 2 − p on the open branch and less by 0.4 on the closed one, with the energies that
+   * belong to it and are equal at the load 0.8; below −0.5 the surfaces part.
+   */
+  class TwoBranches : public SealModel
+  {
+  public:
+    SealState
+    solve(const Control &control, const SealState *from, Aim) override
+    {
+      ++n_solves;
+      const double load       = control.target;
+      const bool   was_closed = from != nullptr && is_closed(*from);
+      const bool   closes     = was_closed ? load > .6 : load >= 1.;
+      SealState    seal;
+      seal.control           = control;
+      ContactState &state    = seal.contact.emplace();
+      state.nominal_pressure = load;
+      state.mean_gap         = 2 - load - (closes ? .4 : 0.);
+      state.contact_area     = .2 + .1 * load + (closes ? .1 : 0.);
+      state.converged        = load > -.5;
+      state.fft_pairs        = 10;
+      state.adhesion.emplace();
+      state.adhesion->detached = load <= -.5;
+      state.adhesion->total_energy =
+        2 * load - .5 * load * load - (closes ? .4 * (load - .8) : 0.);
+      return seal;
+    }
+
+    static bool
+    is_closed(const SealState &state)
+    {
+      return state.contact->mean_gap < 1.9 - state.control.target;
+    }
+
+    bool
+    are_alike(const Control &a, const Control &b) const override
+    {
+      return a.target == b.target;
+    }
+
+    bool
+    depends_on_path() const override
+    {
+      return true;
+    }
+
+    std::size_t
+    memory_consumption() const override
+    {
+      return 0;
+    }
+
+    int n_solves = 0;
+  };
+
+  struct Walk
+  {
+    /** Go on to @p load. */
+    Arrival
+    to(const double load)
+    {
+      Arrival arrival = follow(model,
+                               {load, 0., 0.},
+                               here ? &*here : nullptr,
+                               Aim::verdict,
+                               {ContactControl::load, tolerance});
+      if (arrival.state)
+        here = arrival.state;
+      jumps.insert(jumps.end(), arrival.jumps.begin(), arrival.jumps.end());
+      return arrival;
+    }
+
+    double                   tolerance;
+    TwoBranches              model = {};
+    std::optional<SealState> here  = {};
+    std::vector<Jump>        jumps = {};
+  };
+
+  TEST(Path, EnclosesJumpsAndSaysWhatTheyDissipate)
+  {
+    Walk path{1e-3};
+    for (const double load : {.2, .3, .7, 1.5, 1.3, .9, .3})
+      path.to(load);
+    const std::vector<Jump> &jumps = path.jumps;
+    ASSERT_EQ(jumps.size(), 2u);
+    EXPECT_LT(jumps[0].before.target, 1.);
+    EXPECT_GE(jumps[0].after.target, 1.);
+    EXPECT_LT(jumps[0].after.target - jumps[0].before.target, 1e-3);
+    EXPECT_GT(jumps[1].before.target, .6);
+    EXPECT_LE(jumps[1].after.target, .6);
+    // At either jump the energies differ by 0.4 × 0.2; within the tolerance.
+    EXPECT_NEAR(jumps[0].dissipated, .08, 4e-4);
+    EXPECT_NEAR(jumps[1].dissipated, .08, 4e-4);
+  }
+
+  TEST(Path, LeavesSmoothPathsAlone)
+  {
+    Walk path{1e-3};
+    long pairs = 0;
+    for (const double load : {.1, .2, .4, .8})
+      pairs += path.to(load).state->contact->fft_pairs;
+    EXPECT_EQ(path.model.n_solves, 4);
+    EXPECT_EQ(pairs, 40);
+    EXPECT_TRUE(path.jumps.empty());
+  }
+
+  TEST(Path, TakesStepsAsTheyAreWithoutATolerance)
+  {
+    Walk path{0.};
+    for (const double load : {.2, 1.5, .3})
+      path.to(load);
+    EXPECT_EQ(path.model.n_solves, 3);
+    EXPECT_TRUE(path.jumps.empty());
+  }
+
+  TEST(Path, EndsWhereTheSurfacesPart)
+  {
+    Walk path{1e-3};
+    path.to(.2);
+    EXPECT_FALSE(path.to(-2.).state);
+    ASSERT_EQ(path.jumps.size(), 1u);
+    EXPECT_TRUE(path.jumps[0].is_pull_off);
+    EXPECT_NEAR(path.jumps[0].before.target, -.5, 1e-3);
+    EXPECT_TRUE(path.to(-.4).state);
+  }
+
+  TEST(Path, DependsOnTheStateThatItStartsFromAlone)
+  {
+    // The same step twice from one state, with another path between.
+    Walk path{1e-3};
+    path.to(.9);
+    const SealState start = *path.here;
+    const double    once  = path.to(1.2).state->contact->mean_gap;
+    path.to(.2);
+    path.here = start;
+    EXPECT_EQ(path.to(1.2).state->contact->mean_gap, once);
+  }
+} // namespace

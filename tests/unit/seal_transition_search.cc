@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Searches for a transition whose place is known.
+#include <strait/base/exceptions.h>
+#include <strait/seal/transition_search.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    /** A constriction that closes at @p critical as the saddle does. */
+    TransitionSearch::Ask
+    constriction(const double critical, int &n_probes)
+    {
+      return [critical, &n_probes](const double load) {
+        ++n_probes;
+        const double open = 1 - load / critical;
+        Probe        result;
+        result.openness =
+          open > 0 ? .8 * std::pow(open, 1.2) : -.003 * std::pow(-open, .63);
+        result.contact_area = load;
+        result.fft_pairs    = 10;
+        return result;
+      };
+    }
+
+    double
+    relative_width(const Passage &passage)
+    {
+      return std::abs(passage.beyond - passage.before) /
+             std::max(passage.before, passage.beyond);
+    }
+
+    TEST(TransitionSearch, EnclosesTheThresholdInFewSolves)
+    {
+      for (const double critical : {.21, 1.436, 1.9, .6})
+        {
+          int              n_probes = 0;
+          TransitionSearch search(constriction(critical, n_probes), 1e-4);
+          const Passage    found = search.enclose(1.25, 0.);
+          EXPECT_LE(found.before, critical);
+          EXPECT_GE(found.beyond, critical);
+          EXPECT_LE(relative_width(found), 1e-4);
+          EXPECT_DOUBLE_EQ(search.at(found.before).contact_area, found.before);
+          EXPECT_EQ(search.n_asked(), n_probes);
+          EXPECT_EQ(search.n_fft_pairs(), 10 * n_probes);
+          // A start that is off by a factor of six costs a few steps to get there.
+          EXPECT_LE(n_probes, critical < .5 ? 18 : 13) << critical;
+        }
+    }
+
+    TEST(TransitionSearch, ReachesHighAccuracy)
+    {
+      int              n_probes = 0;
+      TransitionSearch search(constriction(1.436, n_probes), 1e-9);
+      EXPECT_LE(relative_width(search.enclose(1.25, 0.)), 1e-9);
+      EXPECT_LE(n_probes, 40);
+    }
+
+    TEST(TransitionSearch, AnotherLevelUsesKnownLoads)
+    {
+      int              n_probes = 0;
+      TransitionSearch search(constriction(1.436, n_probes), 1e-4);
+      const Passage    dry   = search.enclose(1.25, 0.);
+      const int        first = n_probes;
+      const Passage    slip  = search.enclose(1.25, 2e-3);
+      // The gap is 2e-3 where 0.8 (1 - L/L_c)^1.2 is.
+      const double exact = 1.436 * (1 - std::pow(2e-3 / .8, 1 / 1.2));
+      EXPECT_LE(slip.before, exact);
+      EXPECT_GE(slip.beyond, exact);
+      EXPECT_LT(slip.beyond, dry.before);
+      EXPECT_LE(n_probes - first, 8);
+      const int second = n_probes;
+      EXPECT_EQ(search.enclose(1.25, 0.).before, dry.before);
+      EXPECT_EQ(n_probes, second);
+    }
+
+    TEST(TransitionSearch, SaysWhenThereIsNone)
+    {
+      const auto always = [](const double value) {
+        return [value](double) {
+          Probe result;
+          result.openness = value;
+          return result;
+        };
+      };
+      EXPECT_THROW(TransitionSearch(always(1.), 1e-4).enclose(1., 0.), ComputationError);
+      EXPECT_THROW(TransitionSearch(always(-1.), 1e-4).enclose(1., 0.), ComputationError);
+    }
+
+    constexpr double tolerance = 1e-4;
+
+    const auto is_open = [](const Probe &probe) { return probe.openness > 0; };
+
+    /** Open where @p rule says so. */
+    template <typename Rule>
+    TransitionSearch
+    searching(const Rule &rule)
+    {
+      return TransitionSearch(
+        [rule](const double value) {
+          Probe result;
+          result.openness = rule(value) ? 1. : -1.;
+          return result;
+        },
+        tolerance);
+    }
+
+    /** A state that steps of at most a tenth keep up to @p limit, and that larger ones
+     *  lose beyond 1, on a way up. */
+    class Keeper
+    {
+    public:
+      explicit Keeper(const double limit_)
+        : limit(limit_)
+      {
+      }
+
+      bool
+      keeps(const double value)
+      {
+        ++n_asked;
+        const bool far   = std::abs(value - kept) > .1 * kept;
+        const bool stays = value <= (far ? 1. : limit);
+        if (stays)
+          kept = value;
+        return stays;
+      }
+
+      double kept    = .5;
+      int    n_asked = 0;
+
+    private:
+      const double limit;
+    };
+
+    TEST(SlowApproach, GoesOnWhereALargeStepWasTooLarge)
+    {
+      Keeper           state(1.37);
+      TransitionSearch search =
+        searching([&](const double value) { return state.keeps(value); });
+      const auto found = search.approach({.5, 1.2}, is_open);
+      ASSERT_TRUE(found);
+      EXPECT_LE(found->before, 1.37);
+      EXPECT_GT(found->beyond, 1.37);
+      EXPECT_LE(relative_width(*found), tolerance);
+      EXPECT_EQ(found->before, state.kept);
+      EXPECT_LE(state.n_asked, 50);
+    }
+
+    TEST(SlowApproach, AsksOnceMoreWhereTheStepDoesNotMatter)
+    {
+      TransitionSearch search = searching([](double) { return false; });
+      const auto       found  = search.approach({1., 1. + tolerance}, is_open);
+      ASSERT_TRUE(found);
+      EXPECT_EQ(search.n_asked(), 1);
+      EXPECT_EQ(found->before, 1.);
+      EXPECT_EQ(found->beyond, 1. + tolerance);
+    }
+
+    TEST(SlowApproach, GoesDownAsWell)
+    {
+      TransitionSearch search = searching([](const double value) { return value >= .3; });
+      const auto       found  = search.approach({1., .9}, is_open);
+      ASSERT_TRUE(found);
+      EXPECT_GE(found->before, .3);
+      EXPECT_LT(found->beyond, .3);
+      EXPECT_LE(relative_width(*found), tolerance);
+    }
+
+    TEST(SlowApproach, SaysThatAStateIsNeverLost)
+    {
+      TransitionSearch search = searching([](double) { return true; });
+      EXPECT_FALSE(search.approach({1., .9}, is_open));
+      EXPECT_FALSE(search.approach({1., 1.1}, is_open));
+      EXPECT_FALSE(search.leave(1., 1., is_open));
+    }
+
+    TEST(SlowApproach, LeavesInSmallStepsDownAndInLargeOnesUp)
+    {
+      // From 1 down, steps of more than a tenth close at once what others keep open.
+      double           open      = 1.;
+      TransitionSearch downwards = searching([&](const double pressure) {
+        const bool stays = pressure > (open - pressure > .1 * open ? .9 : .2);
+        if (stays)
+          open = pressure;
+        return stays;
+      });
+      const auto       closing   = downwards.leave(1., -tolerance, is_open);
+      ASSERT_TRUE(closing);
+      EXPECT_LE(closing->beyond, .2);
+      EXPECT_GT(closing->before, .2);
+      EXPECT_LE(relative_width(*closing), tolerance);
+
+      Keeper           held(1.37);
+      TransitionSearch upwards =
+        searching([&](const double value) { return held.keeps(value); });
+      const auto opening = upwards.leave(.5, .5, is_open);
+      ASSERT_TRUE(opening);
+      EXPECT_LE(opening->before, 1.37);
+      EXPECT_GT(opening->beyond, 1.37);
+      EXPECT_LE(relative_width(*opening), tolerance);
+    }
+  } // namespace
+} // namespace strait

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/seal/unsettled_pools.h>
+
+#include <gtest/gtest.h>
+
+using namespace strait;
+
+TEST(UnsettledPools, AreThoseThatComeAndGo)
+{
+  const std::vector<NodeState> wet  = {NodeState::pocket,
+                                       NodeState::closed,
+                                       NodeState::percolating,
+                                       NodeState::inlet_side};
+  const std::vector<NodeState> trap = {NodeState::pocket,
+                                       NodeState::pocket,
+                                       NodeState::pocket,
+                                       NodeState::percolating};
+  UnsettledPools               pools;
+  for (int round = 0; round < 3; ++round)
+    {
+      pools.note(trap);
+      // Once may happen on the way.
+      for (std::size_t k = 0; k < trap.size(); ++k)
+        {
+          const bool comes_and_goes = k == 1 || k == 2;
+          EXPECT_EQ(pools.contains(k), round > 0 && comes_and_goes) << round << " " << k;
+          EXPECT_TRUE(!pools.contains(k) || pools.state_before(k) == wet[k]);
+        }
+      pools.note(wet);
+      for (std::size_t k = 0; k < wet.size(); ++k)
+        EXPECT_FALSE(pools.contains(k)); // wet, or a contact
+    }
+  pools.restart();
+  pools.note(wet);
+  pools.note(trap);
+  for (std::size_t k = 0; k < trap.size(); ++k)
+    EXPECT_FALSE(pools.contains(k));
+}

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/seal/wall_feedback.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    /** A seal whose fluid has the same pressure everywhere: @p next follows from the
+     *  assumed one, and under that the channel is open where @p open says so. */
+    class UniformSeal
+    {
+    public:
+      UniformSeal(std::function<double(double)> next_,
+                  std::function<bool(double)>   open_,
+                  const FeedbackParameters     &parameters = FeedbackParameters())
+        : layout(make_layout({8, 6, 1., 1.}, MPI_COMM_WORLD))
+        , next(std::move(next_))
+        , open(std::move(open_))
+        , feedback(parameters, layout)
+      {
+      }
+
+      FeedbackResult
+      solve(const double start, const FeedbackGoal &goal)
+      {
+        feedback.pressure() = SlabField(layout, start);
+        return go_on(goal);
+      }
+
+      FeedbackResult
+      go_on(const FeedbackGoal &goal)
+      {
+        return feedback.solve(
+          [&](const SlabField &assumed) {
+            pressure = mean(assumed);
+            largest  = std::max(largest, pressure);
+            FeedbackRound result;
+            result.percolates     = open(pressure);
+            result.leak_rate      = result.percolates ? std::exp(pressure) : 0.;
+            result.fluid_pressure = SlabField(layout, next(pressure));
+            return result;
+          },
+          1.,
+          goal);
+      }
+
+      double pressure = 0.; // assumed in the last round
+      double largest  = 0.; // of all assumed ones
+
+    private:
+      SlabLayoutPtr                 layout;
+      std::function<double(double)> next;
+      std::function<bool(double)>   open;
+      WallFeedback                  feedback;
+    };
+
+    constexpr double tolerance = 1e-6;
+
+    bool
+    always(const double)
+    {
+      return true;
+    }
+
+    TEST(WallFeedback, FindsTheStateThatPlainRoundsLeave)
+    {
+      UniformSeal seal([](const double p) { return .3 - 1.4 * (p - .3); }, always);
+      const FeedbackResult result = seal.solve(.5, {tolerance});
+      EXPECT_TRUE(result.converged);
+      EXPECT_LE(result.iterations, 6);
+      EXPECT_NEAR(seal.pressure, .3, tolerance);
+    }
+
+    TEST(WallFeedback, TheLeakRateMustHaveSettledToo)
+    {
+      // Even where the pressure is right at once, one round says nothing of it.
+      UniformSeal seal([](const double) { return .3; }, always);
+      EXPECT_EQ(seal.solve(.3, {tolerance}).iterations, 2);
+      EXPECT_EQ(seal.solve(.3, {tolerance, false}).iterations, 1);
+      UniformSeal sealed([](const double) { return .3; },
+                         [](const double) { return false; });
+      EXPECT_EQ(sealed.solve(.3, {tolerance}).iterations, 1);
+    }
+
+    TEST(WallFeedback, GoesOnFromTheLastImage)
+    {
+      FeedbackParameters plain;
+      plain.acceleration = Acceleration::none;
+      const auto   next  = [](const double p) { return .3 + .5 * (p - .3); };
+      UniformSeal  seal(next, always, plain);
+      FeedbackGoal goal{1e-2};
+      seal.solve(.5, goal);
+      const double before = seal.pressure;
+      goal.goes_on        = true;
+      EXPECT_EQ(seal.go_on(goal).iterations, 1);
+      EXPECT_NEAR(seal.pressure, next(before), 1e-12);
+    }
+
+    TEST(WallFeedback, OpensAndClosesWhereNeitherFluidKeepsItsChannel)
+    {
+      const auto  open = [](const double p) { return p > .4; };
+      UniformSeal seal([open](const double p) { return open(p) ? .1 : .8; }, open);
+      const FeedbackResult result = seal.solve(.5, {tolerance});
+      EXPECT_FALSE(result.converged);
+      EXPECT_TRUE(result.undecided);
+      EXPECT_TRUE(open(seal.pressure)); // so that there is a leak rate
+      EXPECT_NEAR(seal.pressure, .4, 2. * tolerance);
+    }
+
+    TEST(WallFeedback, TurnsAwayFromAJumpThatIsInNobodysWay)
+    {
+      // Far from the jump the rounds cross it again and again, but near it the fluid of
+      // the open channel opens it further, to a state that agrees with itself.
+      const auto open = [](const double p) { return p > .4; };
+      const auto next = [open](const double p) {
+        return open(p) ? (p > .7 ? .35 : .55 + .1 * (p - .55)) : .9;
+      };
+      UniformSeal          seal(next, open);
+      const FeedbackResult result = seal.solve(.9, {tolerance});
+      EXPECT_TRUE(result.converged) << result.iterations;
+      EXPECT_FALSE(result.undecided);
+      EXPECT_NEAR(seal.pressure, .55, 2. * tolerance);
+    }
+
+    TEST(WallFeedback, FindsTheGapThatStaysAjar)
+    {
+      // Closed it fills and opens, open it empties and closes: the mixture is a state.
+      const double         coarse = 1e-3;
+      UniformSeal          seal([](const double p) { return p < .5 ? .9 : .2; }, always);
+      const FeedbackResult result = seal.solve(.8, {coarse});
+      EXPECT_TRUE(result.converged);
+      EXPECT_FALSE(result.undecided);
+      EXPECT_LE(result.iterations, 150);
+      EXPECT_LE(result.change, coarse);
+      EXPECT_NEAR(seal.pressure, .5, 2. * coarse);
+    }
+
+    TEST(WallFeedback, DoesNotTakeASlowWalkForAState)
+    {
+      // Each round changes more than the tolerance, all in one direction.
+      UniformSeal          seal([](const double p) { return p + .01; }, always);
+      const FeedbackResult result = seal.solve(.1, {1e-3});
+      EXPECT_FALSE(result.converged);
+    }
+
+    TEST(WallFeedback, GuessesNoMoreThanTheLoad)
+    {
+      // Two rounds that differ little make a combination leap; the plain ones are below.
+      const auto next = [](const double p) {
+        return p < .5 ? p + .1 - .09 * p : .62 + .1 * (p - .62);
+      };
+      for (const double limit : {.7, std::numeric_limits<double>::infinity()})
+        {
+          UniformSeal  seal(next, always);
+          FeedbackGoal goal{tolerance};
+          goal.largest_mean = limit;
+          EXPECT_TRUE(seal.solve(.1, goal).converged);
+          EXPECT_NEAR(seal.pressure, .62, 1e-5);
+          EXPECT_EQ(seal.largest < .7, std::isfinite(limit));
+        }
+    }
+  } // namespace
+} // namespace strait
