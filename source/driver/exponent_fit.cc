@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
 #include <strait/driver/exponent_fit.h>
+#include <strait/driver/step.h>
+#include <strait/spectral/state_archive.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace strait
 {
@@ -83,5 +88,167 @@ namespace strait
           y.push_back(std::log(value));
         }
     return x.size() < 2 ? std::nan("") : exponent / fit_line(x, y).slope;
+  }
+
+  namespace
+  {
+    struct Quantity
+    {
+      const char *name;
+      double ScalingStep::*value;
+    };
+
+    constexpr std::array<Quantity, 4> quantities = {
+      {{"leak_rate", &ScalingStep::leak_rate},
+       {"throat_gap", &ScalingStep::throat_gap},
+       {"throat_length", &ScalingStep::throat_length},
+       {"throat_width", &ScalingStep::throat_width}}};
+  } // namespace
+
+  void
+  Scaling::collect(const Step &step)
+  {
+    if (!step.reduced_load || !(*step.reduced_load > 0))
+      return;
+    ScalingStep known;
+    known.slip_length  = step.slip_length;
+    known.reduced_load = *step.reduced_load;
+    known.is_trusted   = step.doubts.empty();
+    if (step.theory)
+      known.theory_leak_rate = std::abs(step.theory->leak_rate);
+    if (step.flow && step.flow->constrictions && step.converged())
+      {
+        const Throat &throat = step.flow->constrictions->throat;
+        known.leak_rate      = std::abs(step.flow->result.leak_rate);
+        known.throat_gap     = throat.gap;
+        known.throat_length  = throat.length;
+        known.throat_width   = throat.width;
+      }
+    steps.push_back(known);
+  }
+
+  void
+  Scaling::transfer(StateArchive &archive)
+  {
+    auto n_steps = static_cast<long>(steps.size());
+    archive.value(n_steps);
+    steps.resize(n_steps);
+    for (ScalingStep &step : steps)
+      {
+        archive.value(step.is_trusted);
+        for (double *number : {&step.slip_length,
+                               &step.reduced_load,
+                               &step.leak_rate,
+                               &step.throat_gap,
+                               &step.throat_length,
+                               &step.throat_width,
+                               &step.theory_leak_rate})
+          archive.value(*number);
+      }
+  }
+
+  std::vector<ScalingPoint>
+  Scaling::series(double ScalingStep::*quantity,
+                  const double         slip_length,
+                  const bool           only_trusted) const
+  {
+    std::vector<ScalingPoint> points;
+    for (const ScalingStep &step : steps)
+      if (step.slip_length == slip_length && step.*quantity > 0 &&
+          (step.is_trusted || !only_trusted))
+        points.push_back({step.reduced_load, step.*quantity});
+    return points;
+  }
+
+  double
+  Scaling::smallest_slip(double ScalingStep::*quantity) const
+  {
+    double smallest = std::nan("");
+    for (const ScalingStep &step : steps)
+      if (step.*quantity > 0)
+        smallest = std::fmax(smallest, step.slip_length); // slip lengths are negative
+    return smallest;
+  }
+
+  ExponentFit
+  Scaling::leak_rate_fit() const
+  {
+    const auto quantity = &ScalingStep::leak_rate;
+    return fit_exponent(series(quantity, smallest_slip(quantity), true), largest);
+  }
+
+  double
+  Scaling::crossover() const
+  {
+    const auto quantity = &ScalingStep::leak_rate;
+    return crossover_reduced_load(series(quantity, smallest_slip(quantity)));
+  }
+
+  double
+  Scaling::theory_crossover() const
+  {
+    const auto quantity = &ScalingStep::theory_leak_rate;
+    return crossover_reduced_load(series(quantity, smallest_slip(quantity)));
+  }
+
+  namespace
+  {
+    /** Say what was fitted, and whether @p slopes within the window disagree. */
+    void
+    report_fit(const std::string              &name,
+               const ExponentFit              &fit,
+               const std::vector<ExponentFit> &slopes,
+               Log                            &log)
+    {
+      // Where slopes still differ by more than this within a window, a single exponent
+      // describes the window, not the threshold. At half the value, drifts that leave the
+      // first decimal of the exponent alone would be warned of; at double, drifts that
+      // change it would pass.
+      constexpr double settled = 0.05;
+      log.line(
+        format("exponent of %s: %.3f ± %.3f for %.3g <= 1 - L/L_c <= %.3g (%d points)",
+               name.c_str(),
+               fit.exponent,
+               fit.error,
+               fit.from,
+               fit.to,
+               fit.n_points));
+      double smallest = fit.exponent, greatest = fit.exponent;
+      for (const ExponentFit &slope : slopes)
+        if (slope.to <= fit.to)
+          {
+            smallest = std::min(smallest, slope.exponent);
+            greatest = std::max(greatest, slope.exponent);
+          }
+      if (greatest - smallest > settled)
+        log.warn(
+          format("corrections to scaling: the local exponent of %s drifts from "
+                 "%.3f to %.3f within the fit",
+                 name.c_str(),
+                 smallest,
+                 greatest));
+    }
+  } // namespace
+
+  std::vector<FitRow>
+  Scaling::fits(Log &log) const
+  {
+    std::set<double> slip_lengths;
+    for (const ScalingStep &step : steps)
+      slip_lengths.insert(step.slip_length);
+    std::vector<FitRow> rows;
+    for (const double slip_length : slip_lengths)
+      for (const auto &[name, quantity] : quantities)
+        {
+          for (const ExponentFit &slope : local_slopes(series(quantity, slip_length)))
+            rows.push_back({name, slip_length, "local", slope});
+          const auto        trusted = series(quantity, slip_length, true);
+          const ExponentFit fit     = fit_exponent(trusted, largest);
+          if (fit.n_points < 2)
+            continue;
+          rows.push_back({name, slip_length, "fit", fit});
+          report_fit(name, fit, local_slopes(trusted), log);
+        }
+    return rows;
   }
 } // namespace strait

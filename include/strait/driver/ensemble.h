@@ -4,11 +4,39 @@
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
+#include <strait/driver/simulation.h>
 
 #include <string>
 
 namespace strait
 {
+  /** One surface of several, and what came of it: a row of ensemble.csv. */
+  struct RealisationRow
+  {
+    int                number = 0; // from 1
+    unsigned long long seed   = 0;
+    Orientation        orientation;
+    RunSummary         run;
+    std::string        status; // ok, not-converged or failed
+
+    /** At the first slip length. Its numbers, and those that follow, are not numbers
+     *  where they are not known. */
+    Threshold threshold() const;
+    double    exponent() const; // of the leak rate
+    double    crossover_reduced_load() const;
+    double    crossover_load() const;
+    double    theory_crossover_load() const;
+  };
+
+  /** How a quantity scatters over the realisations: a row of ensemble_summary.csv. */
+  struct ScatterRow
+  {
+    std::string quantity;
+    double      mean               = 0.;
+    double      standard_deviation = 0.;
+    std::size_t n_samples          = 0; // realisations for which it is a finite number
+  };
+
   /**
    * Run the scene file @p path with @p overrides, which @p scene is made of, for each
    * of its realisations, or once if it has no section Realisations.

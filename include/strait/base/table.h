@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_table_h
+#define strait_base_table_h
+
+#include <fstream>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace strait
+{
+  struct UnitParameters;
+
+  /** Where a table or a column is written, in words and for the scene at hand. */
+  struct Condition
+  {
+    std::string text; // "with `Theory/Enabled`"; empty: nothing needs to be said
+    bool        holds = true;
+  };
+
+  /** What a column of a table holds. */
+  struct ColumnInfo
+  {
+    std::string name;
+    std::string unit;       // in terms of length, pressure and time; "1"; empty: a text
+    std::string definition; // Markdown
+    Condition   condition;
+  };
+
+  /** What a table holds. */
+  struct TableInfo
+  {
+    std::string             file;       // STEP stands for the number of a step
+    std::string             definition; // Markdown
+    std::vector<ColumnInfo> columns;    // in their order, those not written as well
+  };
+
+  /** A unit in terms of length, pressure and time in those of a scene: "length³/time"
+   *  becomes "m³/s". */
+  std::string in_units_of(const std::string &unit, const UnitParameters &units);
+
+  /** Print the reference of a table: a heading, its definition and its columns. */
+  void print_markdown(std::ostream &out, const TableInfo &table);
+
+  /**
+   * A file of comma-separated values with all that is to be said about its columns. Rows
+   * are on the disk as soon as they are appended. For one rank only, but for info().
+   */
+  class TableFile
+  {
+  public:
+    TableFile(std::string file, const Condition &condition, std::string definition);
+
+    const TableInfo &
+    info() const
+    {
+      return about;
+    }
+
+    /** Write the header line to the file @p path. Throws ComputationError if it cannot
+     *  be written. */
+    void open(const std::string &path);
+
+    /** Continue the table in the file @p path; throws likewise. */
+    void reopen(const std::string &path);
+
+  protected:
+    /** Note a column "name [unit]", or "name" of texts. */
+    void declare(const std::string &heading, const std::string &definition);
+
+    /** Throws ComputationError if the row could not be written; then the table ends
+     *  with the row before. */
+    void write(const std::vector<std::string> &entries);
+
+    Condition of_table, of_columns;
+
+  private:
+    [[noreturn]] void fail() const;
+
+    TableInfo     about;
+    std::string   file_name;
+    std::ofstream file;
+  };
+
+  /** A number with all its digits, as it is written to tables. */
+  std::string full_precision(double value);
+
+  /** A table whose columns take their entries from a @p Row. */
+  template <typename Row>
+  class Table : public TableFile
+  {
+  public:
+    using TableFile::TableFile;
+
+    /** The columns that are added from now on are written only where @p condition
+     *  holds. */
+    Table &
+    when(const Condition &condition = {})
+    {
+      of_columns = condition;
+      return *this;
+    }
+
+    /**
+     * Add the column @p heading, "name [unit]" with a unit in terms of length, pressure
+     * and time, or "name" of texts. @p value is a member of a row or a function of it,
+     * and gives a number, which is written with all its digits, or a text.
+     */
+    template <typename Value>
+    Table &
+    add(const std::string &heading, const std::string &definition, Value value)
+    {
+      declare(heading, definition);
+      values.push_back([value](const Row &row) {
+        using Entry       = std::decay_t<decltype(std::invoke(value, row))>;
+        const Entry entry = std::invoke(value, row);
+        if constexpr (std::is_floating_point_v<Entry>)
+          return full_precision(entry);
+        else if constexpr (std::is_integral_v<Entry>)
+          return std::to_string(entry);
+        else
+          return std::string(entry);
+      });
+      return *this;
+    }
+
+    /** Write a row. Throws ComputationError as open(). */
+    void
+    append(const Row &row)
+    {
+      std::vector<std::string> entries;
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (info().columns[k].condition.holds)
+          entries.push_back(values[k](row));
+      write(entries);
+    }
+
+    /** Write a whole table to the file @p path. Throws ComputationError as open(). */
+    void
+    write_rows(const std::string &path, const std::vector<Row> &rows)
+    {
+      open(path);
+      for (const Row &row : rows)
+        append(row);
+    }
+
+  private:
+    std::vector<std::function<std::string(const Row &)>> values; // of all columns
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_driver_result_tables_h
+#define strait_driver_result_tables_h
+
+#include <strait/base/scene.h>
+#include <strait/base/table.h>
+#include <strait/driver/blow_out.h>
+#include <strait/driver/branch_follower.h>
+#include <strait/driver/ensemble.h>
+#include <strait/driver/exponent_fit.h>
+#include <strait/driver/step.h>
+#include <strait/driver/surface_output.h>
+#include <strait/driver/threshold_search.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+/** The tables of a run besides leakage.csv: what files and columns there are, in what
+ *  units, and what they mean, is said here and nowhere else. */
+namespace strait
+{
+  /** threshold.csv: one row for each slip length. */
+  Table<Threshold> threshold_table(const Scene &scene);
+
+  /** constrictions.csv: where the pressure drops at each step that leaks. */
+  Table<Step> constriction_table(const Scene &scene);
+
+  /** fit.csv: exponents against 1 − L/L_c. */
+  Table<FitRow> fit_table(const Scene &scene);
+
+  /** blow_out.csv: one row for each load. */
+  Table<BlowOut> blow_out_table(const Scene &scene);
+
+  /** jumps.csv: one row for each jump. */
+  Table<Jump> jump_table(const Scene &scene);
+
+  /** relaxation-STEP.csv: one row for each iteration. */
+  Table<RelaxationStep> relaxation_table(const Scene &scene);
+
+  /** ensemble.csv: one row for each realisation. */
+  Table<RealisationRow> ensemble_table(const Scene &scene);
+
+  /** ensemble_summary.csv: one row for each quantity. */
+  Table<ScatterRow> ensemble_summary_table(const Scene &scene);
+
+  /** spectrum.csv: one row for each ring of wave vectors. */
+  Table<SpectrumRow> spectrum_table(const Scene &scene);
+
+  /** What all tables hold, leakage.csv first. */
+  std::vector<TableInfo> all_tables(const Scene &scene);
+
+  /** Print the reference of all tables. Throws InputError if @p format is not "md". */
+  void print_columns(std::ostream &out, const std::string &format);
+} // namespace strait
+
+#endif
