@@ -31,9 +31,9 @@ namespace strait
   {
     out << "## " << table.file << "\n\n"
         << table.definition << "\n\n| column | unit | definition |\n|---|---|---|\n";
-    for (const auto &[name, unit, definition, condition] : table.columns)
-      out << "| `" << name << "` | " << (unit.empty() ? "text" : unit) << " | "
-          << definition << (condition.text.empty() ? "" : "; only " + condition.text)
+    for (const ColumnInfo &column : table.columns)
+      out << "| `" << column.name << "` | "
+          << (column.unit.empty() ? "text" : column.unit) << " | " << column.definition
           << " |\n";
     out << "\n";
   }
@@ -44,27 +44,30 @@ namespace strait
     return format("%.17g", value);
   }
 
-  TableFile::TableFile(std::string      file_,
-                       const Condition &condition,
-                       std::string      definition)
+  TableFile::TableFile(const std::string &file_,
+                       const Condition   &condition,
+                       const std::string &definition)
     : of_table(condition)
-    , about{std::move(file_), std::move(definition), {}}
+    , about{file_,
+            (condition.text.empty() ? "" : "Written " + condition.text + ". ") +
+              definition,
+            {}}
   {
-    if (!condition.text.empty())
-      about.definition = "Written " + condition.text + ". " + about.definition;
   }
 
   void
-  TableFile::declare(const std::string &heading, const std::string &definition)
+  TableFile::declare(const std::string &text)
   {
-    const auto bracket = heading.find(" [");
+    const auto        colon      = text.find(": ");
+    const std::string heading    = text.substr(0, colon),
+                      definition = text.substr(colon + 2);
+    const auto bracket           = heading.find(" [");
+    const bool is_text           = bracket == std::string::npos;
     about.columns.push_back(
       {heading.substr(0, bracket),
-       bracket == std::string::npos
-         ? ""
-         : heading.substr(bracket + 2, heading.size() - bracket - 3),
-       definition,
-       {of_columns.text, of_columns.holds && of_table.holds}});
+       is_text ? "" : heading.substr(bracket + 2, heading.size() - bracket - 3),
+       definition + (of_columns.text.empty() ? "" : "; only " + of_columns.text),
+       of_table.holds && of_columns.holds});
   }
 
   void
@@ -74,7 +77,7 @@ namespace strait
     file      = std::ofstream(path);
     std::vector<std::string> names;
     for (const ColumnInfo &column : about.columns)
-      if (column.condition.holds)
+      if (column.is_written)
         names.push_back(column.name);
     write(names);
   }
@@ -84,8 +87,7 @@ namespace strait
   {
     file_name = path;
     file      = std::ofstream(path, std::ios::app);
-    if (!file)
-      fail();
+    throw_if_bad();
   }
 
   void
@@ -94,19 +96,19 @@ namespace strait
     std::error_code no_size;
     const auto      size = std::filesystem::file_size(file_name, no_size);
     file << join(entries, ",") << std::endl;
-    if (file)
-      return;
-    // Half a row would be worse than none.
-    file.close();
-    if (!no_size)
-      std::filesystem::resize_file(file_name, size, no_size);
-    fail();
+    if (!file && !no_size) // Half a row would be worse than none.
+      {
+        file.close();
+        std::filesystem::resize_file(file_name, size, no_size);
+      }
+    throw_if_bad();
   }
 
   void
-  TableFile::fail() const
+  TableFile::throw_if_bad() const
   {
-    throw ComputationError("The table '" + file_name +
-                           "' could not be written; is the disk full?");
+    if (!file)
+      throw ComputationError("The table '" + file_name +
+                             "' could not be written; is the disk full?");
   }
 } // namespace strait

@@ -6,26 +6,33 @@
 #include <strait/driver/output_directory.h>
 #include <strait/driver/result_tables.h>
 #include <strait/driver/run_state.h>
+#include <strait/driver/simulation.h>
 
 #include <cmath>
 #include <filesystem>
-#include <utility>
+#include <functional>
 #include <vector>
 
 namespace strait
 {
   namespace
   {
-    std::vector<RealisationRow>
+    struct Realisation
+    {
+      unsigned long long seed;
+      Orientation        orientation;
+    };
+
+    std::vector<Realisation>
     list_realisations(const Scene &scene)
     {
       std::vector<unsigned long long> seeds = scene.realisations.seeds;
       if (seeds.empty())
         seeds.push_back(scene.surface.seed);
-      std::vector<RealisationRow> all;
+      std::vector<Realisation> all;
       for (const unsigned long long seed : seeds)
         for (const Orientation orientation : scene.realisations.orientations)
-          all.push_back({static_cast<int>(all.size()) + 1, seed, orientation, {}, "ok"});
+          all.push_back({seed, orientation});
       return all;
     }
 
@@ -37,7 +44,7 @@ namespace strait
 
     /** What makes the scene file this realisation alone. */
     Overrides
-    overrides_of(const RealisationRow &realisation, const std::string &directory)
+    overrides_of(const Realisation &realisation, const std::string &directory)
     {
       const bool inverted = realisation.orientation == Orientation::inverted ||
                             realisation.orientation == Orientation::inverted_and_rotated;
@@ -51,40 +58,54 @@ namespace strait
               "Output/Directory=" + directory};
     }
 
-    /** Mean and standard deviation of a quantity over the realisations that know it. */
-    template <typename Value>
-    ScatterRow
-    scatter_of(const std::string                 &quantity,
-               const Value                        value,
-               const std::vector<RealisationRow> &realisations)
+    RealisationRow
+    row_of(const std::size_t  number,
+           const Realisation &realisation,
+           const RunSummary  &run,
+           const std::string &status)
     {
-      std::vector<double> samples;
-      for (const RealisationRow &row : realisations)
-        if (std::isfinite(std::invoke(value, row)))
-          samples.push_back(std::invoke(value, row));
-      const auto n    = static_cast<double>(samples.size());
-      double     mean = 0, square = 0;
-      for (const double sample : samples)
-        mean += sample / n;
-      for (const double sample : samples)
-        square += (sample - mean) * (sample - mean);
-      return {quantity, mean, n > 1 ? std::sqrt(square / (n - 1)) : 0., samples.size()};
+      Threshold threshold;
+      threshold.lower = threshold.upper = threshold.contact_area = std::nan("");
+      if (!run.thresholds.empty())
+        threshold = run.thresholds.front();
+      const double load = threshold.critical_load();
+      return {static_cast<int>(number),
+              realisation.seed,
+              name_of(realisation.orientation),
+              threshold.lower,
+              threshold.upper,
+              threshold.contact_area,
+              (1 - run.crossover) * load,
+              std::isnan(load) ? load : run.crossover,
+              (1 - run.theory_crossover) * load,
+              run.exponent.n_points < 2 ? std::nan("") : run.exponent.exponent,
+              run.exponent.error,
+              status};
     }
 
-    /** The scatter of all quantities that any of the realisations knows. */
+    /** Mean and standard deviation of all quantities that any realisation knows. */
     std::vector<ScatterRow>
     scatter_of(const std::vector<RealisationRow> &realisations)
     {
+      using Row = RealisationRow;
       std::vector<ScatterRow> rows;
       const auto              add = [&](const char *quantity, const auto value) {
-        ScatterRow row = scatter_of(quantity, value, realisations);
-        if (row.n_samples > 0)
-          rows.push_back(std::move(row));
+        std::vector<double> samples;
+        for (const Row &row : realisations)
+          if (std::isfinite(std::invoke(value, row)))
+            samples.push_back(std::invoke(value, row));
+        const auto n    = static_cast<double>(samples.size());
+        double     mean = 0, square = 0;
+        for (const double sample : samples)
+          mean += sample / n;
+        for (const double sample : samples)
+          square += (sample - mean) * (sample - mean);
+        if (n > 0)
+          rows.push_back(
+            {quantity, mean, n > 1 ? std::sqrt(square / (n - 1)) : 0., samples.size()});
       };
-      using Row = RealisationRow;
-      add("contact_area", [](const Row &row) { return row.threshold().contact_area; });
-      add("critical_load",
-          [](const Row &row) { return row.threshold().critical_load(); });
+      add("contact_area", &Row::contact_area);
+      add("critical_load", [](const Row &row) { return .5 * (row.lower + row.upper); });
       add("crossover_load", &Row::crossover_load);
       add("crossover_reduced_load", &Row::crossover_reduced_load);
       add("exponent", &Row::exponent);
@@ -116,40 +137,6 @@ namespace strait
     }
   } // namespace
 
-  Threshold
-  RealisationRow::threshold() const
-  {
-    if (!run.thresholds.empty())
-      return run.thresholds.front();
-    Threshold unknown;
-    unknown.lower = unknown.upper = unknown.contact_area = std::nan("");
-    return unknown;
-  }
-
-  double
-  RealisationRow::exponent() const
-  {
-    return run.exponent.n_points < 2 ? std::nan("") : run.exponent.exponent;
-  }
-
-  double
-  RealisationRow::crossover_reduced_load() const
-  {
-    return run.thresholds.empty() ? std::nan("") : run.crossover;
-  }
-
-  double
-  RealisationRow::crossover_load() const
-  {
-    return (1 - run.crossover) * threshold().critical_load();
-  }
-
-  double
-  RealisationRow::theory_crossover_load() const
-  {
-    return (1 - run.theory_crossover) * threshold().critical_load();
-  }
-
   bool
   run_all_realisations(const std::string &path,
                        const Overrides   &overrides,
@@ -177,13 +164,13 @@ namespace strait
       write_text(folder + "/parameters.prm", scene.resolved);
     });
 
-    bool                              all_converged = true;
-    const std::vector<RealisationRow> planned       = list_realisations(scene);
-    std::vector<RealisationRow>       done;
-    for (RealisationRow realisation : planned)
+    bool                           all_converged = true;
+    const std::vector<Realisation> realisations  = list_realisations(scene);
+    std::vector<RealisationRow>    rows;
+    for (const Realisation &realisation : realisations)
       {
-        const std::string number = std::to_string(realisation.number);
-        log.line("realisation " + number + " of " + std::to_string(planned.size()) +
+        const std::string number = std::to_string(rows.size() + 1);
+        log.line("realisation " + number + " of " + std::to_string(realisations.size()) +
                  ": seed " + std::to_string(realisation.seed) + ", " +
                  name_of(realisation.orientation));
         Overrides all = overrides;
@@ -192,26 +179,28 @@ namespace strait
           all.push_back(own);
         const Scene alone = read_scene(path, all);
         Log         own_log(MPI_COMM_WORLD, log.is_quiet());
+        RunSummary  run;
+        std::string status = "ok";
         try
           {
-            realisation.run = simulate(alone, own_log, resume && has_checkpoint(alone));
-            if (!realisation.run.converged)
-              realisation.status = "not-converged";
+            run = simulate(alone, own_log, resume && has_checkpoint(alone));
+            if (!run.converged)
+              status = "not-converged";
           }
         catch (const ComputationError &error)
           {
             // The same on all ranks, so they go on together.
             log.warn(error.what());
-            realisation.status = "failed";
+            status = "failed";
           }
-        if (realisation.run.stopped)
+        if (run.stopped)
           throw_interruption(scene);
-        all_converged = all_converged && realisation.status == "ok";
-        done.push_back(realisation);
+        all_converged = all_converged && status == "ok";
+        rows.push_back(row_of(rows.size() + 1, realisation, run, status));
         run_on_root(MPI_COMM_WORLD, [&]() {
-          table.append(realisation);
+          table.append(rows.back());
           ensemble_summary_table(scene).write_rows(folder + "/ensemble_summary.csv",
-                                                   scatter_of(done));
+                                                   scatter_of(rows));
         });
       }
     if (scene.output.pictures)

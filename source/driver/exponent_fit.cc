@@ -5,10 +5,10 @@
 #include <strait/spectral/state_archive.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace strait
 {
@@ -90,105 +90,81 @@ namespace strait
     return x.size() < 2 ? std::nan("") : exponent / fit_line(x, y).slope;
   }
 
-  namespace
-  {
-    struct Quantity
-    {
-      const char *name;
-      double ScalingStep::*value;
-    };
-
-    constexpr std::array<Quantity, 4> quantities = {
-      {{"leak_rate", &ScalingStep::leak_rate},
-       {"throat_gap", &ScalingStep::throat_gap},
-       {"throat_length", &ScalingStep::throat_length},
-       {"throat_width", &ScalingStep::throat_width}}};
-  } // namespace
-
   void
   Scaling::collect(const Step &step)
   {
     if (!step.reduced_load || !(*step.reduced_load > 0))
       return;
-    ScalingStep known;
-    known.slip_length  = step.slip_length;
-    known.reduced_load = *step.reduced_load;
-    known.is_trusted   = step.doubts.empty();
-    if (step.theory)
-      known.theory_leak_rate = std::abs(step.theory->leak_rate);
+    Sample sample{step.slip_length, *step.reduced_load, step.doubts.empty(), {}};
     if (step.flow && step.flow->constrictions && step.converged())
       {
-        const Throat &throat = step.flow->constrictions->throat;
-        known.leak_rate      = std::abs(step.flow->result.leak_rate);
-        known.throat_gap     = throat.gap;
-        known.throat_length  = throat.length;
-        known.throat_width   = throat.width;
+        const Throat &throat         = step.flow->constrictions->throat;
+        sample.values[leak_rate]     = std::abs(step.flow->result.leak_rate);
+        sample.values[throat_gap]    = throat.gap;
+        sample.values[throat_length] = throat.length;
+        sample.values[throat_width]  = throat.width;
       }
-    steps.push_back(known);
+    if (step.theory)
+      sample.values[theory_leak_rate] = std::abs(step.theory->leak_rate);
+    samples.push_back(sample);
   }
 
   void
   Scaling::transfer(StateArchive &archive)
   {
-    auto n_steps = static_cast<long>(steps.size());
-    archive.value(n_steps);
-    steps.resize(n_steps);
-    for (ScalingStep &step : steps)
+    auto n_samples = static_cast<long>(samples.size());
+    archive.value(n_samples);
+    samples.resize(n_samples);
+    for (Sample &sample : samples)
       {
-        archive.value(step.is_trusted);
-        for (double *number : {&step.slip_length,
-                               &step.reduced_load,
-                               &step.leak_rate,
-                               &step.throat_gap,
-                               &step.throat_length,
-                               &step.throat_width,
-                               &step.theory_leak_rate})
-          archive.value(*number);
+        archive.value(sample.slip_length);
+        archive.value(sample.reduced_load);
+        archive.value(sample.is_trusted);
+        for (double &value : sample.values)
+          archive.value(value);
       }
   }
 
   std::vector<ScalingPoint>
-  Scaling::series(double ScalingStep::*quantity,
-                  const double         slip_length,
-                  const bool           only_trusted) const
+  Scaling::series(const Quantity quantity,
+                  const double   slip_length,
+                  const bool     only_trusted) const
   {
     std::vector<ScalingPoint> points;
-    for (const ScalingStep &step : steps)
-      if (step.slip_length == slip_length && step.*quantity > 0 &&
-          (step.is_trusted || !only_trusted))
-        points.push_back({step.reduced_load, step.*quantity});
+    for (const Sample &sample : samples)
+      if (sample.slip_length == slip_length && sample.values[quantity] > 0 &&
+          (sample.is_trusted || !only_trusted))
+        points.push_back({sample.reduced_load, sample.values[quantity]});
     return points;
   }
 
   double
-  Scaling::smallest_slip(double ScalingStep::*quantity) const
+  Scaling::smallest_slip(const Quantity quantity) const
   {
-    double smallest = std::nan("");
-    for (const ScalingStep &step : steps)
-      if (step.*quantity > 0)
-        smallest = std::fmax(smallest, step.slip_length); // slip lengths are negative
-    return smallest;
+    double slip_length = std::nan("");
+    for (const Sample &sample : samples)
+      if (sample.values[quantity] > 0)
+        slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
+    return slip_length;
   }
 
   ExponentFit
   Scaling::leak_rate_fit() const
   {
-    const auto quantity = &ScalingStep::leak_rate;
-    return fit_exponent(series(quantity, smallest_slip(quantity), true), largest);
+    return fit_exponent(series(leak_rate, smallest_slip(leak_rate), true), largest);
   }
 
   double
   Scaling::crossover() const
   {
-    const auto quantity = &ScalingStep::leak_rate;
-    return crossover_reduced_load(series(quantity, smallest_slip(quantity)));
+    return crossover_reduced_load(series(leak_rate, smallest_slip(leak_rate)));
   }
 
   double
   Scaling::theory_crossover() const
   {
-    const auto quantity = &ScalingStep::theory_leak_rate;
-    return crossover_reduced_load(series(quantity, smallest_slip(quantity)));
+    return crossover_reduced_load(
+      series(theory_leak_rate, smallest_slip(theory_leak_rate)));
   }
 
   namespace
@@ -233,20 +209,25 @@ namespace strait
   std::vector<FitRow>
   Scaling::fits(Log &log) const
   {
+    constexpr std::array<std::pair<Quantity, const char *>, 4> quantities = {
+      {{leak_rate, "leak_rate"},
+       {throat_gap, "throat_gap"},
+       {throat_length, "throat_length"},
+       {throat_width, "throat_width"}}};
     std::set<double> slip_lengths;
-    for (const ScalingStep &step : steps)
-      slip_lengths.insert(step.slip_length);
+    for (const Sample &sample : samples)
+      slip_lengths.insert(sample.slip_length);
     std::vector<FitRow> rows;
     for (const double slip_length : slip_lengths)
-      for (const auto &[name, quantity] : quantities)
+      for (const auto &[quantity, name] : quantities)
         {
           for (const ExponentFit &slope : local_slopes(series(quantity, slip_length)))
-            rows.push_back({name, slip_length, "local", slope});
+            rows.push_back({slope, name, slip_length, "local"});
           const auto        trusted = series(quantity, slip_length, true);
           const ExponentFit fit     = fit_exponent(trusted, largest);
           if (fit.n_points < 2)
             continue;
-          rows.push_back({name, slip_length, "fit", fit});
+          rows.push_back({fit, name, slip_length, "fit"});
           report_fit(name, fit, local_slopes(trusted), log);
         }
     return rows;

@@ -79,7 +79,7 @@ namespace strait
       Json result = Json::object();
       for (const TableInfo &table : all_tables(scene))
         for (const ColumnInfo &column : table.columns)
-          if (column.condition.holds)
+          if (column.is_written)
             result.set(column.name, in_units_of(column.unit, scene.units));
       return result;
     }

@@ -31,22 +31,10 @@ namespace strait
       return {"with the section `Realisations`", scene.realisations.enabled()};
     }
 
-    /** Add columns for the place of the grid point that @p point gives of a row. */
-    template <typename Row, typename Point>
-    void
-    add_place(Table<Row>        &table,
-              const Scene       &scene,
-              const std::string &what,
-              const Point       &point)
+    GridPoint
+    bottleneck_of(const Step &step)
     {
-      const PeriodicGrid grid = grid_of(scene);
-      table
-        .add("x [length]",
-             what,
-             [=](const Row &row) { return std::invoke(point, row).ix * grid.dx(); })
-        .add("y [length]", "likewise", [=](const Row &row) {
-          return std::invoke(point, row).iy * grid.dy();
-        });
+      return step.flow->paths.front().bottleneck;
     }
 
     /** Entries of the report on a step's constrictions, and of the throat in it. */
@@ -60,143 +48,123 @@ namespace strait
         return std::invoke(member, step.flow->constrictions->throat);
       };
     };
-
-    /** The same of a realisation's first threshold. */
-    const auto of_threshold = [](auto member) {
-      return [member](const RealisationRow &row) {
-        return std::invoke(member, row.threshold());
-      };
-    };
   } // namespace
 
   Table<Threshold>
   threshold_table(const Scene &scene)
   {
-    Table<Threshold> table("threshold.csv",
+    const PeriodicGrid grid = grid_of(scene);
+    Table<Threshold>   table("threshold.csv",
                            with_threshold(scene),
-                           "One row for each slip length, with what the search cost.");
+                           "One row for each slip length; loads are nominal pressures.");
     table
-      .add("critical_load_lower [pressure]",
-           "largest load known to leak, a nominal pressure",
-           &Threshold::lower)
-      .add("critical_load_upper [pressure]",
-           "smallest load known to seal",
-           &Threshold::upper)
-      .add("contact_area [1]",
-           "fraction of grid points in contact at the former",
-           &Threshold::contact_area);
-    add_place(table,
-              scene,
-              "place of the last constriction at the former",
-              &Threshold::last_constriction);
-    table.add("slip_length [length]", "d0", &Threshold::slip_length)
-      .add("contact_solves [1]", "loads that were tried", &Threshold::n_solves)
-      .add("fft_pairs [1]", "of these solves", &Threshold::fft_pairs);
+      .add(&Threshold::lower,
+           "critical_load_lower [pressure]: largest load known to leak")
+      .add(&Threshold::upper,
+           "critical_load_upper [pressure]: smallest load known to seal")
+      .add(&Threshold::contact_area, "contact_area [1]: of the contact at the former")
+      .add([=](const Threshold &t) { return t.last_constriction.ix * grid.dx(); },
+           "x [length]: place of the last constriction at the former")
+      .add([=](const Threshold &t) { return t.last_constriction.iy * grid.dy(); },
+           "y [length]: likewise")
+      .add(&Threshold::slip_length, "slip_length [length]: d0")
+      .add(&Threshold::n_solves, "contact_solves [1]: loads that were tried")
+      .add(&Threshold::fft_pairs, "fft_pairs [1]: of these solves");
     return table;
   }
 
   Table<Step>
   constriction_table(const Scene &scene)
   {
-    Table<Step> table("constrictions.csv",
+    const PeriodicGrid grid = grid_of(scene);
+    Table<Step>        table("constrictions.csv",
                       with_threshold(scene),
                       "One row for each step that leaks: where the pressure drops.");
-    table.add("step [1]", "as in leakage.csv", &Step::number)
-      .add("pressure [pressure]",
-           "nominal pressure",
-           [](const Step &step) { return step.contact->nominal_pressure; })
-      .add("slip_length [length]", "d0", &Step::slip_length)
-      .add("reduced_load [1]", "1 − L/L_c", [](const Step &step) {
-        return step.reduced_load.value_or(std::nan(""));
-      });
-    add_place(table,
-              scene,
-              "narrowest point of the path of least resistance",
-              [](const Step &step) { return step.flow->paths.front().bottleneck; });
-    table.add("gap [length]", "g0 of the throat there", of_throat(&Throat::gap))
-      .add("length [length]",
-           "along the channel, within which the gap doubles",
-           of_throat(&Throat::length))
-      .add("width [length]",
-           "across it, at which the gap would vanish",
-           of_throat(&Throat::width))
-      .add("points_along [1]",
-           "the length in grid spacings",
-           of_report(&ConstrictionReport::points_along))
-      .add("share_of_worst [1]",
-           "largest fraction of the pressure drop at one constriction",
-           of_report(&ConstrictionReport::share_of_worst))
-      .add("constrictions [1]",
-           "how many there are along the path",
-           of_report(&ConstrictionReport::n_constrictions))
-      .add("constrictions_for_90_percent [1]",
-           "how many carry 90 % of the pressure drop",
-           of_report(&ConstrictionReport::n_for_90_percent));
+    table.add(&Step::number, "step [1]: as in leakage.csv")
+      .add([](const Step &step) { return step.contact->nominal_pressure; },
+           "pressure [pressure]: nominal pressure")
+      .add(&Step::slip_length, "slip_length [length]: d0")
+      .add([](const Step &step) { return step.reduced_load.value_or(std::nan("")); },
+           "reduced_load [1]: 1 − L/L_c")
+      .add([=](const Step &step) { return bottleneck_of(step).ix * grid.dx(); },
+           "x [length]: narrowest point of the path of least resistance")
+      .add([=](const Step &step) { return bottleneck_of(step).iy * grid.dy(); },
+           "y [length]: likewise")
+      .add(of_throat(&Throat::gap), "gap [length]: g0 of the throat there")
+      .add(of_throat(&Throat::length),
+           "length [length]: along the channel, within which the gap doubles")
+      .add(of_throat(&Throat::width),
+           "width [length]: across it, at which the gap would vanish")
+      .add(of_report(&ConstrictionReport::points_along),
+           "points_along [1]: the length in grid spacings")
+      .add(of_report(&ConstrictionReport::share_of_worst),
+           "share_of_worst [1]: largest part of the pressure drop at one of them")
+      .add(of_report(&ConstrictionReport::n_constrictions),
+           "constrictions [1]: how many there are along the path")
+      .add(of_report(&ConstrictionReport::n_for_90_percent),
+           "constrictions_for_90_percent [1]: how many carry 90 % of the pressure drop");
     return table;
   }
 
   Table<FitRow>
   fit_table(const Scene &scene)
   {
-    const auto of_fit = [](auto member) {
-      return [member](const FitRow &row) { return row.fit.*member; };
-    };
     Table<FitRow> table("fit.csv",
                         with_threshold(scene),
                         "Exponents of leak rate and throat against ε = 1 − L/L_c.");
     table
-      .add("quantity",
-           "`leak_rate`, `throat_gap`, `throat_length` or `throat_width`",
-           &FitRow::quantity)
-      .add("slip_length [length]", "d0", &FitRow::slip_length)
-      .add("kind",
-           "`local`: the slope between neighbouring steps; `fit`: least squares over the "
-           "steps with `status` ok up to `Largest reduced load of fits`",
-           &FitRow::kind)
-      .add("from [1]", "smallest ε of the steps", of_fit(&ExponentFit::from))
-      .add("to [1]", "largest ε", of_fit(&ExponentFit::to))
-      .add("exponent [1]", "β of quantity ∝ ε^β", of_fit(&ExponentFit::exponent))
-      .add("error [1]",
-           "standard error of the fit; 0 for two steps",
-           of_fit(&ExponentFit::error))
-      .add("points [1]", "number of steps", of_fit(&ExponentFit::n_points));
+      .add(&FitRow::quantity,
+           "quantity: `leak_rate`, `throat_gap`, `throat_length` or `throat_width`")
+      .add(&FitRow::slip_length, "slip_length [length]: d0")
+      .add(&FitRow::kind,
+           "kind: `local`: the slope between neighbouring steps; `fit`: least squares "
+           "over the steps with `status` ok up to `Largest reduced load of fits`")
+      .add(&FitRow::from, "from [1]: smallest ε of the steps")
+      .add(&FitRow::to, "to [1]: largest ε")
+      .add(&FitRow::exponent, "exponent [1]: β of quantity ∝ ε^β")
+      .add(&FitRow::error, "error [1]: standard error of the fit; 0 for two steps")
+      .add(&FitRow::n_points, "points [1]: number of steps");
     return table;
   }
 
   Table<BlowOut>
   blow_out_table(const Scene &scene)
   {
-    Table<BlowOut> table("blow_out.csv",
+    const PeriodicGrid grid = grid_of(scene);
+    Table<BlowOut>     table("blow_out.csv",
                          {"with `Load programme/Find blow-out`",
-                          scene.programme.find_blow_out},
+                              scene.programme.find_blow_out},
                          "One row for each of `Pressures`.");
-    table.add("pressure [pressure]", "nominal pressure, the load", &BlowOut::load)
-      .add("blow_out_pressure_lower [pressure]",
-           "largest inlet pressure known to be held when it is raised at this load",
-           &BlowOut::lower)
-      .add("blow_out_pressure_upper [pressure]",
-           "smallest known to leak; 0 or the outlet's: it leaks by itself",
-           &BlowOut::upper)
-      .add("contact_area [1]",
-           "fraction of grid points in contact at the lower one",
-           &BlowOut::contact_area);
-    add_place(table, scene, "the point that opens", &BlowOut::constriction);
-    table.add("solves [1]", "of contact and flow", &BlowOut::n_solves)
-      .when({"with `Find re-sealing`", scene.programme.find_resealing})
+    table.add(&BlowOut::load, "pressure [pressure]: nominal pressure, the load")
+      .add(&BlowOut::lower,
+           "blow_out_pressure_lower [pressure]: largest inlet pressure known to be held "
+           "when it is raised at this load")
       .add(
-        "resealing_pressure_lower [pressure]",
-        "largest inlet pressure known to be held when it is lowered from where it leaks; "
-        "both 0 or the outlet's: the seal stays open",
-        [](const BlowOut &found) { return found.resealing->lower; })
-      .add("resealing_pressure_upper [pressure]",
-           "smallest known to leak then",
-           [](const BlowOut &found) { return found.resealing->upper; });
+        &BlowOut::upper,
+        "blow_out_pressure_upper [pressure]: smallest known to leak; 0 or the outlet's: "
+        "it leaks by itself")
+      .add(&BlowOut::contact_area, "contact_area [1]: of the contact at the former")
+      .add([=](const BlowOut &found) { return found.constriction.ix * grid.dx(); },
+           "x [length]: the point that opens")
+      .add([=](const BlowOut &found) { return found.constriction.iy * grid.dy(); },
+           "y [length]: likewise")
+      .add(&BlowOut::n_solves, "solves [1]: of contact and flow")
+      .when({"with `Find re-sealing`", scene.programme.find_resealing})
+      .add([](const BlowOut &found) { return found.resealing->lower; },
+           "resealing_pressure_lower [pressure]: largest inlet pressure known to be held "
+           "when it is lowered from where it leaks; both 0 or the outlet's: the seal "
+           "stays open")
+      .add([](const BlowOut &found) { return found.resealing->upper; },
+           "resealing_pressure_upper [pressure]: smallest known to leak then");
     return table;
   }
 
   Table<Jump>
   jump_table(const Scene &scene)
   {
+    const auto before = [](double PathPoint::*value) {
+      return [value](const Jump &jump) { return jump.before.*value; };
+    };
     // After a pull-off there is no state.
     const auto after = [](double PathPoint::*value) {
       return [value](const Jump &jump) {
@@ -209,32 +177,25 @@ namespace strait
                       "between the last state before and the first one after.");
     table
       .add(
-        "kind",
-        "`closing` or `opening` by the change of the contact area, or `pull-off` where "
-        "the surfaces part: no state follows, gap and area after it are `nan`",
         [](const Jump &jump) -> std::string {
           return jump.is_pull_off                                     ? "pull-off"
                  : jump.after.contact_area > jump.before.contact_area ? "closing"
                                                                       : "opening";
-        })
-      .add("pressure_before [pressure]",
-           "nominal pressure",
-           [](const Jump &jump) { return jump.before.pressure; })
-      .add("pressure_after [pressure]",
-           "at most `Load programme/Jump tolerance` from it",
-           [](const Jump &jump) { return jump.after.pressure; })
-      .add("mean_gap_before [length]",
-           "as in leakage.csv",
-           [](const Jump &jump) { return jump.before.mean_gap; })
-      .add("mean_gap_after [length]", "likewise", after(&PathPoint::mean_gap))
-      .add("contact_area_before [1]",
-           "as in leakage.csv",
-           [](const Jump &jump) { return jump.before.contact_area; })
-      .add("contact_area_after [1]", "likewise", after(&PathPoint::contact_area))
-      .add("dissipated_energy [pressure length]",
-           "per area: what the energy falls short of the reversible change, half the sum "
-           "of mean gap × change of load at both ends; uncertain by half the difference",
-           &Jump::dissipated);
+        },
+        "kind: `closing` or `opening` by the change of the contact area, or "
+        "`pull-off` where the surfaces part: no state follows, gap and area after it "
+        "are `nan`")
+      .add(before(&PathPoint::pressure), "pressure_before [pressure]: nominal pressure")
+      .add([](const Jump &jump) { return jump.after.pressure; },
+           "pressure_after [pressure]: at most `Load programme/Jump tolerance` from it")
+      .add(before(&PathPoint::mean_gap), "mean_gap_before [length]: as in leakage.csv")
+      .add(after(&PathPoint::mean_gap), "mean_gap_after [length]: likewise")
+      .add(before(&PathPoint::contact_area), "contact_area_before [1]: as in leakage.csv")
+      .add(after(&PathPoint::contact_area), "contact_area_after [1]: likewise")
+      .add(&Jump::dissipated,
+           "dissipated_energy [pressure length]: per area: what the energy falls short "
+           "of the reversible change, half the sum of mean gap × change of load at both "
+           "ends; uncertain by half the difference");
     return table;
   }
 
@@ -245,12 +206,11 @@ namespace strait
       "relaxation-STEP.csv",
       {"with `Contact/Adhesion/Trajectory`", scene.contact.adhesion.write_relaxation},
       "One row for each iteration at the last load of the step.");
-    table.add("iteration [1]", "its number", &RelaxationStep::iteration)
-      .add("energy [pressure length]", "energy per area", &RelaxationStep::energy)
-      .add("residual [1]", "`contact_residual` of leakage.csv", &RelaxationStep::residual)
-      .add("step [1]",
-           "length of the step along its direction; for GFMD of time",
-           &RelaxationStep::step);
+    table.add(&RelaxationStep::iteration, "iteration [1]: its number")
+      .add(&RelaxationStep::energy, "energy [pressure length]: energy per area")
+      .add(&RelaxationStep::residual, "residual [1]: `contact_residual` of leakage.csv")
+      .add(&RelaxationStep::step,
+           "step [1]: length of the step along its direction; for GFMD of time");
     return table;
   }
 
@@ -261,32 +221,25 @@ namespace strait
                                 with_realisations(scene),
                                 "One row for each realisation, which has a folder "
                                 "`realisation-k` with all other tables.");
-    table.add("realisation [1]", "k, from 1", &RealisationRow::number)
-      .add("seed [1]", "`Surface/Seed`", &RealisationRow::seed)
-      .add("orientation",
-           "how the surface is turned",
-           [](const RealisationRow &row) { return name_of(row.orientation); })
-      .add("critical_load_lower [pressure]",
-           "as in threshold.csv, at the first slip length",
-           of_threshold(&Threshold::lower))
-      .add("critical_load_upper [pressure]", "likewise", of_threshold(&Threshold::upper))
-      .add("contact_area [1]", "likewise", of_threshold(&Threshold::contact_area))
-      .add("crossover_load [pressure]",
-           "(1 − ε_x) L_c, where the exponential decay far from the threshold turns into "
-           "the power law, see below",
-           &RealisationRow::crossover_load)
-      .add("exponent [1]",
-           "of the leak rate at the smallest slip length",
-           &RealisationRow::exponent)
-      .add("exponent_error [1]",
-           "standard error of its fit",
-           [](const RealisationRow &row) { return row.run.exponent.error; })
+    table.add(&RealisationRow::number, "realisation [1]: k, from 1")
+      .add(&RealisationRow::seed, "seed [1]: `Surface/Seed`")
+      .add(&RealisationRow::orientation, "orientation: how the surface is turned")
+      .add(&RealisationRow::lower,
+           "critical_load_lower [pressure]: at the first slip length")
+      .add(&RealisationRow::upper, "critical_load_upper [pressure]: likewise")
+      .add(&RealisationRow::contact_area, "contact_area [1]: likewise")
+      .add(&RealisationRow::crossover_load,
+           "crossover_load [pressure]: (1 − ε_x) L_c, where the exponential decay far "
+           "from the threshold turns into the power law, see below")
+      .add(&RealisationRow::exponent,
+           "exponent [1]: of the leak rate at the smallest slip length")
+      .add(&RealisationRow::exponent_error,
+           "exponent_error [1]: standard error of its fit")
       .when({"with `Theory/Enabled`", scene.theory.enabled})
-      .add("theory_crossover_load [pressure]",
-           "the crossover load of the theory's leak rate",
-           &RealisationRow::theory_crossover_load)
+      .add(&RealisationRow::theory_crossover_load,
+           "theory_crossover_load [pressure]: that of the theory's leak rate")
       .when()
-      .add("status", "`ok`, `not-converged` or `failed`", &RealisationRow::status);
+      .add(&RealisationRow::status, "status: `ok`, `not-converged` or `failed`");
     return table;
   }
 
@@ -297,18 +250,14 @@ namespace strait
                             with_realisations(scene),
                             "One row for each quantity.");
     table
-      .add(
-        "quantity",
-        "`critical_load`, the middle of its bracket, `crossover_reduced_load`, ε_x, or a "
-        "column of ensemble.csv",
-        &ScatterRow::quantity)
-      .add("mean [of the quantity]", "over the realisations", &ScatterRow::mean)
-      .add("standard_deviation [of the quantity]",
-           "over the realisations",
-           &ScatterRow::standard_deviation)
-      .add("samples [1]",
-           "realisations for which the quantity is known",
-           &ScatterRow::n_samples);
+      .add(&ScatterRow::quantity,
+           "quantity: `critical_load`, the middle of its bracket, "
+           "`crossover_reduced_load`, ε_x, or a column of ensemble.csv")
+      .add(&ScatterRow::mean, "mean [of the quantity]: over the realisations")
+      .add(&ScatterRow::standard_deviation,
+           "standard_deviation [of the quantity]: over the realisations")
+      .add(&ScatterRow::n_samples,
+           "samples [1]: realisations for which the quantity is known");
     return table;
   }
 
@@ -321,19 +270,15 @@ namespace strait
       "The power spectral density of the surface, one row for each "
       "ring of wave vectors.");
     table
-      .add("wave_number [1/length]",
-           "q, geometric mean of the ring's limits",
-           [](const SpectrumRow &row) { return row.bin.q; })
-      .add("wavelength [length]", "2π/q", &SpectrumRow::wavelength)
-      .add("density [length⁴]",
-           "C(q) = \\|h~\\|² LxLy/(2π)², averaged over directions: ∫d²q C = h_rms²",
-           [](const SpectrumRow &row) { return row.bin.density; })
-      .add("modes [1]",
-           "wave vectors in the ring",
-           [](const SpectrumRow &row) { return row.bin.modes; })
-      .add("fit [length⁴]",
-           "the self-affine law that fits best; `nan` beyond its range",
-           &SpectrumRow::law);
+      .add(&SpectrumRow::q,
+           "wave_number [1/length]: q, geometric mean of the ring's limits")
+      .add(&SpectrumRow::wavelength, "wavelength [length]: 2π/q")
+      .add(&SpectrumRow::density,
+           "density [length⁴]: C(q) = \\|h~\\|² LxLy/(2π)², averaged over directions: "
+           "∫d²q C = h_rms²")
+      .add(&SpectrumRow::modes, "modes [1]: wave vectors in the ring")
+      .add(&SpectrumRow::law,
+           "fit [length⁴]: the self-affine law that fits best; `nan` beyond its range");
     return table;
   }
 

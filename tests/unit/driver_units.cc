@@ -90,11 +90,11 @@ namespace
     const std::string           path = folder.path() + "/table.csv";
     const auto                  make = [](const bool with_count) {
       Table<Row> table("table.csv", {}, "");
-      table.add("name", "", &Row::name)
+      table.add(&Row::name, "name: of a row")
         .when({"", with_count})
-        .add("count [1]", "", &Row::count)
+        .add(&Row::count, "count [1]: how many")
         .when()
-        .add("half [length]", "", [](const Row &row) { return row.value / 2; });
+        .add([](const Row &row) { return row.value / 2; }, "half [length]: of it");
       return table;
     };
     const auto text = [&path]() {

@@ -81,7 +81,7 @@ namespace strait
     {
       std::vector<std::string> names;
       for (const ColumnInfo &column : leakage_table(scene).info().columns)
-        if (column.condition.holds)
+        if (column.is_written)
           names.push_back(column.name);
       return names;
     }

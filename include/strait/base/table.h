@@ -14,11 +14,11 @@ namespace strait
 {
   struct UnitParameters;
 
-  /** Where a table or a column is written, in words and for the scene at hand. */
+  /** When a table or a column is written. */
   struct Condition
   {
-    std::string text; // "with `Theory/Enabled`"; empty: nothing needs to be said
-    bool        holds = true;
+    std::string text;         // "with `Theory/Enabled`"; empty: nothing needs to be said
+    bool        holds = true; // for the scene at hand
   };
 
   /** What a column of a table holds. */
@@ -27,7 +27,7 @@ namespace strait
     std::string name;
     std::string unit;       // in terms of length, pressure and time; "1"; empty: a text
     std::string definition; // Markdown
-    Condition   condition;
+    bool        is_written;
   };
 
   /** What a table holds. */
@@ -38,21 +38,23 @@ namespace strait
     std::vector<ColumnInfo> columns;    // in their order, those not written as well
   };
 
-  /** A unit in terms of length, pressure and time in those of a scene: "length³/time"
-   *  becomes "m³/s". */
+  /** "length³/time" in a scene's units: "m³/s". */
   std::string in_units_of(const std::string &unit, const UnitParameters &units);
 
-  /** Print the reference of a table: a heading, its definition and its columns. */
+  /** Print a heading, what the table is, and its columns. */
   void print_markdown(std::ostream &out, const TableInfo &table);
 
   /**
-   * A file of comma-separated values with all that is to be said about its columns. Rows
-   * are on the disk as soon as they are appended. For one rank only, but for info().
+   * A file of comma-separated values whose rows are on the disk as soon as they are
+   * appended. For one rank only, but for info(). All functions throw ComputationError if
+   * the file cannot be written; then the table ends with the row before.
    */
   class TableFile
   {
   public:
-    TableFile(std::string file, const Condition &condition, std::string definition);
+    TableFile(const std::string &file,
+              const Condition   &condition,
+              const std::string &definition);
 
     const TableInfo &
     info() const
@@ -60,25 +62,23 @@ namespace strait
       return about;
     }
 
-    /** Write the header line to the file @p path. Throws ComputationError if it cannot
-     *  be written. */
+    /** Write the header line to the file @p path. */
     void open(const std::string &path);
 
-    /** Continue the table in the file @p path; throws likewise. */
+    /** Continue the table in the file @p path. */
     void reopen(const std::string &path);
 
   protected:
-    /** Note a column "name [unit]", or "name" of texts. */
-    void declare(const std::string &heading, const std::string &definition);
+    /** Note a column "name [unit]: definition", or "name: definition" of texts. */
+    void declare(const std::string &text);
 
-    /** Throws ComputationError if the row could not be written; then the table ends
-     *  with the row before. */
+    /** Write a line with one entry for each of the columns that are written. */
     void write(const std::vector<std::string> &entries);
 
     Condition of_table, of_columns;
 
   private:
-    [[noreturn]] void fail() const;
+    void throw_if_bad() const;
 
     TableInfo     about;
     std::string   file_name;
@@ -105,15 +105,16 @@ namespace strait
     }
 
     /**
-     * Add the column @p heading, "name [unit]" with a unit in terms of length, pressure
-     * and time, or "name" of texts. @p value is a member of a row or a function of it,
-     * and gives a number, which is written with all its digits, or a text.
+     * Add a column. @p value is a member of a row or a function of it, a number or a
+     * text.
+     * @p text is "name [unit]: definition" with a unit in terms of length, pressure and
+     * time, 1 for plain numbers, or "name: definition" of texts.
      */
     template <typename Value>
     Table &
-    add(const std::string &heading, const std::string &definition, Value value)
+    add(Value value, const std::string &text)
     {
-      declare(heading, definition);
+      declare(text);
       values.push_back([value](const Row &row) {
         using Entry       = std::decay_t<decltype(std::invoke(value, row))>;
         const Entry entry = std::invoke(value, row);
@@ -127,18 +128,18 @@ namespace strait
       return *this;
     }
 
-    /** Write a row. Throws ComputationError as open(). */
+    /** Write a row. */
     void
     append(const Row &row)
     {
       std::vector<std::string> entries;
       for (std::size_t k = 0; k < values.size(); ++k)
-        if (info().columns[k].condition.holds)
+        if (info().columns[k].is_written)
           entries.push_back(values[k](row));
       write(entries);
     }
 
-    /** Write a whole table to the file @p path. Throws ComputationError as open(). */
+    /** Write a whole table to the file @p path. */
     void
     write_rows(const std::string &path, const std::vector<Row> &rows)
     {

@@ -4,28 +4,22 @@
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
-#include <strait/driver/simulation.h>
 
 #include <string>
 
 namespace strait
 {
-  /** One surface of several, and what came of it: a row of ensemble.csv. */
+  /** One surface of several, and what came of it: a row of ensemble.csv. What is not
+   *  known is not a number. */
   struct RealisationRow
   {
     int                number = 0; // from 1
     unsigned long long seed   = 0;
-    Orientation        orientation;
-    RunSummary         run;
-    std::string        status; // ok, not-converged or failed
-
-    /** At the first slip length. Its numbers, and those that follow, are not numbers
-     *  where they are not known. */
-    Threshold threshold() const;
-    double    exponent() const; // of the leak rate
-    double    crossover_reduced_load() const;
-    double    crossover_load() const;
-    double    theory_crossover_load() const;
+    std::string        orientation;
+    double             lower, upper, contact_area; // of the first slip length's threshold
+    double             crossover_load, crossover_reduced_load, theory_crossover_load;
+    double             exponent, exponent_error; // of the leak rate
+    std::string        status;                   // ok, not-converged or failed
   };
 
   /** How a quantity scatters over the realisations: a row of ensemble_summary.csv. */

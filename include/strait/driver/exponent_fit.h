@@ -4,6 +4,7 @@
 
 #include <strait/base/log.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -30,12 +31,11 @@ namespace strait
   };
 
   /** A row of fit.csv. */
-  struct FitRow
+  struct FitRow : ExponentFit
   {
     std::string quantity;
     double      slip_length = 0.;
     std::string kind; // local or fit
-    ExponentFit fit;
   };
 
   /** log–log slopes between neighbouring points, in the order of falling ε. */
@@ -55,22 +55,9 @@ namespace strait
    */
   double crossover_reduced_load(const std::vector<ScalingPoint> &points);
 
-  /** What a step near the threshold contributes; what is not positive is not known. */
-  struct ScalingStep
-  {
-    double slip_length      = 0.;
-    double reduced_load     = 0.;
-    bool   is_trusted       = false; // nothing is in doubt (Step::doubts)
-    double leak_rate        = 0.;    // magnitude
-    double throat_gap       = 0.;
-    double throat_length    = 0.;
-    double throat_width     = 0.;
-    double theory_leak_rate = 0.; // magnitude
-  };
-
   /**
    * Exponents of leak rate and throat against 1 − L/L_c. Collects the steps that
-   * converged; those in doubt are left out of the fits.
+   * converged; those in doubt (Step::doubts) are left out of the fits.
    */
   class Scaling
   {
@@ -87,11 +74,12 @@ namespace strait
     /** All that was collected. Collective. */
     void transfer(StateArchive &archive);
 
-    /** The fit of the leak rate at the smallest slip, and its crossover. */
+    /** The fit of the leak rate at the smallest slip. */
     ExponentFit leak_rate_fit() const;
-    double      crossover() const;
 
-    /** The crossover of what the theory says at the same steps; not a number without. */
+    /** The crossover of the leak rate at the smallest slip, and of what the theory says
+     *  at the same steps; not numbers where too little is known. */
+    double crossover() const;
     double theory_crossover() const;
 
     /** The local slopes of each quantity, and its fit over all steps that are trusted,
@@ -99,16 +87,34 @@ namespace strait
     std::vector<FitRow> fits(Log &log) const;
 
   private:
+    enum Quantity
+    {
+      leak_rate,
+      throat_gap,
+      throat_length,
+      throat_width,
+      theory_leak_rate,
+      n_quantities
+    };
+
+    /** What a step contributes. Values that are not positive are not known. */
+    struct Sample
+    {
+      double                           slip_length  = 0.;
+      double                           reduced_load = 0.;
+      bool                             is_trusted   = false;
+      std::array<double, n_quantities> values       = {};
+    };
+
     /** The known values of a quantity at one slip length, in the order of the steps. */
-    std::vector<ScalingPoint> series(double ScalingStep::*quantity,
-                                     double               slip_length,
-                                     bool                 only_trusted = false) const;
+    std::vector<ScalingPoint>
+    series(Quantity quantity, double slip_length, bool only_trusted = false) const;
 
     /** The smallest slip at which a quantity is known; not a number if it never is. */
-    double smallest_slip(double ScalingStep::*quantity) const;
+    double smallest_slip(Quantity quantity) const;
 
-    double                   largest;
-    std::vector<ScalingStep> steps;
+    double              largest;
+    std::vector<Sample> samples;
   };
 } // namespace strait
 

@@ -20,32 +20,15 @@
  *  units, and what they mean, is said here and nowhere else. */
 namespace strait
 {
-  /** threshold.csv: one row for each slip length. */
-  Table<Threshold> threshold_table(const Scene &scene);
-
-  /** constrictions.csv: where the pressure drops at each step that leaks. */
-  Table<Step> constriction_table(const Scene &scene);
-
-  /** fit.csv: exponents against 1 − L/L_c. */
-  Table<FitRow> fit_table(const Scene &scene);
-
-  /** blow_out.csv: one row for each load. */
-  Table<BlowOut> blow_out_table(const Scene &scene);
-
-  /** jumps.csv: one row for each jump. */
-  Table<Jump> jump_table(const Scene &scene);
-
-  /** relaxation-STEP.csv: one row for each iteration. */
+  Table<Threshold>      threshold_table(const Scene &scene);
+  Table<Step>           constriction_table(const Scene &scene); // of steps that leak
+  Table<FitRow>         fit_table(const Scene &scene);
+  Table<BlowOut>        blow_out_table(const Scene &scene);
+  Table<Jump>           jump_table(const Scene &scene);
   Table<RelaxationStep> relaxation_table(const Scene &scene);
-
-  /** ensemble.csv: one row for each realisation. */
   Table<RealisationRow> ensemble_table(const Scene &scene);
-
-  /** ensemble_summary.csv: one row for each quantity. */
-  Table<ScatterRow> ensemble_summary_table(const Scene &scene);
-
-  /** spectrum.csv: one row for each ring of wave vectors. */
-  Table<SpectrumRow> spectrum_table(const Scene &scene);
+  Table<ScatterRow>     ensemble_summary_table(const Scene &scene);
+  Table<SpectrumRow>    spectrum_table(const Scene &scene);
 
   /** What all tables hold, leakage.csv first. */
   std::vector<TableInfo> all_tables(const Scene &scene);

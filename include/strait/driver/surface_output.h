@@ -10,11 +10,10 @@
 namespace strait
 {
   /** A row of spectrum.csv. */
-  struct SpectrumRow
+  struct SpectrumRow : SpectrumBin
   {
-    SpectrumBin bin;
-    double      wavelength = 0.;
-    double      law        = 0.; // density of the self-affine law that fits best
+    double wavelength = 0.;
+    double law        = 0.; // density of the self-affine law that fits best
   };
 
   /**
