@@ -7,6 +7,7 @@
 #include <strait/base/scene.h>
 #include <strait/base/signals.h>
 #include <strait/driver/ensemble.h>
+#include <strait/driver/result_tables.h>
 #include <strait/driver/simulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -21,12 +22,15 @@ namespace
     using namespace strait;
     const CommandLine command = parse_command_line(argc, argv);
     const bool on_root = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-    if (command.help || command.version || !command.parameters_format.empty())
+    if (command.help || command.version || !command.parameters_format.empty() ||
+        !command.columns_format.empty())
       {
         if (on_root && command.help)
           std::cout << help_text();
         else if (on_root && command.version)
           std::cout << "strait " << version() << std::endl;
+        else if (on_root && !command.columns_format.empty())
+          print_columns(std::cout, command.columns_format);
         else if (on_root)
           print_parameters(std::cout, command.parameters_format);
         return 0;

@@ -4,6 +4,7 @@
 
     check_manual.py commands PROJECT PROGRAM FOLDER
     check_manual.py parameters PROJECT PROGRAM       is doc/parameters.md up to date?
+    check_manual.py columns PROJECT PROGRAM          are the tables of doc/results.md?
 
 A block of commands is fenced with ```sh, and a comment before it says what to do with it:
 
@@ -161,12 +162,17 @@ def check_commands(project, program, folder):
     return problems
 
 
+def printed_by(program, option):
+    """The lines of a reference that the program prints."""
+    return subprocess.run([program, option, "md"], text=True, check=True,
+                          stdout=subprocess.PIPE).stdout.splitlines()
+
+
 def check_parameters(project, program):
     page = project / "doc" / "parameters.md"
-    printed = subprocess.run([program, "--parameters", "md"], text=True, check=True,
-                             stdout=subprocess.PIPE).stdout
     difference = list(difflib.unified_diff(page.read_text("utf-8").splitlines(),
-                                           printed.splitlines(), "doc/parameters.md",
+                                           printed_by(program, "--parameters"),
+                                           "doc/parameters.md",
                                            "strait --parameters md", n=0, lineterm=""))
     if difference:
         print("\n".join(difference))
@@ -174,12 +180,30 @@ def check_parameters(project, program):
     return difference
 
 
+def check_columns(project, program):
+    """Each section that is printed stands in the page, at the begin of its own there."""
+    page = (project / "doc" / "results.md").read_text("utf-8").splitlines()
+    printed = printed_by(program, "--columns")
+    begins = [k for k, line in enumerate(printed) if line.startswith("## ")]
+    problems = [] if begins else ["strait --columns md prints no table"]
+    for begin, end in zip(begins, begins[1:] + [len(printed)]):
+        section = printed[begin:end]
+        at = page.index(section[0]) if section[0] in page else len(page)
+        problems += difflib.unified_diff(page[at:at + len(section)], section, "doc/results.md",
+                                         "strait --columns md", n=0, lineterm="")
+    if problems:
+        print("\n".join(problems))
+        print("Bring the tables up to date from: tools/run --columns md")
+    return problems
+
+
 def main():
     what, project, program, *folder = sys.argv[1:]
     project, program = Path(project).resolve(), Path(program).resolve()
-    if what == "parameters":
-        return 1 if check_parameters(project, program) else 0
-    return 1 if check_commands(project, program, Path(folder[0]).resolve()) else 0
+    if what == "commands":
+        return 1 if check_commands(project, program, Path(folder[0]).resolve()) else 0
+    check = {"parameters": check_parameters, "columns": check_columns}[what]
+    return 1 if check(project, program) else 0
 
 
 if __name__ == "__main__":

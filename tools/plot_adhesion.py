@@ -14,7 +14,8 @@ import h5py
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import BLUE, COLOURS, UNCERTAIN, VERMILLION, read_table, use_style
+from plot_common import BLUE, COLOURS, UNCERTAIN, VERMILLION, use_style
+from strait_results import read_table
 
 
 def draw_leakage(runs):

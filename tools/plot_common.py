@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the pictures of a run have in common: style, numbers and units, tables."""
-import csv
+"""What the pictures of a run have in common: style, numbers and units."""
 import json
 
 import matplotlib
@@ -12,7 +11,6 @@ STYLE = {"font.size": 10, "xtick.labelsize": 9, "ytick.labelsize": 9, "legend.fo
 BLUE, VERMILLION, GREEN = "#0072b2", "#d55e00", "#009e73"  # Okabe and Ito
 RED = "#cc0000"  # theory, as in the paper
 COLOURS = (BLUE, GREEN, "#cc79a7", "#e69f00", "#56b4e9", "#000000")
-TEXT_COLUMNS = ("branch", "status", "quantity", "kind", "orientation")
 UNCERTAIN = ("unresolved-throat", "uncertain-threshold")  # converged, but not the last word
 
 
@@ -51,19 +49,3 @@ def read_units(folder):
         return {name: str(unit) for name, unit in units.items() if unit}
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return {}
-
-
-def read_table(path):
-    """The columns of a table: TEXT_COLUMNS as text, the others as numbers or NaN."""
-    def entry(name, text):
-        if name in TEXT_COLUMNS:
-            return (text or "").strip()
-        try:
-            return float(text)
-        except (TypeError, ValueError):
-            return np.nan
-
-    with open(path, newline="", encoding="utf-8", errors="replace") as file:
-        rows = list(csv.DictReader(file, skipinitialspace=True))
-    return {name: np.array([entry(name, row[name]) for row in rows])
-            for name in (rows[0] if rows else {}) if name}

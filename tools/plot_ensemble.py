@@ -9,8 +9,8 @@ import sys
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, read_table,
-                         with_unit)
+from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, with_unit)
+from strait_results import read_table
 
 LARGEST_SUPERPOSED = 0.3
 QUANTITIES = (("critical_load", "Critical load", "pressure"),

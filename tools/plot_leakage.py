@@ -5,9 +5,10 @@ import sys
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import (COLOURS, GREEN, VERMILLION, is_trusted, is_uncertain, read_table,
-                         scientific, with_unit)
+from plot_common import (COLOURS, GREEN, VERMILLION, is_trusted, is_uncertain, scientific,
+                         with_unit)
 from plot_theory import draw_theory
+from strait_results import read_table
 
 
 def column(table, name, default):

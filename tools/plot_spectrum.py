@@ -3,7 +3,8 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import BLUE, VERMILLION, read_table
+from plot_common import BLUE, VERMILLION
+from strait_results import read_table
 
 
 def draw_spectrum(path, units):

@@ -15,7 +15,8 @@ import sys
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import COLOURS, RED, read_table, scientific, use_style
+from plot_common import COLOURS, RED, scientific, use_style
+from strait_results import read_table
 
 
 def draw_theory(axes, table, x, name="theory_leak_rate", label="theory"):

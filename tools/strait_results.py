@@ -6,7 +6,7 @@
     run = Run("output/quickstart")
     run.table["leak_rate"]            # one array a column of leakage.csv
     run.unit("leak_rate")             # "m³/s"; "" if the scene states no units
-    run.csv("spectrum.csv")           # any other table of the folder
+    run.csv("fit.csv")                # any other table of the folder, units likewise
     run.fields(4)["gap"]              # fields-4.h5: gap, pressure, labels of shape (ny, nx)
     run.picture(4)["fluid_pressure"]  # picture-4.h5: the same thinned out, with the flow
 
@@ -22,11 +22,27 @@ import sys
 import numpy as np
 
 
-def _column(texts):
+def _number(text):
     try:
-        return np.array([float(text) for text in texts])
+        return float(text)
     except ValueError:
+        return None
+
+
+def _column(texts):
+    numbers = [_number(text) for text in texts]
+    if any(texts) and all(number is None for number in numbers):
         return np.array(texts)
+    return np.array([np.nan if number is None else number for number in numbers])
+
+
+def read_table(path):
+    """The columns of a table: texts where there are some and no number, else numbers or NaN."""
+    with open(path, newline="", encoding="utf-8", errors="replace") as file:
+        reader = csv.DictReader(file, skipinitialspace=True)
+        names, rows = reader.fieldnames or [], list(reader)
+    return {name: _column([(row[name] or "").strip() for row in rows])
+            for name in names if name}
 
 
 class Run:
@@ -40,14 +56,11 @@ class Run:
         self.record = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
 
     def csv(self, name):
-        """The columns of a table: numbers where all entries are, else texts."""
-        with open(self.folder / name, newline="", encoding="utf-8") as file:
-            rows = list(csv.reader(file, skipinitialspace=True))
-        return {column: _column([row[k] for row in rows[1:]])
-                for k, column in enumerate(rows[0])}
+        """The columns of a table by their names."""
+        return read_table(self.folder / name)
 
     def unit(self, column):
-        """The unit of a column of leakage.csv, empty where the scene states none."""
+        """The unit of a column of any table, empty of texts and where the scene states none."""
         return self.record.get("column_units", {}).get(column, "")
 
     def fields(self, step):

@@ -12,6 +12,7 @@ namespace strait
                                               "--resume",
                                               "--dry-run",
                                               "--parameters",
+                                              "--columns",
                                               "--quiet",
                                               "--version",
                                               "--help"};
@@ -139,13 +140,16 @@ namespace strait
         }
       else if (arguments.name == "--parameters")
         command.parameters_format = arguments.optional_value({"prm", "md"}, "prm");
+      else if (arguments.name == "--columns")
+        command.columns_format = arguments.optional_value({"md"}, "md");
       else
         take_flag(command, arguments);
 
     if (!output.empty())
       command.overrides.push_back("Output/Directory=" + output);
-    const bool needs_scene =
-      !command.help && !command.version && command.parameters_format.empty();
+    const bool needs_scene = !command.help && !command.version &&
+                             command.parameters_format.empty() &&
+                             command.columns_format.empty();
     if (needs_scene && command.scene.empty())
       throw InputError("No scene was given; try 'strait SCENE.prm' or 'strait --help'.");
     return command;
@@ -166,6 +170,8 @@ namespace strait
                                     active effects; compute nothing
   --parameters [prm|md]             print all parameters with defaults, units and
                                     meaning
+  --columns [md]                    print all tables of results with the units and
+                                    meaning of their columns
   --quiet                           nothing on the screen but errors
   --version
   --help

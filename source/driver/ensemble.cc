@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/base/csv_file.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/signals.h>
 #include <strait/driver/ensemble.h>
 #include <strait/driver/output_directory.h>
+#include <strait/driver/result_tables.h>
 #include <strait/driver/run_state.h>
 #include <strait/driver/simulation.h>
 
 #include <cmath>
 #include <filesystem>
-#include <map>
+#include <functional>
 #include <vector>
 
 namespace strait
@@ -58,93 +58,61 @@ namespace strait
               "Output/Directory=" + directory};
     }
 
-    /** Mean and standard deviation of what a quantity was in each realisation. */
-    class Scatter
-    {
-    public:
-      void
-      add(const std::string &quantity, const double value)
-      {
-        if (std::isfinite(value))
-          values[quantity].push_back(value);
-      }
-
-      void
-      write(const std::string &path) const
-      {
-        CsvFile file;
-        file.open(path, {"quantity", "mean", "standard_deviation", "samples"});
-        for (const auto &[quantity, samples] : values)
-          {
-            const auto n    = static_cast<double>(samples.size());
-            double     mean = 0, square = 0;
-            for (const double value : samples)
-              mean += value / n;
-            for (const double value : samples)
-              square += (value - mean) * (value - mean);
-            file.append({quantity,
-                         full_precision(mean),
-                         full_precision(n > 1 ? std::sqrt(square / (n - 1)) : 0.),
-                         std::to_string(samples.size())});
-          }
-      }
-
-    private:
-      std::map<std::string, std::vector<double>> values;
-    };
-
-    /** The columns of ensemble.csv; that of the theory stands before the last. */
-    const std::vector<std::string> ensemble_columns = {"realisation",
-                                                       "seed",
-                                                       "orientation",
-                                                       "critical_load_lower",
-                                                       "critical_load_upper",
-                                                       "contact_area",
-                                                       "crossover_load",
-                                                       "exponent",
-                                                       "exponent_error",
-                                                       "status"};
-    const std::string              theory_column    = "theory_crossover_load";
-
-    /** The row of one realisation; its numbers are added to @p scatter. */
-    std::vector<std::string>
-    ensemble_row(const int          number,
-                 const Realisation &realisation,
-                 const bool         with_theory,
-                 const RunSummary  &run,
-                 const std::string &status,
-                 Scatter           &scatter)
+    RealisationRow
+    row_of(const std::size_t  number,
+           const Realisation &realisation,
+           const RunSummary  &run,
+           const std::string &status)
     {
       Transition threshold;
       threshold.lower = threshold.upper = threshold.contact_area = std::nan("");
       if (!run.thresholds.empty())
         threshold = run.thresholds.front();
-      const double crossover = (1 - run.crossover) * threshold.middle();
-      const double exponent =
-        run.exponent.n_points < 2 ? std::nan("") : run.exponent.exponent;
-      scatter.add("critical_load", threshold.middle());
-      scatter.add("contact_area", threshold.contact_area);
-      scatter.add("crossover_load", crossover);
-      scatter.add("crossover_reduced_load", run.crossover);
-      scatter.add("exponent", exponent);
-      std::vector<std::string> row = {std::to_string(number),
-                                      std::to_string(realisation.seed),
-                                      name_of(realisation.orientation),
-                                      full_precision(threshold.lower),
-                                      full_precision(threshold.upper),
-                                      full_precision(threshold.contact_area),
-                                      full_precision(crossover),
-                                      full_precision(exponent),
-                                      full_precision(run.exponent.error),
-                                      status};
-      if (with_theory)
-        {
-          const double load = (1 - run.theory_crossover) * threshold.middle();
-          scatter.add(theory_column, load);
-          row.insert(row.end() - 1, full_precision(load));
-        }
-      return row;
+      const double load = threshold.middle();
+      return {static_cast<int>(number),
+              realisation.seed,
+              name_of(realisation.orientation),
+              threshold.lower,
+              threshold.upper,
+              threshold.contact_area,
+              (1 - run.crossover) * load,
+              std::isnan(load) ? load : run.crossover,
+              (1 - run.theory_crossover) * load,
+              run.exponent.n_points < 2 ? std::nan("") : run.exponent.exponent,
+              run.exponent.error,
+              status};
     }
+
+    /** Mean and standard deviation of all quantities that any realisation knows. */
+    std::vector<ScatterRow>
+    scatter_of(const std::vector<RealisationRow> &realisations)
+    {
+      using Row = RealisationRow;
+      std::vector<ScatterRow> rows;
+      const auto              add = [&](const char *quantity, const auto value) {
+        std::vector<double> samples;
+        for (const Row &row : realisations)
+          if (std::isfinite(std::invoke(value, row)))
+            samples.push_back(std::invoke(value, row));
+        const auto n    = static_cast<double>(samples.size());
+        double     mean = 0, square = 0;
+        for (const double sample : samples)
+          mean += sample / n;
+        for (const double sample : samples)
+          square += (sample - mean) * (sample - mean);
+        if (n > 0)
+          rows.push_back(
+            {quantity, mean, n > 1 ? std::sqrt(square / (n - 1)) : 0., samples.size()});
+      };
+      add("contact_area", &Row::contact_area);
+      add("critical_load", [](const Row &row) { return .5 * (row.lower + row.upper); });
+      add("crossover_load", &Row::crossover_load);
+      add("crossover_reduced_load", &Row::crossover_reduced_load);
+      add("exponent", &Row::exponent);
+      add("theory_crossover_load", &Row::theory_crossover_load);
+      return rows;
+    }
+
     /** The same on all ranks. */
     bool
     has_checkpoint(const Scene &scene)
@@ -184,35 +152,30 @@ namespace strait
         return run.converged;
       }
 
-    const std::vector<Realisation> realisations = list_realisations(scene);
-    const std::string              folder       = scene.output.directory;
-    const RunState                 state(scene, MPI_COMM_WORLD, resume);
+    const std::string folder = scene.output.directory;
+    const RunState    state(scene, MPI_COMM_WORLD, resume);
     if (!resume)
       prepare_directory(folder, MPI_COMM_WORLD);
     log.attach_file(folder + "/log.txt", resume);
     state.save_end({}); // that it is these realisations
-    std::vector<std::string> columns = ensemble_columns;
-    if (scene.theory.enabled)
-      columns.insert(columns.end() - 1, theory_column);
-    CsvFile table;
+    Table<RealisationRow> table = ensemble_table(scene);
     run_on_root(MPI_COMM_WORLD, [&]() {
-      table.open(folder + "/ensemble.csv", columns);
+      table.open(folder + "/ensemble.csv");
       write_text(folder + "/parameters.prm", scene.resolved);
     });
 
-    bool    all_converged = true;
-    Scatter scatter;
-    for (std::size_t k = 0; k < realisations.size(); ++k)
+    bool                           all_converged = true;
+    const std::vector<Realisation> realisations  = list_realisations(scene);
+    std::vector<RealisationRow>    rows;
+    for (const Realisation &realisation : realisations)
       {
-        const auto number = static_cast<int>(k) + 1;
-        log.line("realisation " + std::to_string(number) + " of " +
-                 std::to_string(realisations.size()) + ": seed " +
-                 std::to_string(realisations[k].seed) + ", " +
-                 name_of(realisations[k].orientation));
+        const std::string number = std::to_string(rows.size() + 1);
+        log.line("realisation " + number + " of " + std::to_string(realisations.size()) +
+                 ": seed " + std::to_string(realisation.seed) + ", " +
+                 name_of(realisation.orientation));
         Overrides all = overrides;
         for (const std::string &own :
-             overrides_of(realisations[k],
-                          folder + "/realisation-" + std::to_string(number)))
+             overrides_of(realisation, folder + "/realisation-" + number))
           all.push_back(own);
         const Scene alone = read_scene(path, all);
         Log         own_log(MPI_COMM_WORLD, log.is_quiet());
@@ -232,12 +195,12 @@ namespace strait
           }
         if (run.stopped)
           throw_interruption(scene);
-        all_converged  = all_converged && status == "ok";
-        const auto row = ensemble_row(
-          number, realisations[k], scene.theory.enabled, run, status, scatter);
+        all_converged = all_converged && status == "ok";
+        rows.push_back(row_of(rows.size() + 1, realisation, run, status));
         run_on_root(MPI_COMM_WORLD, [&]() {
-          table.append(row);
-          scatter.write(folder + "/ensemble_summary.csv");
+          table.append(rows.back());
+          ensemble_summary_table(scene).write_rows(folder + "/ensemble_summary.csv",
+                                                   scatter_of(rows));
         });
       }
     if (scene.output.pictures)

@@ -3,13 +3,11 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/json.h>
-#include <strait/driver/adhesion_tables.h>
 #include <strait/driver/error_budget.h>
 #include <strait/driver/field_output.h>
 #include <strait/driver/gap_output.h>
 #include <strait/driver/output_directory.h>
 #include <strait/driver/picture_data.h>
-#include <strait/driver/result_units.h>
 #include <strait/driver/simulation.h>
 
 #include <cstdlib>
@@ -29,20 +27,15 @@ namespace strait
     bool
     is_result(const std::string &name)
     {
-      for (const char *exact : {"leakage.csv",
-                                "leakage.png",
+      static const std::regex number("-[0-9]+\\.");
+      for (const TableInfo &table : all_tables({}))
+        if (std::regex_replace(name, number, "-STEP.") == table.file)
+          return true;
+      for (const char *exact : {"leakage.png",
                                 "gaps.png",
-                                "ensemble.csv",
-                                "ensemble_summary.csv",
                                 "ensemble.png",
-                                "threshold.csv",
-                                "blow_out.csv",
-                                "constrictions.csv",
-                                "fit.csv",
                                 "surface.nc",
-                                "spectrum.csv",
                                 "spectrum.png",
-                                "jumps.csv",
                                 "run.json",
                                 "checkpoint",
                                 "checkpoint.new",
@@ -51,7 +44,7 @@ namespace strait
         if (name == exact)
           return true;
       static const std::regex numbered_file(
-        "(fields|flow|picture)-[0-9]+\\.(h5|xmf|vtu|pvtu|png)|relaxation-[0-9]+\\.csv");
+        "(fields|flow|picture)-[0-9]+\\.(h5|xmf|vtu|pvtu|png)");
       return std::regex_match(name, numbered_file);
     }
 
@@ -74,17 +67,20 @@ namespace strait
       result.set("length", units.length)
         .set("pressure", units.pressure)
         .set("time", units.time)
-        .set("leak_rate", unit_of_column("leak_rate", units))
-        .set("current", units.length + "²/" + units.time);
+        .set("leak_rate", in_units_of("length³/time", units))
+        .set("current", in_units_of("length²/time", units));
       return result;
     }
 
+    /** Those of all tables of a run; a name has the same unit wherever it stands. */
     Json
-    units_of_columns(const std::vector<std::string> &names, const UnitParameters &units)
+    units_of_columns(const Scene &scene)
     {
       Json result = Json::object();
-      for (const std::string &name : names)
-        result.set(name, unit_of_column(name, units));
+      for (const TableInfo &table : all_tables(scene))
+        for (const ColumnInfo &column : table.columns)
+          if (column.is_written)
+            result.set(column.name, in_units_of(column.unit, scene.units));
       return result;
     }
 
@@ -160,7 +156,8 @@ namespace strait
     , comm(comm_)
     , log(log_)
     , path(scene.output.directory)
-    , table(scene)
+    , table(leakage_table(scene))
+    , constrictions(constriction_table(scene))
     , scaling(scene.programme.largest_fitted)
   {
     if (!resumed)
@@ -209,7 +206,7 @@ namespace strait
   OutputDirectory::write(const std::vector<Transition> &thresholds)
   {
     run_on_root(comm, [&]() {
-      write_thresholds(path + "/threshold.csv", thresholds, grid_of(scene));
+      threshold_table(scene).write_rows(path + "/threshold.csv", thresholds);
     });
   }
 
@@ -217,7 +214,7 @@ namespace strait
   OutputDirectory::write(const std::vector<BlowOut> &blow_outs)
   {
     run_on_root(comm, [&]() {
-      write_blow_outs(path + "/blow_out.csv", blow_outs, grid_of(scene));
+      blow_out_table(scene).write_rows(path + "/blow_out.csv", blow_outs);
     });
   }
 
@@ -225,7 +222,8 @@ namespace strait
   OutputDirectory::write(const std::vector<Jump> &jumps)
   {
     if (jumps.size() > n_jumps)
-      run_on_root(comm, [&]() { write_jumps(path + "/jumps.csv", jumps); });
+      run_on_root(comm,
+                  [&]() { jump_table(scene).write_rows(path + "/jumps.csv", jumps); });
     n_jumps = jumps.size();
   }
 
@@ -238,9 +236,10 @@ namespace strait
       table.append(step);
       if (step.state.contact && step.state.contact->adhesion &&
           !step.state.contact->adhesion->relaxation.empty())
-        write_relaxation(path + "/relaxation-" + std::to_string(step.number) + ".csv",
-                         step.state.contact->adhesion->relaxation);
-      if (scene.programme.find_threshold)
+        relaxation_table(scene).write_rows(path + "/relaxation-" +
+                                             std::to_string(step.number) + ".csv",
+                                           step.state.contact->adhesion->relaxation);
+      if (step.flow && step.flow->constrictions)
         constrictions.append(step);
     });
     if (scene.programme.find_threshold)
@@ -264,7 +263,11 @@ namespace strait
   OutputDirectory::finish(const Timers &timers, const double bytes_per_point)
   {
     if (scene.programme.find_threshold)
-      scaling.write(path + "/fit.csv", log, comm);
+      {
+        const std::vector<FitRow> fits = scaling.fits(log);
+        run_on_root(comm,
+                    [&]() { fit_table(scene).write_rows(path + "/fit.csv", fits); });
+      }
     run_on_root(comm, [&]() {
       write_record(timers, bytes_per_point);
       if (scene.output.pictures)
@@ -298,7 +301,7 @@ namespace strait
       .set("parameters", scene.resolved);
     if (scene.units.are_complete())
       record.set("units", units_of_plots(scene.units))
-        .set("column_units", units_of_columns(table.column_names(), scene.units));
+        .set("column_units", units_of_columns(scene));
     write_text(path + "/run.json", record.text());
   }
 } // namespace strait

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/base/csv_file.h>
 #include <strait/base/text.h>
+#include <strait/driver/result_tables.h>
 #include <strait/driver/surface_output.h>
 #include <strait/surface/map_writer.h>
-#include <strait/surface/spectrum.h>
 #include <strait/surface/statistics.h>
 
 #include <algorithm>
@@ -46,26 +45,22 @@ namespace strait
     }
 
     void
-    write_spectrum(const std::string &path, const SlabField &heights)
+    write_spectrum(const Scene &scene, const SlabField &heights)
     {
-      const auto   spectrum = radial_spectrum(heights);
-      const auto   fit      = fit_self_affine(spectrum);
-      const double two_pi   = 2 * std::acos(-1.);
+      std::vector<SpectrumRow> rows;
+      const auto               spectrum = radial_spectrum(heights);
+      const auto               fit      = fit_self_affine(spectrum);
+      const double             two_pi   = 2 * std::acos(-1.);
+      for (const SpectrumBin &bin : spectrum)
+        {
+          double law = std::nan("");
+          if (fit && bin.q <= fit->q_to * (1 + 1e-9))
+            law = fit->plateau * std::pow(std::max(bin.q / fit->roll_off, 1.),
+                                          -2 * (1 + fit->hurst_exponent));
+          rows.push_back({{bin}, two_pi / bin.q, law});
+        }
       run_on_root(heights.layout().communicator(), [&]() {
-        CsvFile file;
-        file.open(path, {"wave_number", "wavelength", "density", "modes", "fit"});
-        for (const SpectrumBin &bin : spectrum)
-          {
-            double law = std::nan("");
-            if (fit && bin.q <= fit->q_to * (1 + 1e-9))
-              law = fit->plateau * std::pow(std::max(bin.q / fit->roll_off, 1.),
-                                            -2 * (1 + fit->hurst_exponent));
-            file.append({full_precision(bin.q),
-                         full_precision(two_pi / bin.q),
-                         full_precision(bin.density),
-                         full_precision(bin.modes),
-                         full_precision(law)});
-          }
+        spectrum_table(scene).write_rows(scene.output.directory + "/spectrum.csv", rows);
       });
     }
   } // namespace
@@ -95,6 +90,6 @@ namespace strait
     if (scene.output.surface_map)
       write_netcdf_map(folder + "/surface.nc", heights, scene.units.length);
     if (scene.output.surface_spectrum)
-      write_spectrum(folder + "/spectrum.csv", heights);
+      write_spectrum(scene, heights);
   }
 } // namespace strait

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
 #include <strait/base/units.h>
-#include <strait/driver/result_units.h>
+#include <strait/driver/result_tables.h>
 
 #include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "temporary_folder.h"
 
 namespace
 {
@@ -49,12 +57,58 @@ namespace
 
   TEST(Units, OfColumns)
   {
-    const UnitParameters units{"mm", "MPa", "s"};
-    EXPECT_EQ(unit_of_column("leak_rate", units), "mm³/s");
-    EXPECT_EQ(unit_of_column("worst_constriction_gap", units), "mm");
-    EXPECT_EQ(unit_of_column("pressure", units), "MPa");
-    EXPECT_EQ(unit_of_column("contact_area", units), "1");
-    EXPECT_EQ(unit_of_column("status", units), "");
-    EXPECT_EQ(unit_of_column("leak_rate_mbar_l_per_s", units), "mbar l/s");
+    Scene scene;
+    scene.output.leak_rate_units = {"mbar l/s"};
+    scene.units                  = {"mm", "MPa", "min"};
+    std::map<std::string, std::string> unit;
+    for (const TableInfo &table : all_tables(scene))
+      for (const ColumnInfo &column : table.columns)
+        {
+          // run.json and the readers of tables know a column by its name alone.
+          const std::string own = in_units_of(column.unit, scene.units);
+          EXPECT_EQ(unit.emplace(column.name, own).first->second, own) << column.name;
+        }
+    EXPECT_EQ(unit.at("leak_rate"), "mm³/min");
+    EXPECT_EQ(unit.at("worst_constriction_gap"), "mm");
+    EXPECT_EQ(unit.at("critical_load_lower"), "MPa");
+    EXPECT_EQ(unit.at("contact_area"), "1");
+    EXPECT_EQ(unit.at("status"), "");
+    EXPECT_EQ(unit.at("dissipated_energy"), "MPa mm");
+    EXPECT_EQ(unit.at("contact_seconds"), "s");
+    EXPECT_EQ(unit.at("leak_rate_mbar_l_per_s"), "mbar l/s");
+  }
+
+  TEST(Table, HeaderRowsAndColumnsThatAreAbsent)
+  {
+    struct Row
+    {
+      std::string name;
+      double      value;
+      int         count;
+    };
+    const test::TemporaryFolder folder;
+    const std::string           path = folder.path() + "/table.csv";
+    const auto                  make = [](const bool with_count) {
+      Table<Row> table("table.csv", {}, "");
+      table.add(&Row::name, "name: of a row")
+        .when({"", with_count})
+        .add(&Row::count, "count [1]: how many")
+        .when()
+        .add([](const Row &row) { return row.value / 2; }, "half [length]: of it");
+      return table;
+    };
+    const auto text = [&path]() {
+      std::stringstream all;
+      all << std::ifstream(path).rdbuf();
+      return all.str();
+    };
+    make(true).write_rows(path, {{"a", .2, 3}});
+    EXPECT_EQ(text(), "name,count,half\na,3,0.10000000000000001\n");
+    auto table = make(false);
+    table.write_rows(path, {{"a", 1., 3}});
+    table.append({"b", 2., 4});
+    make(false).reopen(path);
+    EXPECT_EQ(text(), "name,half\na,0.5\nb,1\n");
+    EXPECT_THROW(make(true).open(folder.path() + "/none/table.csv"), ComputationError);
   }
 } // namespace

@@ -160,7 +160,7 @@ class Leakage(PlotTest):
         """What a panel's function draws of a table."""
         self.write_table(*lines)
         axes = Figure().subplots()
-        draw(axes, plot_common.read_table(self.folder / "leakage.csv"), {}, fits)
+        draw(axes, plot_leakage.read_table(self.folder / "leakage.csv"), {}, fits)
         return axes
 
     def test_each_slip_length_has_a_line(self):
@@ -429,7 +429,7 @@ class Ensemble(PlotTest):
     def test_samples(self):
         self.write_ensemble("1,1,as is,0.2,0.3,0.4,0.2,nan,nan,ok",
                             "2,2,rotated,nan,nan,nan,nan,nan,nan,threshold-not-found")
-        table = plot_common.read_table(self.folder / "ensemble.csv")
+        table = plot_leakage.read_table(self.folder / "ensemble.csv")
         self.assertEqual(list(plot_ensemble.samples(table, "critical_load")), [0.25])
         self.assertEqual(list(plot_ensemble.samples(table, "crossover")), [0.8])
 

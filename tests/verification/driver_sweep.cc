@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From a scene to leak rates: numbers of the isolated saddle, and effects that are
 // off.
-#include <strait/driver/result_table.h>
+#include <strait/driver/leakage_table.h>
 
 #include <gtest/gtest.h>
 
@@ -79,7 +79,11 @@ namespace strait
     std::vector<std::string>
     columns(const Scene &scene)
     {
-      return ResultTable(scene).column_names();
+      std::vector<std::string> names;
+      for (const ColumnInfo &column : leakage_table(scene).info().columns)
+        if (column.is_written)
+          names.push_back(column.name);
+      return names;
     }
 
     bool

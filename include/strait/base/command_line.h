@@ -13,6 +13,7 @@ namespace strait
     std::string              scene;     // empty only if no scene is needed
     std::vector<std::string> overrides; // "Section/Parameter=value"; --output is the last
     std::string              parameters_format; // "prm" or "md" if --parameters was given
+    std::string              columns_format;    // "md" if --columns was given
     bool                     resume  = false;
     bool                     dry_run = false;
     bool                     quiet   = false;

@@ -5,10 +5,9 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
-#include <strait/driver/result_table.h>
+#include <strait/driver/leakage_table.h>
+#include <strait/driver/result_tables.h>
 #include <strait/driver/step.h>
-#include <strait/driver/threshold_tables.h>
-#include <strait/seal/path.h>
 
 #include <string>
 #include <vector>
@@ -64,7 +63,7 @@ namespace strait
     void finish(const Timers &timers, double bytes_per_point);
 
     /** What is known of exponents so far. */
-    const ScalingTable &
+    const Scaling &
     exponents() const
     {
       return scaling;
@@ -73,14 +72,13 @@ namespace strait
   private:
     void write_record(const Timers &timers, double bytes_per_point) const;
 
-    const Scene      &scene;
-    MPI_Comm          comm;
-    Log              &log;
-    std::string       path;
-    ResultTable       table;
-    ConstrictionTable constrictions;
-    ScalingTable      scaling;
-    std::size_t       n_jumps = 0; // written
+    const Scene &scene;
+    MPI_Comm     comm;
+    Log         &log;
+    std::string  path;
+    Table<Step>  table, constrictions;
+    Scaling      scaling;
+    std::size_t  n_jumps = 0; // written
 
     std::vector<std::string> error_budget; // JSON, of the steps so far
   };

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_driver_result_units_h
-#define strait_driver_result_units_h
+#ifndef strait_driver_leakage_table_h
+#define strait_driver_leakage_table_h
 
-#include <strait/base/fluid_parameters.h>
-#include <strait/base/unit_parameters.h>
+#include <strait/base/scene.h>
+#include <strait/base/table.h>
 #include <strait/base/units.h>
-
-#include <string>
+#include <strait/driver/step.h>
 
 namespace strait
 {
-  /**
-   * The unit of a column of leakage.csv, in the scene's units: "m³/s", "1" for plain
-   * numbers, empty for text.
-   */
-  std::string unit_of_column(const std::string &column, const UnitParameters &units);
+  /** The table leakage.csv, with the columns of the effects that @p scene enables. */
+  Table<Step> leakage_table(const Scene &scene);
 
   /**
    * What a leak rate in the scene's units is in @p unit. A throughput is that rate

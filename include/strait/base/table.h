@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_table_h
+#define strait_base_table_h
+
+#include <fstream>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace strait
+{
+  struct UnitParameters;
+
+  /** When a table or a column is written. */
+  struct Condition
+  {
+    std::string text;         // "with `Theory/Enabled`"; empty: nothing needs to be said
+    bool        holds = true; // for the scene at hand
+  };
+
+  /** What a column of a table holds. */
+  struct ColumnInfo
+  {
+    std::string name;
+    std::string unit;       // in terms of length, pressure and time; "1"; empty: a text
+    std::string definition; // Markdown
+    bool        is_written;
+  };
+
+  /** What a table holds. */
+  struct TableInfo
+  {
+    std::string             file;       // STEP stands for the number of a step
+    std::string             definition; // Markdown
+    std::vector<ColumnInfo> columns;    // in their order, those not written as well
+  };
+
+  /** "length³/time" in a scene's units: "m³/s". */
+  std::string in_units_of(const std::string &unit, const UnitParameters &units);
+
+  /** Print a heading, what the table is, and its columns. */
+  void print_markdown(std::ostream &out, const TableInfo &table);
+
+  /**
+   * A file of comma-separated values whose rows are on the disk as soon as they are
+   * appended. For one rank only, but for info(). All functions throw ComputationError if
+   * the file cannot be written; then the table ends with the row before.
+   */
+  class TableFile
+  {
+  public:
+    TableFile(const std::string &file,
+              const Condition   &condition,
+              const std::string &definition);
+
+    const TableInfo &
+    info() const
+    {
+      return about;
+    }
+
+    /** Write the header line to the file @p path. */
+    void open(const std::string &path);
+
+    /** Continue the table in the file @p path. */
+    void reopen(const std::string &path);
+
+  protected:
+    /** Note a column "name [unit]: definition", or "name: definition" of texts. */
+    void declare(const std::string &text);
+
+    /** Write a line with one entry for each of the columns that are written. */
+    void write(const std::vector<std::string> &entries);
+
+    Condition of_table, of_columns;
+
+  private:
+    void throw_if_bad() const;
+
+    TableInfo     about;
+    std::string   file_name;
+    std::ofstream file;
+  };
+
+  /** A number with all its digits, as it is written to tables. */
+  std::string full_precision(double value);
+
+  /** A table whose columns take their entries from a @p Row. */
+  template <typename Row>
+  class Table : public TableFile
+  {
+  public:
+    using TableFile::TableFile;
+
+    /** The columns that are added from now on are written only where @p condition
+     *  holds. */
+    Table &
+    when(const Condition &condition = {})
+    {
+      of_columns = condition;
+      return *this;
+    }
+
+    /**
+     * Add a column. @p value is a member of a row or a function of it, a number or a
+     * text.
+     * @p text is "name [unit]: definition" with a unit in terms of length, pressure and
+     * time, 1 for plain numbers, or "name: definition" of texts.
+     */
+    template <typename Value>
+    Table &
+    add(Value value, const std::string &text)
+    {
+      declare(text);
+      values.push_back([value](const Row &row) {
+        using Entry       = std::decay_t<decltype(std::invoke(value, row))>;
+        const Entry entry = std::invoke(value, row);
+        if constexpr (std::is_floating_point_v<Entry>)
+          return full_precision(entry);
+        else if constexpr (std::is_integral_v<Entry>)
+          return std::to_string(entry);
+        else
+          return std::string(entry);
+      });
+      return *this;
+    }
+
+    /** Write a row. */
+    void
+    append(const Row &row)
+    {
+      std::vector<std::string> entries;
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (info().columns[k].is_written)
+          entries.push_back(values[k](row));
+      write(entries);
+    }
+
+    /** Write a whole table to the file @p path. */
+    void
+    write_rows(const std::string &path, const std::vector<Row> &rows)
+    {
+      open(path);
+      for (const Row &row : rows)
+        append(row);
+    }
+
+  private:
+    std::vector<std::function<std::string(const Row &)>> values; // of all columns
+  };
+} // namespace strait
+
+#endif

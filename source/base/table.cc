@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/base/table.h>
+#include <strait/base/text.h>
+#include <strait/base/unit_parameters.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <ostream>
+#include <system_error>
+
+namespace strait
+{
+  std::string
+  in_units_of(const std::string &unit, const UnitParameters &units)
+  {
+    std::string result = unit;
+    const auto  put    = [&result](const std::string &quantity, const std::string &own) {
+      const auto at = result.find(quantity);
+      if (at != std::string::npos)
+        result.replace(at, quantity.size(), own);
+    };
+    put("length", units.length);
+    put("pressure", units.pressure);
+    put("time", units.time);
+    return result;
+  }
+
+  void
+  print_markdown(std::ostream &out, const TableInfo &table)
+  {
+    out << "## " << table.file << "\n\n"
+        << table.definition << "\n\n| column | unit | definition |\n|---|---|---|\n";
+    for (const ColumnInfo &column : table.columns)
+      out << "| `" << column.name << "` | "
+          << (column.unit.empty() ? "text" : column.unit) << " | " << column.definition
+          << " |\n";
+    out << "\n";
+  }
+
+  std::string
+  full_precision(const double value)
+  {
+    return format("%.17g", value);
+  }
+
+  TableFile::TableFile(const std::string &file_,
+                       const Condition   &condition,
+                       const std::string &definition)
+    : of_table(condition)
+    , about{file_,
+            (condition.text.empty() ? "" : "Written " + condition.text + ". ") +
+              definition,
+            {}}
+  {
+  }
+
+  void
+  TableFile::declare(const std::string &text)
+  {
+    const auto        colon      = text.find(": ");
+    const std::string heading    = text.substr(0, colon),
+                      definition = text.substr(colon + 2);
+    const auto bracket           = heading.find(" [");
+    const bool is_text           = bracket == std::string::npos;
+    about.columns.push_back(
+      {heading.substr(0, bracket),
+       is_text ? "" : heading.substr(bracket + 2, heading.size() - bracket - 3),
+       definition + (of_columns.text.empty() ? "" : "; only " + of_columns.text),
+       of_table.holds && of_columns.holds});
+  }
+
+  void
+  TableFile::open(const std::string &path)
+  {
+    file_name = path;
+    file      = std::ofstream(path);
+    std::vector<std::string> names;
+    for (const ColumnInfo &column : about.columns)
+      if (column.is_written)
+        names.push_back(column.name);
+    write(names);
+  }
+
+  void
+  TableFile::reopen(const std::string &path)
+  {
+    file_name = path;
+    file      = std::ofstream(path, std::ios::app);
+    throw_if_bad();
+  }
+
+  void
+  TableFile::write(const std::vector<std::string> &entries)
+  {
+    std::error_code no_size;
+    const auto      size = std::filesystem::file_size(file_name, no_size);
+    file << join(entries, ",") << std::endl;
+    if (!file && !no_size) // Half a row would be worse than none.
+      {
+        file.close();
+        std::filesystem::resize_file(file_name, size, no_size);
+      }
+    throw_if_bad();
+  }
+
+  void
+  TableFile::throw_if_bad() const
+  {
+    if (!file)
+      throw ComputationError("The table '" + file_name +
+                             "' could not be written; is the disk full?");
+  }
+} // namespace strait
