@@ -228,8 +228,8 @@ namespace
   }
 
   /** All but rigid: the pull on a sphere of R = 1 at the distance d is 2πRγ0 f(d/z0)
-   *  (Derjaguin), Bradley's pull-off force where it touches. Of it the box cuts off less
-   *  than f on its edge. */
+   *  (Derjaguin), which for d → 0 is Bradley's pull-off force. Of it the box cuts off
+   * less than f on its edge. Deformations are 1e-5 here, small against each d. */
   TEST(Adhesion, ARigidSpherePullsAsBradleySaid)
   {
     const double    energy = 1., range = .005, edge = .5 * .25;
@@ -241,7 +241,7 @@ namespace
       adhesive_parameters(1e-9, AdhesionMethod::nonlinear_cg, ContactControl::mean_gap);
     parameters.effective_modulus = 1e7; // a Tabor number of 0.01
     for (const ClosedForm &form : closed_forms)
-      for (const double distance : {1e-8, .002, .01})
+      for (const double distance : {1e-4, .002, .01})
         {
           AdhesiveContactSolver solver(parameters,
                                        {energy, range, form.shape},
