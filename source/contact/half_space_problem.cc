@@ -10,7 +10,7 @@ namespace strait
                                      const double     contact_modulus)
     : GridProblem(heights)
     , half_space(heights.layout_pointer(), contact_modulus)
-    , preconditioner(heights.layout_pointer())
+    , stiffness(TwoScaleOperator::stiffness(heights.layout_pointer()))
   {
   }
 
@@ -31,7 +31,7 @@ namespace strait
   void
   HalfSpaceProblem::precondition(double *values, const Pass &before, const Pass &after)
   {
-    preconditioner.apply(values, by_rows(before), by_rows(after));
+    stiffness.apply(values, by_rows(before), by_rows(after));
   }
 
   double *
@@ -49,7 +49,7 @@ namespace strait
   std::size_t
   HalfSpaceProblem::memory_consumption() const
   {
-    return half_space.memory_consumption() + preconditioner.memory_consumption();
+    return half_space.memory_consumption() + stiffness.memory_consumption();
   }
 
   HalfSpaceGapProblem::HalfSpaceGapProblem(const SlabField   &heights,
@@ -61,10 +61,10 @@ namespace strait
     , unit_stiffness(M_PI * contact_modulus / heights.grid().lx)
     , aspect(heights.grid().lx / heights.grid().ly)
   {
-    if (TwoScaleCompliance::suits(heights.grid()))
-      compliance = std::make_unique<TwoScaleCompliance>(heights.layout_pointer(),
-                                                        contact_modulus,
-                                                        1. / mean_stiffness());
+    if (TwoScaleOperator::suits_compliance(heights.grid()))
+      compliance.emplace(TwoScaleOperator::compliance(heights.layout_pointer(),
+                                                      contact_modulus,
+                                                      1. / mean_stiffness()));
   }
 
   const AdhesionLaw &

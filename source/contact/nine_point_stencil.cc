@@ -9,33 +9,20 @@ namespace strait
 {
   namespace
   {
-    /** Solve the regular 4 × 4 system A x = b by elimination with pivoting. */
+    /** Solve the positive definite 4 × 4 system A x = b by elimination. */
     std::array<double, 4>
     solve(std::array<std::array<double, 4>, 4> a, std::array<double, 4> b)
     {
       for (int k = 0; k < 4; ++k)
-        {
-          int pivot = k;
-          for (int i = k + 1; i < 4; ++i)
-            if (std::abs(a[i][k]) > std::abs(a[pivot][k]))
-              pivot = i;
-          std::swap(a[k], a[pivot]);
-          std::swap(b[k], b[pivot]);
-          for (int i = k + 1; i < 4; ++i)
+        for (int i = 0; i < 4; ++i)
+          if (i != k)
             {
               const double factor = a[i][k] / a[k][k];
               for (int j = k; j < 4; ++j)
                 a[i][j] -= factor * a[k][j];
               b[i] -= factor * b[k];
             }
-        }
-      for (int k = 3; k >= 0; --k)
-        {
-          for (int j = k + 1; j < 4; ++j)
-            b[k] -= a[k][j] * b[j];
-          b[k] /= a[k][k];
-        }
-      return b;
+      return {{b[0] / a[0][0], b[1] / a[1][1], b[2] / a[2][2], b[3] / a[3][3]}};
     }
   } // namespace
 

@@ -5,10 +5,9 @@
 #include <strait/base/collective.h>
 #include <strait/contact/contact_problem.h>
 #include <strait/contact/half_space.h>
-#include <strait/contact/two_scale_compliance.h>
-#include <strait/contact/two_scale_preconditioner.h>
+#include <strait/contact/two_scale_operator.h>
 
-#include <memory>
+#include <optional>
 
 namespace strait
 {
@@ -99,13 +98,13 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    HalfSpace              half_space;
-    TwoScalePreconditioner preconditioner;
+    HalfSpace        half_space;
+    TwoScaleOperator stiffness;
   };
 
   /**
-   * The same with adhesion: K has the symbol E* q / 2. M is a TwoScaleCompliance or,
-   * where the grid does not suit that, exact at the cost of an FFT pair.
+   * The same with adhesion: K has the symbol E* q / 2. M is a TwoScaleOperator
+   * or, where the grid does not suit that, exact at the cost of an FFT pair.
    */
   class HalfSpaceGapProblem : public GridProblem<GapProblem>
   {
@@ -134,7 +133,7 @@ namespace strait
     double            unit_stiffness; // of the wave that fits into the box once along x
     double            aspect;         // lx/ly
 
-    std::unique_ptr<TwoScaleCompliance> compliance; // if the grid suits it
+    std::optional<TwoScaleOperator> compliance; // if the grid suits it
   };
 } // namespace strait
 

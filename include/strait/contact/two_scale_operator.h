@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_two_scale_operator_h
+#define strait_contact_two_scale_operator_h
+
+#include <strait/contact/nine_point_stencil.h>
+#include <strait/spectral/fourier_transform.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * A cheap symmetric stand-in for an operator with the symbol S(|q|): a stencil of
+   * 3 × 3 points, fitted to S, plus a correction of its long waves on a grid of every
+   * fourth point each way. Where nx or ny is not a multiple of 4 or below 32 only the
+   * stencil is used.
+   */
+  class TwoScaleOperator
+  {
+  public:
+    /**
+     * |q| up to a factor, the inverse of a half-space's compliance. The corrections are
+     * constant on boxes of 4 × 4 points: about a tenth of an FFT pair, and within a
+     * factor of 1.6 for all waves. Collective.
+     */
+    static TwoScaleOperator stiffness(const SlabLayoutPtr &layout);
+
+    /**
+     * The compliance 2/(qE*), with E* = @p contact_modulus > 0; a uniform field is
+     * multiplied by @p uniform [length/pressure]. Positive. The corrections are
+     * linear between the coarse points: about a quarter of an FFT pair, and within a
+     * factor of 1.6 on a grid that suits_compliance(). Collective.
+     */
+    static TwoScaleOperator
+    compliance(const SlabLayoutPtr &layout, double contact_modulus, double uniform);
+
+    /** Whether there is a coarse grid and the points are spaced about equally. */
+    static bool suits_compliance(const PeriodicGrid &grid);
+
+    /**
+     * Replace @p values, one a local grid point, by M values. before(row) may still
+     * write the local row, after(row) finds the result there. Collective.
+     */
+    void apply(double                         *values,
+               const std::function<void(int)> &before,
+               const std::function<void(int)> &after);
+
+    /** Bytes on this rank. */
+    std::size_t memory_consumption() const;
+
+  private:
+    /** What a correction is between the coarse points; the way there is the adjoint. */
+    enum class Transfer
+    {
+      constant,
+      linear
+    };
+
+    /** @p symbol is S of the phase |q| √(dx dy) > 0, @p uniform that of a uniform field.
+     */
+    TwoScaleOperator(const SlabLayoutPtr                 &layout,
+                     Transfer                             transfer,
+                     const std::function<double(double)> &symbol,
+                     double                               uniform);
+
+    double  correction(double x, double y, double missing) const;
+    void    restrict_row(const double *values, int row);
+    void    find_corrections();
+    void    expand_row(int row);
+    double *row_above(int row);
+
+    const SlabLayoutPtr    layout;
+    const Transfer         transfer;
+    const NinePointStencil stencil;
+    StencilSweep           sweep;
+
+    std::unique_ptr<FourierTransform> coarse_transform; // null: stencil only
+    std::vector<double>               coarse_symbol;    // ky by kx, both >= 0
+    std::vector<double>               coarse;           // rows of this rank
+    std::vector<int>                  around;    // coarse rows about the fine ones,
+    std::vector<double>               near_rows; // and their values
+    std::vector<double>               coarse_line;
+    std::vector<double>               correction_line;
+  };
+} // namespace strait
+
+#endif

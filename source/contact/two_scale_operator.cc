@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/contact/two_scale_operator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace strait
+{
+  namespace
+  {
+    /** Fine points per coarse one along x and along y. */
+    constexpr int stride = 4;
+
+    double
+    aspect_of(const PeriodicGrid &grid)
+    {
+      return grid.dy() / grid.dx();
+    }
+
+    /** |q| √(dx dy) from the phases per point. */
+    double
+    phase(const double x, const double y, const double aspect)
+    {
+      return std::sqrt(x * x * aspect + y * y / aspect);
+    }
+
+    NinePointStencil
+    fit_to(const std::function<double(double)> &symbol, const double aspect)
+    {
+      // The 0.15 keeps the weight of the longest waves finite, which are corrected later.
+      // Half of it gives them weight that the short waves need, and double that takes the
+      // stencil from waves of 20 to 40 points, of which the corrections are less exact.
+      return fit_stencil([&](const double x, const double y) {
+        return symbol(std::hypot(phase(x, y, aspect), .15));
+      });
+    }
+
+    bool
+    has_coarse_grid(const PeriodicGrid &grid)
+    {
+      return grid.nx % stride == 0 && grid.ny % stride == 0 &&
+             std::min(grid.nx, grid.ny) >= 8 * stride;
+    }
+
+    /** What is left of a wave by a mean over `stride` points. */
+    double
+    mean_of_wave(const double x)
+    {
+      return x == 0 ? 1. : std::sin(stride * x / 2) / (stride * std::sin(x / 2));
+    }
+
+    /** 1 up to the phase @p begin and 0 from @p end, in units of the shortest wave of the
+     *  coarse grid. */
+    double
+    taper(const double theta, const double begin, const double end)
+    {
+      const double s =
+        std::clamp((theta * stride / M_PI - begin) / (end - begin), 0., 1.);
+      return 1 - s * s * (3 - 2 * s);
+    }
+
+    /** The adjoint of fetch_rows(): add row k of @p values to the row rows[k] of the rank
+     *  that owns it, one rank after the other. Collective. */
+    void
+    add_to_owners(const SlabLayout          &layout,
+                  const std::vector<int>    &rows,
+                  const std::vector<double> &values,
+                  double                    *local_rows)
+    {
+      const int           n_ranks = layout.n_ranks(), nx = layout.grid().nx;
+      std::vector<int>    sent(n_ranks), received(n_ranks), from(n_ranks), to(n_ranks);
+      std::vector<double> outgoing; // each row behind its number
+      for (int rank = 0; rank < n_ranks; ++rank)
+        {
+          to[rank] = static_cast<int>(outgoing.size());
+          for (std::size_t k = 0; k < rows.size(); ++k)
+            if (const int row = rows[k] % layout.grid().ny;
+                layout.owner_of_row(row) == rank)
+              {
+                outgoing.push_back(row);
+                outgoing.insert(outgoing.end(), &values[k * nx], &values[k * nx] + nx);
+              }
+          sent[rank] = static_cast<int>(outgoing.size()) - to[rank];
+        }
+      MPI_Comm comm = layout.communicator();
+      MPI_Alltoall(sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, comm);
+      std::partial_sum(received.begin(), received.end() - 1, from.begin() + 1);
+      std::vector<double> incoming(from.back() + received.back());
+      MPI_Alltoallv(outgoing.data(),
+                    sent.data(),
+                    to.data(),
+                    MPI_DOUBLE,
+                    incoming.data(),
+                    received.data(),
+                    from.data(),
+                    MPI_DOUBLE,
+                    comm);
+      for (std::size_t at = 0; at < incoming.size(); at += nx + 1)
+        {
+          const auto row = static_cast<std::size_t>(incoming[at]) - layout.first_row();
+          for (int i = 0; i < nx; ++i)
+            local_rows[row * nx + i] += incoming[at + 1 + i];
+        }
+    }
+  } // namespace
+
+  TwoScaleOperator
+  TwoScaleOperator::stiffness(const SlabLayoutPtr &layout)
+  {
+    return {layout,
+            Transfer::constant,
+            [](const double of_phase) { return of_phase / M_PI; },
+            0.};
+  }
+
+  TwoScaleOperator
+  TwoScaleOperator::compliance(const SlabLayoutPtr &layout,
+                               const double         contact_modulus,
+                               const double         uniform)
+  {
+    const PeriodicGrid &grid = layout->grid();
+    const double        unit = 2 * std::sqrt(grid.dx() * grid.dy()) / contact_modulus;
+    return {layout,
+            Transfer::linear,
+            [unit](const double of_phase) { return unit / of_phase; },
+            uniform};
+  }
+
+  bool
+  TwoScaleOperator::suits_compliance(const PeriodicGrid &grid)
+  {
+    const double aspect = aspect_of(grid);
+    return has_coarse_grid(grid) && std::max(aspect, 1 / aspect) < 1.5;
+  }
+
+  TwoScaleOperator::TwoScaleOperator(const SlabLayoutPtr                 &fine_layout,
+                                     const Transfer                       transfer_,
+                                     const std::function<double(double)> &symbol,
+                                     const double                         uniform)
+    : layout(fine_layout)
+    , transfer(transfer_)
+    , stencil(fit_to(symbol, aspect_of(layout->grid())))
+    , sweep(stencil, layout->grid().nx)
+    , correction_line(layout->grid().nx)
+  {
+    const PeriodicGrid &fine = layout->grid();
+    if (!has_coarse_grid(fine))
+      return;
+    coarse_transform = std::make_unique<FourierTransform>(
+      make_layout({fine.nx / stride, fine.ny / stride, fine.lx, fine.ly},
+                  layout->communicator()));
+    coarse.resize(coarse_transform->layout().n_local_points());
+    coarse_line.resize(fine.nx / stride);
+    if (const int n_rows = layout->n_rows(); n_rows > 0)
+      {
+        const int first = layout->first_row() / stride;
+        const int last  = (layout->first_row() + n_rows - 1) / stride;
+        around.resize(last - first + (transfer == Transfer::linear ? 2 : 1));
+        std::iota(around.begin(), around.end(), first);
+      }
+    near_rows.resize(around.size() * coarse_line.size());
+    for (int ky = 0; 2 * stride * ky <= fine.ny; ++ky)
+      for (int kx = 0; 2 * stride * kx <= fine.nx; ++kx)
+        {
+          const double x = 2 * M_PI / fine.nx * kx, y = 2 * M_PI / fine.ny * ky;
+          const double wanted =
+            kx == 0 && ky == 0 ? uniform : symbol(phase(x, y, aspect_of(fine)));
+          coarse_symbol.push_back(correction(x, y, wanted - stencil.symbol(x, y)));
+        }
+  }
+
+  /** What a wave on the coarse grid is multiplied by, where @p missing is what the
+   *  stencil lacks. The ends of the tapers make the range of M over S narrowest. */
+  double
+  TwoScaleOperator::correction(const double x, const double y, const double missing) const
+  {
+    const double theta = std::hypot(x, y);
+    if (transfer == Transfer::constant)
+      return missing * taper(theta, .5, 1.) / (stride * stride);
+    // Linear interpolation and its adjoint weaken the wave, and M must stay positive.
+    const double weakened = std::pow(mean_of_wave(x) * mean_of_wave(y), 4);
+    return std::max(0., missing) * taper(theta, .25, 1.45) / weakened;
+  }
+
+  void
+  TwoScaleOperator::apply(double                         *values,
+                          const std::function<void(int)> &before,
+                          const std::function<void(int)> &after)
+  {
+    const int  nx = layout->grid().nx, n_rows = layout->n_rows();
+    const auto row_of = [=](const int row) {
+      return values + static_cast<std::size_t>(row) * nx;
+    };
+    std::fill(near_rows.begin(), near_rows.end(), 0.);
+    for (int row = 0; row < n_rows; ++row)
+      {
+        before(row);
+        if (coarse_transform)
+          restrict_row(row_of(row), row);
+      }
+    if (coarse_transform)
+      find_corrections();
+
+    std::vector<int> outside;
+    if (n_rows > 0)
+      outside = {layout->first_row() - 1, layout->first_row() + n_rows};
+    const std::vector<double> beyond = fetch_rows(*layout, values, nx, outside);
+    if (n_rows == 0)
+      return;
+    sweep.begin(beyond.data());
+    for (int row = 0; row < n_rows; ++row)
+      {
+        if (coarse_transform)
+          expand_row(row);
+        sweep.apply(row_of(row),
+                    row + 1 < n_rows ? row_of(row + 1) : beyond.data() + nx,
+                    correction_line.data());
+        after(row);
+      }
+  }
+
+  /** The near row above the local row, or on it. */
+  double *
+  TwoScaleOperator::row_above(const int row)
+  {
+    const int index = (layout->first_row() + row) / stride - around[0];
+    return near_rows.data() + index * coarse_line.size();
+  }
+
+  /** The adjoint of expand_row(). */
+  void
+  TwoScaleOperator::restrict_row(const double *values, const int row)
+  {
+    const auto n     = static_cast<int>(coarse_line.size());
+    double    *above = row_above(row);
+    if (transfer == Transfer::constant)
+      {
+        for (int i = 0; i < n; ++i)
+          above[i] += (values[stride * i] + values[stride * i + 1]) +
+                      (values[stride * i + 2] + values[stride * i + 3]);
+        return;
+      }
+    const double share[] = {4 / 16., 3 / 16., 2 / 16., 1 / 16.};
+    for (int i = 0; i < n; ++i)
+      {
+        const double *left = values + stride * (i > 0 ? i - 1 : n - 1);
+        const double *here = values + stride * i;
+        double        sum  = share[0] * here[0];
+        for (int k = 1; k < stride; ++k)
+          sum += share[k] * (left[stride - k] + here[k]);
+        coarse_line[i] = sum;
+      }
+    const int    k        = (layout->first_row() + row) % stride;
+    const double of_above = share[k], of_below = k > 0 ? share[stride - k] : 0.;
+    for (int i = 0; i < n; ++i)
+      {
+        above[i] += of_above * coarse_line[i];
+        above[n + i] += of_below * coarse_line[i];
+      }
+  }
+
+  /** What is to be added to the stencil's values, on the near rows. */
+  void
+  TwoScaleOperator::find_corrections()
+  {
+    const SlabLayout &slabs = coarse_transform->layout();
+    std::fill(coarse.begin(), coarse.end(), 0.);
+    add_to_owners(slabs, around, near_rows, coarse.data());
+    const int n_waves = slabs.grid().nx / 2 + 1;
+    coarse_transform->multiply(coarse.data(),
+                               coarse.data(),
+                               [this, n_waves](const int kx, const int ky) {
+                                 return coarse_symbol[std::abs(ky) * n_waves + kx];
+                               });
+    near_rows = fetch_rows(slabs, coarse.data(), slabs.grid().nx, around);
+  }
+
+  /** The correction along the local row. */
+  void
+  TwoScaleOperator::expand_row(const int row)
+  {
+    const auto    n     = static_cast<int>(coarse_line.size());
+    const double *above = row_above(row);
+    const int     k     = (layout->first_row() + row) % stride;
+    if (transfer == Transfer::constant)
+      {
+        if (row == 0 || k == 0)
+          for (int i = 0; i < n; ++i)
+            std::fill_n(correction_line.begin() + stride * i, stride, above[i]);
+        return;
+      }
+    const double share = k / static_cast<double>(stride);
+    for (int i = 0; i < n; ++i)
+      coarse_line[i] = (1 - share) * above[i] + share * above[n + i];
+    for (int i = 0; i < n; ++i)
+      {
+        const double here = coarse_line[i],
+                     step = (coarse_line[i + 1 < n ? i + 1 : 0] - here) / stride;
+        for (int j = 0; j < stride; ++j)
+          correction_line[stride * i + j] = here + j * step;
+      }
+  }
+
+  std::size_t
+  TwoScaleOperator::memory_consumption() const
+  {
+    // Rows that are sent or fetched are held twice for a moment.
+    const std::size_t n_values = 2 * near_rows.size() + coarse.size() +
+                                 coarse_symbol.size() + coarse_line.size() +
+                                 correction_line.size();
+    return n_values * sizeof(double) + sweep.memory_consumption() +
+           (coarse_transform ? coarse_transform->memory_consumption() : 0);
+  }
+} // namespace strait
