@@ -2,18 +2,40 @@
 #ifndef strait_base_contact_parameters_h
 #define strait_base_contact_parameters_h
 
-#include <strait/base/adhesion_parameters.h>
-
 #include <array>
 #include <vector>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace strait
 {
+  class ParameterSection;
+
+  /** How the energy with adhesion is minimised. */
+  enum class AdhesionMethod
+  {
+    nonlinear_cg,
+    newton_cg,
+    gfmd
+  };
+
+  /**
+   * The section Contact/Adhesion of a scene: the energy −γ0 exp(−g/z0) per area, in
+   * addition to the hard wall.
+   */
+  struct AdhesionParameters
+  {
+    bool           enabled           = false;
+    double         surface_energy    = 0.; // γ0
+    double         range             = 0.; // z0; or
+    double         tabor_number      = 0.; // sets z0
+    double         matched_pressure  = 0.; // sets γ0; 0: off
+    AdhesionMethod method            = AdhesionMethod::nonlinear_cg;
+    bool           accept_unresolved = false;
+    bool           write_relaxation  = false;
+
+    void bind(ParameterSection section);
+    void check() const;
+  };
+
   /** What is prescribed at each step. */
   enum class ContactControl
   {
@@ -42,9 +64,13 @@ namespace strait
     int                 maximum_iterations = 1000;
     AdhesionParameters  adhesion;
 
-    static void declare(dealii::ParameterHandler &prm);
-    void        parse(dealii::ParameterHandler &prm);
-    void        check() const;
+    void bind(ParameterSection section);
+
+    /**
+     * Where Young's moduli are given, take the effective modulus that follows from them.
+     * Throws InputError where they contradict the other values.
+     */
+    void take_elastic_constants();
   };
 } // namespace strait
 

@@ -3,7 +3,6 @@
 #define strait_driver_result_units_h
 
 #include <strait/base/fluid_parameters.h>
-#include <strait/base/unit_parameters.h>
 #include <strait/base/units.h>
 
 #include <string>
