@@ -43,15 +43,6 @@ namespace strait
   }
 
   double
-  Timers::seconds(const std::string &wanted) const
-  {
-    for (std::size_t node = 1; node < nodes.size(); ++node)
-      if (path(node) == wanted)
-        return nodes[node].seconds;
-    return 0.;
-  }
-
-  double
   Timers::total() const
   {
     return seconds_since(start);

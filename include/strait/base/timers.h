@@ -50,9 +50,6 @@ namespace strait
     /** Time @p name as a part of the innermost part that is being timed. */
     [[nodiscard]] Scope scope(const std::string &name);
 
-    /** Seconds spent in the finished scopes of the part @p path; 0 if none. */
-    double seconds(const std::string &path) const;
-
     /** Wall-clock seconds. */
     static double
     seconds_since(const Clock::time_point start)
