@@ -42,7 +42,6 @@ namespace strait
       std::string path;  // "contact/transforms"
       int         depth; // 0: the whole
       double      seconds;
-      long        calls;
     };
 
     Timers();
@@ -76,7 +75,6 @@ namespace strait
       std::size_t              parent;
       std::vector<std::size_t> children;
       double                   seconds = 0.;
-      long                     calls   = 0;
     };
 
     std::string path(std::size_t node) const;
