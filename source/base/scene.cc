@@ -28,6 +28,48 @@ namespace strait
       return text.str();
     }
 
+    void
+    check_programme(const Scene &scene)
+    {
+      const bool by_load = scene.contact.control == ContactControl::load;
+      if (scene.contact.enabled)
+        for (const double value : scene.programme.pressures)
+          if (!(value > 0.) && !(scene.contact.adhesion.enabled && by_load))
+            throw InputError(
+              "Load programme/Pressures contains " + to_text(value) +
+              (by_load ? ", a load that never makes contact; give positive nominal "
+                         "pressures."
+                       : "; give positive mean gaps (Contact/Control = mean gap)."));
+      if (scene.programme.find_threshold &&
+          (!scene.contact.enabled || !scene.fluid.enabled || !by_load))
+        throw InputError(
+          "Load programme/Find threshold looks for a critical load; it needs "
+          "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
+      if (scene.programme.find_blow_out && (!scene.fluid.feedback.enabled || !by_load))
+        throw InputError(
+          "Load programme/Find blow-out raises the inlet pressure until the "
+          "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
+          "Contact/Control = load.");
+    }
+
+    void
+    check_leak_rate_units(const Scene &scene)
+    {
+      for (const std::string &name : scene.output.leak_rate_units)
+        {
+          if (!scene.units.are_complete())
+            throw InputError(
+              "Output/Leak rate units = " + name +
+              " needs to know the scene's units; set Units/Length, Pressure "
+              "and Time.");
+          if (find_leak_rate_unit(name)->is_throughput && !scene.fluid.is_gas)
+            throw InputError(
+              "Output/Leak rate units = " + name +
+              " is a throughput of gas; set Fluid/State = gas, or choose a "
+              "volume per time.");
+        }
+    }
+
     /** What a run of the theory alone cannot do without. */
     void
     check_theory_alone(const Scene &scene)
@@ -106,21 +148,10 @@ namespace strait
     fluid.check();
     programme.check();
     realisations.check();
+    check_programme(*this);
     check_theory(*this);
+    check_leak_rate_units(*this);
 
-    const bool by_load = contact.control == ContactControl::load;
-    if (contact.enabled)
-      for (const double value : programme.pressures)
-        if (!(value > 0.) && !(contact.adhesion.enabled && by_load))
-          throw InputError(
-            "Load programme/Pressures contains " + to_text(value) +
-            (by_load ? ", a load that never makes contact; give positive nominal "
-                       "pressures."
-                     : "; give positive mean gaps (Contact/Control = mean gap)."));
-    if (programme.find_threshold && (!contact.enabled || !fluid.enabled || !by_load))
-      throw InputError(
-        "Load programme/Find threshold looks for a critical load; it needs "
-        "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
     if (fluid.feedback.enabled && (!contact.enabled || !fluid.enabled))
       throw InputError(
         "Fluid/Wall feedback lets a fluid press on an elastic wall; it "
@@ -129,11 +160,6 @@ namespace strait
       throw InputError(
         "Fluid/Wall feedback and Contact/Adhesion cannot be enabled "
         "together yet; switch one of them off.");
-    if (programme.find_blow_out && (!fluid.feedback.enabled || !by_load))
-      throw InputError(
-        "Load programme/Find blow-out raises the inlet pressure until the "
-        "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
-        "Contact/Control = load.");
     const bool has_mesh = fluid.enabled && !fluid.mesh_file.empty();
     if (has_mesh && output.error_budget)
       throw InputError(
@@ -143,17 +169,6 @@ namespace strait
       throw InputError(
         "Theory/Enabled predicts the leak rate of the whole box and not of Fluid/Mesh; "
         "switch one of them off.");
-    for (const std::string &name : output.leak_rate_units)
-      {
-        if (!units.are_complete())
-          throw InputError("Output/Leak rate units = " + name +
-                           " needs to know the scene's units; set Units/Length, Pressure "
-                           "and Time.");
-        if (find_leak_rate_unit(name)->is_throughput && !fluid.is_gas)
-          throw InputError("Output/Leak rate units = " + name +
-                           " is a throughput of gas; set Fluid/State = gas, or choose a "
-                           "volume per time.");
-      }
     if (!contact.enabled && !fluid.enabled && !theory.enabled)
       throw InputError(
         "Contact/Enabled and Fluid/Enabled are both false, so there is "
