@@ -35,6 +35,7 @@ namespace strait
   class ParameterTable
   {
   public:
+    /** Append a parameter; those of a section must come one after the other. */
     void
     add(Parameter parameter)
     {
@@ -79,6 +80,7 @@ namespace strait
     /** A section within this one. */
     ParameterSection subsection(const std::string &name) const;
 
+    /** Whether or not. */
     void add(const std::string &name, bool &variable, const std::string &documentation);
 
     /** Any text. */

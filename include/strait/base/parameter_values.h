@@ -25,30 +25,35 @@ namespace strait
     double upper      = std::numeric_limits<double>::infinity();
     bool   with_upper = false;
 
+    /** These numbers from @p limit on. */
     constexpr Range
     at_least(const double limit) const
     {
       return {limit, true, upper, with_upper};
     }
 
+    /** Those that exceed @p limit. */
     constexpr Range
     above(const double limit) const
     {
       return {limit, false, upper, with_upper};
     }
 
+    /** Those up to @p limit. */
     constexpr Range
     at_most(const double limit) const
     {
       return {lower, with_lower, limit, true};
     }
 
+    /** Those that fall short of @p limit. */
     constexpr Range
     below(const double limit) const
     {
       return {lower, with_lower, limit, false};
     }
 
+    /** A number as a scene has it. */
     template <typename Number>
     std::string
     text(const Number number) const
@@ -71,6 +76,7 @@ namespace strait
       return true;
     }
 
+    /** "a number above 0 and at most 1" and the like. */
     template <typename Number>
     std::string
     words(const Number &, const bool is_list) const
@@ -83,8 +89,11 @@ namespace strait
     std::string words_for(bool is_integer, bool is_list) const;
   };
 
+  /** All finite numbers. */
   inline constexpr Range any_number{};
-  inline constexpr Range positive     = any_number.above(0.);
+  /** Those above 0. */
+  inline constexpr Range positive = any_number.above(0.);
+  /** Those from 0 on. */
   inline constexpr Range not_negative = any_number.at_least(0.);
 
   /** Values that have names, such as those of an enumeration. */
@@ -107,6 +116,7 @@ namespace strait
       return {};
     }
 
+    /** Find the value called @p text; false if there is none. */
     bool
     read(const std::string &text, Value &value) const
     {
@@ -119,6 +129,7 @@ namespace strait
       return false;
     }
 
+    /** "one of: NAME, NAME". */
     std::string
     words(const Value &, const bool is_list) const
     {
@@ -138,12 +149,14 @@ namespace strait
     std::string                              meaning; // in words
     std::function<bool(const std::string &)> is_allowed;
 
+    /** The text itself, as it is read and written. */
     std::string
     text(const std::string &value) const
     {
       return value;
     }
 
+    /** Take @p text; false if it is not allowed. */
     bool
     read(const std::string &text, std::string &value) const
     {
@@ -151,6 +164,7 @@ namespace strait
       return is_allowed(text);
     }
 
+    /** The meaning. */
     std::string
     words(const std::string &, bool) const
     {
