@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/build_info.h>
+#include <strait/base/collective.h>
 #include <strait/base/command_line.h>
-#include <strait/base/error_exit.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/log.h>
 #include <strait/base/scene.h>

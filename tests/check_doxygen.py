@@ -3,8 +3,8 @@
 """Check that the headers are documented: check_doxygen.py DOXYFILE
 
 Doxygen runs without writing pages; each of its warnings is a failure, but for members whose
-name says it all: fields, aliases, getters, constructors, operators, and declare(), parse(),
-check() of parameters. Status 77 (a skipped test) where doxygen is not installed.
+name says it all: fields, aliases, getters, constructors, operators, and bind(), check()
+of parameters. Status 77 (a skipped test) where doxygen is not installed.
 """
 import re
 import shutil
@@ -26,7 +26,7 @@ def speaks_for_itself(warning):
     if kind != "function" or scope == "namespace":
         return False
     name = signature.split("(")[0]
-    return (name.startswith("operator") or name in ("declare", "parse", "check")
+    return (name.startswith("operator") or name in ("bind", "check")
             or name == scope_name.split("::")[-1]
             or re.search(r"\(\)( const)?( override)?( ?=0)?$", signature) is not None)
 

@@ -2,43 +2,120 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 
+#include <chrono>
+#include <iostream>
 #include <new>
+#include <thread>
 
 namespace strait
 {
   namespace
   {
-    enum class Outcome : int
+    /** An exception, as it can be told to other ranks and to the shell. */
+    struct Failure
     {
-      fine,
-      input_error,
-      computation_error
+      int         status = 0;
+      std::string message;
     };
 
-    [[noreturn]] void
-    raise(const Outcome outcome, const std::string &message)
+    /** What the exception says that is being handled. */
+    Failure
+    current_failure()
     {
-      if (outcome == Outcome::input_error)
-        throw InputError(message);
-      throw ComputationError(message);
+      try
+        {
+          throw;
+        }
+      catch (const InputError &error)
+        {
+          return {2, error.what()};
+        }
+      catch (const Interruption &stop)
+        {
+          return {3, stop.what()};
+        }
+      catch (const std::bad_alloc &)
+        {
+          return {1, "The memory of this machine does not suffice."};
+        }
+      catch (const std::exception &error)
+        {
+          return {1, error.what()};
+        }
+      catch (...) // Trilinos throws integers
+        {
+          return {1, "A library failed without saying why."};
+        }
     }
 
-    double
-    reduce(MPI_Comm comm, double value, MPI_Op operation)
+    /** Whether all ranks arrive here within a few seconds. */
+    bool
+    all_ranks_failed(MPI_Comm comm)
     {
-      MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, operation, comm);
+      using Clock = std::chrono::steady_clock;
+      MPI_Request request;
+      MPI_Ibarrier(comm, &request);
+      // Ranks that fail together fail almost at once, and a longer wait only delays the
+      // message; a shorter one might abort before a rank that is busy gets here.
+      const auto give_up = Clock::now() + std::chrono::seconds(3);
+      int        done    = 0;
+      while (done == 0 && Clock::now() < give_up)
+        {
+          MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+      return done != 0;
+    }
+
+    void
+    report(MPI_Comm comm, const Failure &failure)
+    {
+      int rank = 0, n_ranks = 1;
+      MPI_Comm_rank(comm, &rank);
+      MPI_Comm_size(comm, &n_ranks);
+      const bool together = n_ranks == 1 || all_ranks_failed(comm);
+      if (!together || rank == 0)
+        std::cerr << "strait: " << (failure.status == 1 ? "error: " : "")
+                  << failure.message
+                  << (together ? "" : " (on rank " + std::to_string(rank) + ")")
+                  << std::endl;
+      if (!together)
+        MPI_Abort(comm, failure.status);
+    }
+
+    /** The text of the rank @p root on every rank. */
+    std::string
+    broadcast_from(MPI_Comm comm, const int root, std::string text)
+    {
+      unsigned long long length = text.size();
+      MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, root, comm);
+      text.resize(length);
+      MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, root, comm);
+      return text;
+    }
+
+    template <typename Number>
+    Number
+    reduce(MPI_Comm comm, Number value, MPI_Datatype type, MPI_Op operation)
+    {
+      MPI_Allreduce(MPI_IN_PLACE, &value, 1, type, operation, comm);
       return value;
     }
   } // namespace
 
-  std::string
-  broadcast(MPI_Comm comm, std::string text)
+  int
+  with_clear_exit(MPI_Comm comm, const std::function<int()> &program)
   {
-    unsigned long long length = text.size();
-    MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, comm);
-    text.resize(length);
-    MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, 0, comm);
-    return text;
+    try
+      {
+        return program();
+      }
+    catch (...)
+      {
+        const Failure failure = current_failure();
+        report(comm, failure);
+        return failure.status;
+      }
   }
 
   void
@@ -46,40 +123,23 @@ namespace strait
   {
     int rank = 0;
     MPI_Comm_rank(comm, &rank);
-    Outcome     outcome = Outcome::fine;
-    std::string message;
+    Failure failure;
     if (rank == 0)
-      {
-        try
-          {
-            action();
-          }
-        catch (const InputError &error)
-          {
-            outcome = Outcome::input_error;
-            message = error.what();
-          }
-        catch (const std::bad_alloc &)
-          {
-            outcome = Outcome::computation_error;
-            message = "The memory of this machine does not suffice on rank 0.";
-          }
-        catch (const std::exception &error)
-          {
-            outcome = Outcome::computation_error;
-            message = error.what();
-          }
-        catch (...)
-          {
-            outcome = Outcome::computation_error;
-            message = "A library failed without saying why.";
-          }
-      }
-    int code = static_cast<int>(outcome);
-    MPI_Bcast(&code, 1, MPI_INT, 0, comm);
-    outcome = static_cast<Outcome>(code);
-    if (outcome != Outcome::fine)
-      raise(outcome, broadcast(comm, message));
+      try
+        {
+          action();
+        }
+      catch (...)
+        {
+          failure = current_failure();
+        }
+    MPI_Bcast(&failure.status, 1, MPI_INT, 0, comm);
+    if (failure.status == 0)
+      return;
+    const std::string message = broadcast(comm, failure.message);
+    if (failure.status == 2)
+      throw InputError(message);
+    throw ComputationError(message);
   }
 
   void
@@ -88,41 +148,39 @@ namespace strait
     int rank = 0, n_ranks = 1;
     MPI_Comm_rank(comm, &rank);
     MPI_Comm_size(comm, &n_ranks);
-    int first = error.empty() ? n_ranks : rank;
-    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm);
-    if (first == n_ranks)
-      return;
-    unsigned long long length = error.size();
-    MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, first, comm);
-    std::string message = error;
-    message.resize(length);
-    MPI_Bcast(message.data(), static_cast<int>(length), MPI_CHAR, first, comm);
-    throw InputError(message);
+    const int first = reduce(comm, error.empty() ? n_ranks : rank, MPI_INT, MPI_MIN);
+    if (first < n_ranks)
+      throw InputError(broadcast_from(comm, first, error));
+  }
+
+  std::string
+  broadcast(MPI_Comm comm, std::string text)
+  {
+    return broadcast_from(comm, 0, std::move(text));
   }
 
   double
   sum(MPI_Comm comm, const double value)
   {
-    return reduce(comm, value, MPI_SUM);
+    return reduce(comm, value, MPI_DOUBLE, MPI_SUM);
   }
 
   double
   maximum(MPI_Comm comm, const double value)
   {
-    return reduce(comm, value, MPI_MAX);
+    return reduce(comm, value, MPI_DOUBLE, MPI_MAX);
   }
 
   double
   minimum(MPI_Comm comm, const double value)
   {
-    return reduce(comm, value, MPI_MIN);
+    return reduce(comm, value, MPI_DOUBLE, MPI_MIN);
   }
 
   long long
-  sum(MPI_Comm comm, long long value)
+  sum(MPI_Comm comm, const long long value)
   {
-    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_LONG_LONG, MPI_SUM, comm);
-    return value;
+    return reduce(comm, value, MPI_LONG_LONG, MPI_SUM);
   }
 
   void

@@ -3,155 +3,94 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 
+#include <algorithm>
+#include <map>
+#include <optional>
+
 namespace strait
 {
   namespace
   {
-    const std::vector<std::string> options = {"--set",
-                                              "--output",
-                                              "--resume",
-                                              "--dry-run",
-                                              "--parameters",
-                                              "--columns",
-                                              "--quiet",
-                                              "--version",
-                                              "--help"};
+    const std::map<std::string, bool CommandLine::*> flags = {
+      {"--resume", &CommandLine::resume},
+      {"--dry-run", &CommandLine::dry_run},
+      {"--quiet", &CommandLine::quiet},
+      {"--version", &CommandLine::version},
+      {"--help", &CommandLine::help},
+      {"-h", &CommandLine::help}};
 
-    /** The arguments one after the other, "--name=value" taken apart. */
-    class Arguments
+    std::string
+    nearest_option(const std::string &name)
     {
-    public:
-      Arguments(const int argc, const char *const *argv)
-        : words(argv + (argc > 0 ? 1 : 0), argv + argc)
-      {
-      }
-
-      bool
-      next()
-      {
-        if (position == words.size())
-          return false;
-        name = words[position++];
-        inline_value.clear();
-        has_inline_value  = false;
-        const auto equals = name.find('=');
-        if (name.compare(0, 2, "--") == 0 && equals != std::string::npos)
-          {
-            inline_value     = name.substr(equals + 1);
-            has_inline_value = true;
-            name.resize(equals);
-          }
-        return true;
-      }
-
-      /** The value of this option; @p meaning says what is missing if it is. */
-      std::string
-      value(const std::string &meaning)
-      {
-        if (has_inline_value)
-          {
-            has_inline_value = false;
-            return inline_value;
-          }
-        if (position == words.size())
-          throw InputError("The option " + name + " needs " + meaning + " after it.");
-        return words[position++];
-      }
-
-      /** The word after this option if it is one of @p values. */
-      std::string
-      optional_value(const std::vector<std::string> &values, const std::string &standard)
-      {
-        if (has_inline_value)
-          return value("");
-        for (const std::string &candidate : values)
-          if (position < words.size() && words[position] == candidate)
-            return words[position++];
-        return standard;
-      }
-
-      void
-      check_no_value() const
-      {
-        if (has_inline_value)
-          throw InputError("The option " + name + " takes no value.");
-      }
-
-      std::string name;
-
-    private:
-      std::vector<std::string> words;
-      std::size_t              position = 0;
-      std::string              inline_value;
-      bool                     has_inline_value = false;
-    };
-
-    void
-    take_scene(CommandLine &command, const std::string &word)
-    {
-      if (!word.empty() && word[0] == '-')
-        throw InputError(
-          "Unknown option '" + word + "'" +
-          suggestion(nearest_name(word, options), "; see 'strait --help'."));
-      if (!command.scene.empty())
-        throw InputError("One scene at a time, but both '" + command.scene + "' and '" +
-                         word +
-                         "' were given; put options that contain blanks in "
-                         "quotes.");
-      command.scene = word;
-    }
-
-    void
-    take_flag(CommandLine &command, const Arguments &arguments)
-    {
-      if (arguments.name == "--dry-run")
-        command.dry_run = true;
-      else if (arguments.name == "--resume")
-        command.resume = true;
-      else if (arguments.name == "--quiet")
-        command.quiet = true;
-      else if (arguments.name == "--version")
-        command.version = true;
-      else if (arguments.name == "--help" || arguments.name == "-h")
-        command.help = true;
-      else
-        {
-          take_scene(command, arguments.name);
-          return;
-        }
-      arguments.check_no_value();
+      std::vector<std::string> known = {"--set", "--output", "--parameters", "--columns"};
+      for (const auto &flag : flags)
+        known.push_back(flag.first);
+      return nearest_name(name, known);
     }
   } // namespace
 
   CommandLine
   parse_command_line(const int argc, const char *const *argv)
   {
-    CommandLine command;
-    std::string output;
-    Arguments   arguments(argc, argv);
-    while (arguments.next())
-      if (arguments.name == "--set")
-        command.overrides.push_back(arguments.value("\"Section/Parameter=value\""));
-      else if (arguments.name == "--output")
-        {
-          output = arguments.value("a folder");
-          if (output.empty())
-            throw InputError("The option --output needs a folder after it.");
-        }
-      else if (arguments.name == "--parameters")
-        command.parameters_format = arguments.optional_value({"prm", "md"}, "prm");
-      else if (arguments.name == "--columns")
-        command.columns_format = arguments.optional_value({"md"}, "md");
-      else
-        take_flag(command, arguments);
+    CommandLine                    command;
+    std::string                    output;
+    const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+    for (auto word = words.begin(); word != words.end(); ++word)
+      {
+        std::string                name = *word;
+        std::optional<std::string> value; // "--name=value"
+        const auto                 equals = name.find('=');
+        if (name.compare(0, 2, "--") == 0 && equals != std::string::npos)
+          {
+            value = name.substr(equals + 1);
+            name.resize(equals);
+          }
+        const auto take_value = [&](const std::string &meaning) {
+          if (!value && word + 1 != words.end())
+            value = *++word;
+          require(value && !value->empty(),
+                  "The option " + name + " needs " + meaning + " after it.");
+          return *value;
+        };
+
+        // The first of them where none follows.
+        const auto take_one_of = [&](const std::vector<std::string> &formats) {
+          if (!value && word + 1 != words.end() &&
+              std::find(formats.begin(), formats.end(), word[1]) != formats.end())
+            value = *++word;
+          return value.value_or(formats.front());
+        };
+
+        if (const auto flag = flags.find(name); flag != flags.end())
+          {
+            require(!value, "The option " + name + " takes no value.");
+            command.*flag->second = true;
+          }
+        else if (name == "--set")
+          command.overrides.push_back(take_value("\"Section/Parameter=value\""));
+        else if (name == "--output")
+          output = take_value("a folder");
+        else if (name == "--parameters")
+          command.parameters_format = take_one_of({"prm", "md"});
+        else if (name == "--columns")
+          command.columns_format = take_one_of({"md"});
+        else if (name.compare(0, 1, "-") == 0)
+          throw InputError("Unknown option '" + name + "'" +
+                           suggestion(nearest_option(name), "; see 'strait --help'."));
+        else
+          {
+            require(command.scene.empty(),
+                    "One scene at a time, but both '" + command.scene + "' and '" + name +
+                      "' were given; put options that contain blanks in quotes.");
+            command.scene = name;
+          }
+      }
 
     if (!output.empty())
       command.overrides.push_back("Output/Directory=" + output);
-    const bool needs_scene = !command.help && !command.version &&
-                             command.parameters_format.empty() &&
-                             command.columns_format.empty();
-    if (needs_scene && command.scene.empty())
-      throw InputError("No scene was given; try 'strait SCENE.prm' or 'strait --help'.");
+    require(!command.scene.empty() || command.help || command.version ||
+              !command.parameters_format.empty() || !command.columns_format.empty(),
+            "No scene was given; try 'strait SCENE.prm' or 'strait --help'.");
     return command;
   }
 

@@ -1,156 +1,155 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/choices.h>
 #include <strait/base/contact_parameters.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/parameter_table.h>
-#include <strait/base/text.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 namespace strait
 {
-  namespace
-  {
-    const Choices<ContactControl> controls = {{ContactControl::load, "load"},
-                                              {ContactControl::mean_gap, "mean gap"}};
-
-    const Choices<ContactMethod> methods = {{ContactMethod::dual_cg, "dual CG"},
-                                            {ContactMethod::polonsky_keer,
-                                             "polonsky-keer"}};
-
-    /** 1/E* = Σ (1 − ν²)/E. */
-    double
-    contact_modulus(const std::vector<double> &young, const std::vector<double> &poisson)
-    {
-      double compliance = 0;
-      for (std::size_t i = 0; i < young.size(); ++i)
-        compliance += (1 - poisson[i] * poisson[i]) / young[i];
-      return 1 / compliance;
-    }
-
-    /** Before the modulus that follows from them is known: Effective modulus is as set.
-     */
-    void
-    check_elastic_constants(const ContactParameters &contact)
-    {
-      const auto &young   = contact.young_moduli;
-      const auto &poisson = contact.poisson_ratios;
-      if (young.empty() && poisson.empty())
-        return;
-      if (young.size() != poisson.size() || young.size() > 2)
-        throw InputError("Contact/Young's moduli and Poisson ratios have " +
-                         std::to_string(young.size()) + " and " +
-                         std::to_string(poisson.size()) +
-                         " entries; give one of each for each elastic body, one or two.");
-      if (contact.effective_modulus != ContactParameters().effective_modulus)
-        throw InputError(
-          "Contact/Effective modulus and Young's moduli are both given; remove one.");
-      for (std::size_t i = 0; i < young.size(); ++i)
-        if (!(young[i] > 0.) || !(poisson[i] > -1. && poisson[i] <= 0.5))
-          throw InputError("Contact/Young's moduli and Poisson ratios contain " +
-                           to_text(young[i]) + " with " + to_text(poisson[i]) +
-                           "; a modulus must be positive, a ratio above -1 and at most "
-                           "0.5.");
-    }
-  } // namespace
-
   void
-  ContactParameters::declare(dealii::ParameterHandler &prm)
+  AdhesionParameters::bind(ParameterSection section)
   {
-    using namespace dealii::Patterns;
-    const ContactParameters standard;
-    prm.enter_subsection("Contact");
-    prm.declare_entry(
+    section.add(
       "Enabled",
-      "true",
-      Bool(),
-      "Press an elastic half-space onto the surface. false: the surface is "
-      "the gap itself, closed where it is not positive; a pure flow problem, "
-      "for which Control and Load programme/Pressures are ignored.");
-    prm.declare_entry(
-      "Grid points",
-      "512",
-      List(Integer(), 1, 2),
-      "Nx, Ny: grid points of the periodic box in x and y [1]; one number: "
-      "both. Products of small primes are fastest.");
-    prm.declare_entry(
-      "Effective modulus",
-      to_text(standard.effective_modulus),
-      Double(),
-      "E*: contact modulus, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [pressure].");
-    prm.declare_entry("Young's moduli",
-                      "",
-                      List(Double(), 0),
-                      "E1, E2 of the two bodies, or E1 if the other one is rigid, in "
-                      "place of Effective modulus [pressure].");
-    prm.declare_entry("Poisson ratios",
-                      "",
-                      List(Double(), 0),
-                      "nu1, nu2 of the same bodies [1].");
-    prm.declare_entry(
-      "Control",
-      controls.name(standard.control),
-      Selection(controls.pattern()),
-      "What Load programme/Pressures lists: nominal pressures (load) or mean "
-      "gaps (mean gap).");
-    prm.declare_entry("Solver",
-                      methods.name(standard.method),
-                      Selection(methods.pattern()),
-                      "dual CG: preconditioned conjugate gradients on the pressure; "
-                      "polonsky-keer: the textbook method, slower, for reference.");
-    prm.declare_entry("Tolerance",
-                      to_text(standard.tolerance),
-                      Double(),
-                      "Largest gap under pressure and largest penetration elsewhere, in "
-                      "units of the rms height [1].");
-    prm.declare_entry("Maximum iterations",
-                      std::to_string(standard.maximum_iterations),
-                      Integer(),
-                      "Iterations on the fine grid after which a step counts as not "
-                      "converged [1].");
-    prm.leave_subsection();
-    AdhesionParameters::declare(prm);
+      enabled,
+      "Let the surfaces attract each other, in addition to the hard wall. States then "
+      "depend on the path of the load.");
+    section.add("Law",
+                shape,
+                Names<AdhesionShape>({{AdhesionShape::exponential, "exponential"},
+                                      {AdhesionShape::van_der_waals, "van der Waals"}}),
+                "Energy per area at the gap g: exponential: -gamma0 exp(-g/z0); "
+                "van der Waals: -gamma0/(1 + g/z0)^2, of longer reach.");
+    section.add("Surface energy",
+                surface_energy,
+                not_negative,
+                "gamma0: energy gained per area in contact [energy/area].");
+    section.add("Range",
+                range,
+                not_negative,
+                "z0: range of the attraction [length]; or give the Tabor number.");
+    section.add(
+      "Tabor number",
+      tabor_number,
+      not_negative,
+      "Sets the range: z0 = Rc^(1/3) (gamma0/E*)^(2/3) over this number, with "
+      "1/Rc^2 = 1/2 sum (qx^4 + qy^4) |h(q)|^2. Small: long range; large: short "
+      "[1].");
+    section.add(
+      "Match area at pressure",
+      matched_pressure,
+      not_negative,
+      "If not 0, choose gamma0 such that adhesion doubles the contact area at this "
+      "nominal pressure, loading; takes the place of Surface energy [pressure].");
+    section.add(
+      "Solver",
+      method,
+      Names<AdhesionMethod>({{AdhesionMethod::nonlinear_cg, "nonlinear CG"},
+                             {AdhesionMethod::newton_cg, "newton CG"},
+                             {AdhesionMethod::gfmd, "GFMD"}}),
+      "nonlinear CG: preconditioned conjugate gradients on the gap; newton CG: truncated "
+      "Newton, slower, for verification; GFMD: damped, mass-weighted Green's-function "
+      "molecular dynamics, slower still. Contact/Tolerance is the largest traction that is "
+      "not balanced, over E* times the rms slope over 2.");
+    section.add(
+      "Accept unresolved range",
+      accept_unresolved,
+      "Compute although E*/(k a) < 0.8 with the grid spacing a and the slope k of the "
+      "attraction in contact, gamma0/z0^2 (van der Waals: 6 gamma0/z0^2); loads of jumps "
+      "then depend on the grid.");
+    section.add("Trajectory",
+                write_relaxation,
+                "Write energy, residual and step of every iteration of step N to "
+                "relaxation-N.csv.");
   }
 
   void
-  ContactParameters::parse(dealii::ParameterHandler &prm)
+  AdhesionParameters::check() const
   {
-    prm.enter_subsection("Contact");
-    enabled                          = prm.get_bool("Enabled");
-    const std::array<double, 2> grid = parse_pair(prm.get("Grid points"));
-    grid_points       = {{static_cast<int>(grid[0]), static_cast<int>(grid[1])}};
-    effective_modulus = prm.get_double("Effective modulus");
-    young_moduli      = parse_numbers(prm.get("Young's moduli"));
-    poisson_ratios    = parse_numbers(prm.get("Poisson ratios"));
-    check_elastic_constants(*this);
-    if (!young_moduli.empty())
-      effective_modulus = contact_modulus(young_moduli, poisson_ratios);
-    control            = controls.value(prm.get("Control"));
-    method             = methods.value(prm.get("Solver"));
-    tolerance          = prm.get_double("Tolerance");
-    maximum_iterations = static_cast<int>(prm.get_integer("Maximum iterations"));
-    prm.leave_subsection();
-    adhesion.parse(prm);
+    if (!enabled)
+      return;
+    if ((surface_energy > 0.) == (matched_pressure > 0.))
+      throw InputError(
+        "Contact/Adhesion needs either Surface energy or Match area at pressure, one of "
+        "them positive and the other 0.");
+    if ((range > 0.) == (tabor_number > 0.))
+      throw InputError(
+        "Contact/Adhesion needs either Range or Tabor number, one of them positive and "
+        "the other 0.");
   }
 
   void
-  ContactParameters::check() const
+  ContactParameters::bind(ParameterSection section)
   {
+    section.add(
+      "Enabled",
+      enabled,
+      "Press an elastic half-space onto the surface. false: the surface is the gap "
+      "itself, closed where it is not positive; a pure flow problem, for which "
+      "Control and Load programme/Pressures are ignored.");
     // 65535: the product must fit into the 32-bit indices of deal.II's vectors.
-    for (const int n : grid_points)
-      if (n < 4 || n > 65535)
-        throw InputError("Contact/Grid points is " + std::to_string(grid_points[0]) +
-                         ", " + std::to_string(grid_points[1]) +
-                         " but both must lie between 4 and 65535.");
-    if (!(effective_modulus > 0.))
-      throw InputError("Contact/Effective modulus is " + to_text(effective_modulus) +
-                       " but must be positive.");
-    if (!(tolerance > 0. && tolerance < 1.))
-      throw InputError("Contact/Tolerance is " + to_text(tolerance) +
-                       " but must lie between 0 and 1.");
-    if (maximum_iterations < 1)
-      throw InputError("Contact/Maximum iterations is " +
-                       std::to_string(maximum_iterations) + " but must be at least 1.");
-    adhesion.check();
+    section.add(
+      "Grid points",
+      grid_points,
+      any_number.at_least(4).at_most(65535),
+      "Nx, Ny: grid points of the periodic box in x and y [1]; one number: both. "
+      "Products of small primes are fastest.");
+    section.add("Effective modulus",
+                effective_modulus,
+                positive,
+                "E*: contact modulus, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [pressure].");
+    section.add("Young's moduli",
+                young_moduli,
+                positive,
+                "E1, E2 of the two bodies, or E1 if the other one is rigid, in place of "
+                "Effective modulus [pressure].");
+    section.add("Poisson ratios",
+                poisson_ratios,
+                any_number.above(-1.).at_most(0.5),
+                "nu1, nu2 of the same bodies [1].");
+    section.add(
+      "Control",
+      control,
+      Names<ContactControl>(
+        {{ContactControl::load, "load"}, {ContactControl::mean_gap, "mean gap"}}),
+      "What Load programme/Pressures lists: nominal pressures (load) or mean gaps "
+      "(mean gap).");
+    section.add(
+      "Solver",
+      method,
+      Names<ContactMethod>({{ContactMethod::dual_cg, "dual CG"},
+                            {ContactMethod::polonsky_keer, "polonsky-keer"}}),
+      "dual CG: preconditioned conjugate gradients on the pressure; polonsky-keer: "
+      "the textbook method, slower, for reference.");
+    section.add(
+      "Tolerance",
+      tolerance,
+      positive.below(1.),
+      "Largest gap under pressure and largest penetration elsewhere, in units of "
+      "the rms height [1].");
+    section.add(
+      "Maximum iterations",
+      maximum_iterations,
+      any_number.at_least(1),
+      "Iterations on the fine grid after which a step counts as not converged [1].");
+    adhesion.bind(section.subsection("Adhesion"));
+  }
+
+  void
+  ContactParameters::take_elastic_constants()
+  {
+    if (young_moduli.empty() && poisson_ratios.empty())
+      return;
+    if (young_moduli.size() != poisson_ratios.size() || young_moduli.size() > 2)
+      throw InputError("Contact/Young's moduli and Poisson ratios have " +
+                       std::to_string(young_moduli.size()) + " and " +
+                       std::to_string(poisson_ratios.size()) +
+                       " entries; give one of each for each elastic body, one or two.");
+    if (effective_modulus != ContactParameters().effective_modulus)
+      throw InputError(
+        "Contact/Effective modulus and Young's moduli are both given; remove one.");
+    double compliance = 0; // 1/E* = Σ (1 − ν²)/E
+    for (std::size_t i = 0; i < young_moduli.size(); ++i)
+      compliance += (1 - poisson_ratios[i] * poisson_ratios[i]) / young_moduli[i];
+    effective_modulus = 1 / compliance;
   }
 } // namespace strait

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/json.h>
-#include <strait/base/text.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <sstream>
 
 namespace strait
 {
@@ -23,64 +17,25 @@ namespace strait
         else if (letter == '\t')
           result += "\\t";
         else if (static_cast<unsigned char>(letter) < 0x20)
-          {
-            char code[8];
-            std::snprintf(code, sizeof(code), "\\u%04x", static_cast<unsigned>(letter));
-            result += code;
-          }
+          result += format("\\u%04x", static_cast<unsigned>(letter));
         else
           result += letter;
       return result + "\"";
     }
+
+    /** The lines of a value one level deeper; within texts there are no line ends. */
+    std::string
+    indented(const std::string &value)
+    {
+      std::string result;
+      for (const char letter : "\n" + value)
+        result += letter == '\n' ? "\n  " : std::string(1, letter);
+      return result;
+    }
   } // namespace
 
-  Json::Json(const bool value)
-    : scalar(value ? "true" : "false")
-  {
-  }
-
-  Json::Json(const int value)
-    : scalar(std::to_string(value))
-  {
-  }
-
-  Json::Json(const unsigned int value)
-    : scalar(std::to_string(value))
-  {
-  }
-
-  Json::Json(const long value)
-    : scalar(std::to_string(value))
-  {
-  }
-
-  Json::Json(const unsigned long value)
-    : scalar(std::to_string(value))
-  {
-  }
-
-  Json::Json(const long long value)
-    : scalar(std::to_string(value))
-  {
-  }
-
-  Json::Json(const unsigned long long value)
-    : scalar(std::to_string(value))
-  {
-  }
-
-  Json::Json(const double value)
-    : scalar(std::isfinite(value) ? to_text(value) : "null")
-  {
-  }
-
-  Json::Json(const char *value)
-    : scalar(quoted(value))
-  {
-  }
-
-  Json::Json(const std::string &value)
-    : scalar(quoted(value))
+  Json::Json(const std::string &text)
+    : start(quoted(text))
   {
   }
 
@@ -88,7 +43,7 @@ namespace strait
   Json::verbatim(const std::string &text)
   {
     Json json;
-    json.scalar = text;
+    json.start = text;
     return json;
   }
 
@@ -96,7 +51,8 @@ namespace strait
   Json::object()
   {
     Json json;
-    json.kind = Kind::object;
+    json.start = "{";
+    json.end   = "}";
     return json;
   }
 
@@ -104,58 +60,31 @@ namespace strait
   Json::array()
   {
     Json json;
-    json.kind = Kind::array;
+    json.start = "[";
+    json.end   = "]";
     return json;
   }
 
   Json &
-  Json::set(const std::string &name, Json value)
+  Json::set(const std::string &name, const Json &value)
   {
-    const auto known = std::find(names.begin(), names.end(), name);
-    if (known != names.end())
-      elements[known - names.begin()] = std::move(value);
-    else
-      {
-        names.push_back(name);
-        elements.push_back(std::move(value));
-      }
+    elements.push_back(quoted(name) + ": " + value.text());
     return *this;
   }
 
   Json &
-  Json::append(Json value)
+  Json::append(const Json &value)
   {
-    elements.push_back(std::move(value));
+    elements.push_back(value.text());
     return *this;
   }
 
   std::string
   Json::text() const
   {
-    std::ostringstream out;
-    write(out, "");
-    return out.str();
-  }
-
-  void
-  Json::write(std::ostream &out, const std::string &indent) const
-  {
-    if (kind == Kind::scalar)
-      {
-        out << scalar;
-        return;
-      }
-    const bool is_object = kind == Kind::object;
-    out << (is_object ? "{" : "[");
-    for (std::size_t i = 0; i < elements.size(); ++i)
-      {
-        out << (i > 0 ? "," : "") << "\n" << indent << "  ";
-        if (is_object)
-          out << quoted(names[i]) << ": ";
-        elements[i].write(out, indent + "  ");
-      }
-    if (!elements.empty())
-      out << "\n" << indent;
-    out << (is_object ? "}" : "]");
+    std::string content;
+    for (const std::string &element : elements)
+      content += (content.empty() ? "" : ",") + indented(element);
+    return start + content + (elements.empty() ? "" : "\n") + end;
   }
 } // namespace strait

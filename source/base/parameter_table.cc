@@ -1,194 +1,58 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
 #include <strait/base/parameter_table.h>
-#include <strait/base/text.h>
-
-#include <deal.II/base/parameter_handler.h>
-
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
 
 #include <algorithm>
-#include <ostream>
+#include <filesystem>
 #include <sstream>
 
 namespace strait
 {
   namespace
   {
-    using Tree = boost::property_tree::ptree;
-
-    /** Undo ParameterHandler's "_20" for a blank and the like. */
-    std::string
-    demangle(const std::string &key)
-    {
-      std::string name;
-      for (std::size_t i = 0; i < key.size(); ++i)
-        if (key[i] == '_' && i + 2 < key.size())
-          {
-            name += static_cast<char>(std::stoi(key.substr(i + 1, 2), nullptr, 16));
-            i += 2;
-          }
-        else
-          name += key[i];
-      return name;
-    }
-
-    bool
-    starts_with(const std::string &text, const std::string &start)
-    {
-      return text.compare(0, start.size(), start) == 0;
-    }
-
-    /** ParameterHandler's description of a pattern in words. */
-    std::string
-    in_words(const std::string &pattern)
-    {
-      if (starts_with(pattern, "[List of <[Double"))
-        return "numbers separated by commas";
-      if (starts_with(pattern, "[List of <[Integer"))
-        return "integers separated by commas";
-      if (starts_with(pattern, "[Double"))
-        return "a number";
-      if (starts_with(pattern, "[Integer"))
-        return "an integer";
-      if (starts_with(pattern, "[Bool"))
-        return "true or false";
-      const std::string selection = "[Selection ";
-      if (starts_with(pattern, selection))
-        return "one of: " +
-               join(split(pattern.substr(selection.size(),
-                                         pattern.rfind(']') - selection.size()),
-                          '|'),
-                    ", ");
-      return "text";
-    }
-
-    void
-    collect(const Tree                            &tree,
-            const std::vector<std::string>        &section,
-            std::vector<ParameterInfo>            &parameters,
-            std::vector<std::vector<std::string>> &sections)
-    {
-      if (!section.empty())
-        sections.push_back(section);
-      for (const auto &[key, child] : tree)
-        if (child.find("pattern_description") != child.not_found())
-          parameters.push_back({section,
-                                demangle(key),
-                                child.get<std::string>("default_value"),
-                                child.get<std::string>("documentation"),
-                                in_words(child.get<std::string>("pattern_description"))});
-        else
-          {
-            std::vector<std::string> inner = section;
-            inner.push_back(demangle(key));
-            collect(child, inner, parameters, sections);
-          }
-    }
-
     const char *const see_list = "; 'strait --parameters' lists all names.";
-  } // namespace
 
-  std::string
-  ParameterInfo::path() const
-  {
-    return join(section, "/") + (section.empty() ? "" : "/") + name;
-  }
+    std::string
+    indent(const std::vector<std::string> &open)
+    {
+      return std::string(2 * open.size(), ' ');
+    }
 
-  ParameterTable::ParameterTable(const dealii::ParameterHandler &prm)
-  {
-    std::stringstream json;
-    prm.print_parameters(json,
-                         dealii::ParameterHandler::JSON |
-                           dealii::ParameterHandler::KeepDeclarationOrder);
-    Tree tree;
-    boost::property_tree::read_json(json, tree);
-    collect(tree, {}, all, sections);
-  }
-
-  void
-  ParameterTable::check_section(const SceneEntry &entry) const
-  {
-    for (std::size_t depth = 1; depth <= entry.section.size(); ++depth)
-      {
-        const std::vector<std::string> part(entry.section.begin(),
-                                            entry.section.begin() + depth);
-        if (std::find(sections.begin(), sections.end(), part) != sections.end())
-          continue;
-        // First among the sections at this place, then anywhere.
-        std::vector<std::string> siblings, anywhere;
-        for (const auto &section : sections)
-          {
-            anywhere.push_back(join(section, "/"));
-            if (section.size() == depth &&
-                std::equal(part.begin(), part.end() - 1, section.begin()))
-              siblings.push_back(section.back());
-          }
-        std::string nearest = nearest_name(part.back(), siblings);
-        if (nearest.empty())
-          nearest = nearest_name(join(part, "/"), anywhere);
-        throw InputError(entry.place + ": unknown subsection '" + join(part, "/") + "'" +
-                         suggestion(nearest, see_list));
-      }
-  }
-
-  const ParameterInfo &
-  ParameterTable::find(const SceneEntry &entry) const
-  {
-    std::vector<std::string> siblings;
-    for (const ParameterInfo &info : all)
-      if (info.section == entry.section)
+    /** Leave the open subsections that are not around @p section and enter the others. */
+    void
+    go_to(const std::vector<std::string> &section,
+          std::vector<std::string>       &open,
+          std::ostream                   &out)
+    {
+      while (open.size() > section.size() ||
+             !std::equal(open.begin(), open.end(), section.begin()))
         {
-          if (info.name == entry.name)
-            return info;
-          siblings.push_back(info.name);
+          open.pop_back();
+          out << indent(open) << "end\n";
         }
-    std::string nearest = nearest_name(entry.name, siblings);
-    if (nearest.empty())
-      {
-        std::vector<std::string> names;
-        for (const ParameterInfo &info : all)
-          names.push_back(info.name);
-        const std::string name = nearest_name(entry.name, names);
-        for (const ParameterInfo &info : all)
-          if (nearest.empty() && !name.empty() && info.name == name)
-            nearest = info.path();
-      }
-    throw InputError(entry.place + ": unknown parameter '" + entry.name + "' " +
-                     (entry.section.empty()
-                        ? "outside every subsection"
-                        : "in subsection '" + join(entry.section, "/") + "'") +
-                     suggestion(nearest, see_list));
-  }
+      while (open.size() < section.size())
+        {
+          out << indent(open) << "subsection " << section[open.size()] << "\n";
+          open.push_back(section[open.size()]);
+        }
+    }
 
-  void
-  ParameterTable::assign(dealii::ParameterHandler &prm, const SceneEntry &entry) const
-  {
-    check_section(entry);
-    if (entry.name.empty())
-      return;
-    const ParameterInfo &info = find(entry);
-    for (const std::string &section : info.section)
-      prm.enter_subsection(section);
-    bool fits = true;
-    try
-      {
-        prm.set(info.name, entry.value);
-      }
-    catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
-      {
-        fits = false;
-      }
-    for (std::size_t i = 0; i < info.section.size(); ++i)
-      prm.leave_subsection();
-    if (!fits)
-      throw InputError(entry.place + ": '" + entry.value + "' is no value for " +
-                       info.path() + "; expected " + info.allowed + ".");
-  }
+    /** @p text as lines of a comment. */
+    void
+    print_comment(const std::string &text, const std::string &indent, std::ostream &out)
+    {
+      constexpr std::size_t width = 90;
+      std::istringstream    words(text);
+      std::string           line = indent + "#";
+      for (std::string word; words >> word; line += " " + word)
+        if (line.size() + word.size() >= width)
+          {
+            out << line << "\n";
+            line = indent + "#";
+          }
+      out << line << "\n";
+    }
 
-  namespace
-  {
     /** Text in which nothing marks up. */
     std::string
     escaped(const std::string &text)
@@ -204,45 +68,166 @@ namespace strait
     }
   } // namespace
 
-  void
-  print_markdown(std::ostream &out, const ParameterTable &table)
+  std::string
+  Parameter::path() const
   {
+    return join(section, "/") + "/" + name;
+  }
+
+  void
+  ParameterTable::check_section(const SceneEntry &entry) const
+  {
+    std::vector<std::string> part;
+    for (const std::string &name : entry.section)
+      {
+        std::vector<std::string> siblings, anywhere;
+        for (const auto &parameter : parameters)
+          {
+            const auto &section = parameter.section;
+            if (section.size() > part.size() &&
+                std::equal(part.begin(), part.end(), section.begin()))
+              siblings.push_back(section[part.size()]);
+            anywhere.push_back(join(section, "/"));
+          }
+        part.push_back(name);
+        if (std::find(siblings.begin(), siblings.end(), name) != siblings.end())
+          continue;
+        std::string nearest = nearest_name(name, siblings);
+        if (nearest.empty())
+          nearest = nearest_name(join(part, "/"), anywhere);
+        throw InputError(entry.place + ": unknown subsection '" + join(part, "/") + "'" +
+                         suggestion(nearest, see_list));
+      }
+  }
+
+  Parameter &
+  ParameterTable::find(const SceneEntry &entry)
+  {
+    std::vector<std::string> siblings, names;
+    for (Parameter &parameter : parameters)
+      {
+        names.push_back(parameter.name);
+        if (parameter.section != entry.section)
+          continue;
+        if (parameter.name == entry.name)
+          return parameter;
+        siblings.push_back(parameter.name);
+      }
+    std::string nearest = nearest_name(entry.name, siblings);
+    if (nearest.empty())
+      {
+        const auto place =
+          std::find(names.begin(), names.end(), nearest_name(entry.name, names));
+        if (place != names.end())
+          nearest = parameters[place - names.begin()].path();
+      }
+    throw InputError(entry.place + ": unknown parameter '" + entry.name + "' " +
+                     (entry.section.empty()
+                        ? "outside every subsection"
+                        : "in subsection '" + join(entry.section, "/") + "'") +
+                     suggestion(nearest, see_list));
+  }
+
+  void
+  ParameterTable::assign(const SceneEntry &entry)
+  {
+    check_section(entry);
+    if (entry.name.empty())
+      return;
+    Parameter &parameter = find(entry);
+    parameter.value      = entry.value;
+    if (parameter.is_path && !entry.value.empty())
+      parameter.value =
+        (std::filesystem::path(entry.folder) / entry.value).lexically_normal().string();
+    if (!parameter.take(parameter.value))
+      throw InputError(entry.place + ": '" + entry.value + "' is no value for " +
+                       parameter.path() + "; expected " + parameter.allowed + ".");
+  }
+
+  std::string
+  ParameterTable::scene(const bool explained) const
+  {
+    std::ostringstream       out;
+    std::vector<std::string> open;
+    for (const Parameter &parameter : parameters)
+      {
+        go_to(parameter.section, open, out);
+        if (explained)
+          print_comment(parameter.documentation + " Values: " + parameter.allowed + ".",
+                        indent(open),
+                        out);
+        out << indent(open) << trim("set " + parameter.name + " = " + parameter.value)
+            << "\n";
+      }
+    go_to({}, open, out);
+    return out.str();
+  }
+
+  std::string
+  ParameterTable::markdown() const
+  {
+    std::ostringstream out;
     out
       << "# Parameters\n\n"
       << "All parameters of a scene, section by section, as `strait --parameters md` "
          "prints them;\n`strait --parameters prm` prints a scene with every default. The "
          "unit stands in brackets,\n[1] for a number without one.\n\n";
     std::vector<std::string> section;
-    for (const ParameterInfo &info : table.parameters())
+    for (const Parameter &parameter : parameters)
       {
-        if (info.section != section)
-          {
-            section = info.section;
-            out << "## " << join(section, " / ") << "\n\n"
-                << "| Parameter | Default | Values | Meaning |\n|-|-|-|-|\n";
-          }
-        out << "| " << info.name << " | "
-            << (info.default_value.empty() ? "" : "`" + info.default_value + "`") << " | "
-            << info.allowed << " | " << escaped(info.documentation) << " |\n";
-        if (&info == &table.parameters().back() || (&info + 1)->section != section)
-          out << "\n";
+        if (parameter.section != section)
+          out << (section.empty() ? "" : "\n") << "## " << join(parameter.section, " / ")
+              << "\n\n"
+              << "| Parameter | Default | Values | Meaning |\n|-|-|-|-|\n";
+        section = parameter.section;
+        out << "| " << parameter.name << " | "
+            << (parameter.value.empty() ? "" : "`" + parameter.value + "`") << " | "
+            << parameter.allowed << " | " << escaped(parameter.documentation) << " |\n";
       }
+    return out.str() + "\n";
   }
 
-  std::vector<double>
-  parse_numbers(const std::string &text)
+  ParameterSection
+  ParameterSection::subsection(const std::string &name) const
   {
-    std::vector<double> numbers;
-    for (const std::string &part : split(text, ','))
-      if (!trim(part).empty())
-        numbers.push_back(std::stod(part));
-    return numbers;
+    std::vector<std::string> inner = names;
+    inner.push_back(name);
+    return {table, inner};
   }
 
-  std::array<double, 2>
-  parse_pair(const std::string &text)
+  void
+  ParameterSection::add(const std::string &name,
+                        bool              &variable,
+                        const std::string &documentation)
   {
-    const std::vector<double> numbers = parse_numbers(text);
-    return {{numbers.front(), numbers.back()}};
+    add(name, variable, Names<bool>({{true, "true"}, {false, "false"}}), documentation);
+  }
+
+  void
+  ParameterSection::add(const std::string &name,
+                        std::string       &variable,
+                        const std::string &documentation)
+  {
+    add(name,
+        variable,
+        Text{"text", [](const std::string &) { return true; }},
+        documentation);
+  }
+
+  void
+  ParameterSection::add_path(const std::string &name,
+                             std::string       &variable,
+                             const std::string &documentation)
+  {
+    add({names,
+         name,
+         variable,
+         "a path",
+         documentation,
+         [&variable](const std::string &path) {
+           variable = path;
+           return true;
+         },
+         true});
   }
 } // namespace strait

@@ -3,24 +3,17 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/parameter_table.h>
 #include <strait/base/scene.h>
-#include <strait/base/scene_text.h>
-#include <strait/base/text.h>
-#include <strait/base/units.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 #include <sstream>
 
 namespace strait
 {
   namespace
   {
-    const auto in_order = dealii::ParameterHandler::ShortText |
-                          dealii::ParameterHandler::KeepDeclarationOrder;
-
     std::string
     read_file(const std::string &path)
     {
@@ -35,75 +28,130 @@ namespace strait
       return text.str();
     }
 
-    /** A path in a scene counts from the scene's folder, not from where we are. */
     void
-    anchor_path(SceneEntry &entry)
+    check_programme(const Scene &scene)
     {
-      const bool is_map = entry.section == std::vector<std::string>{"Surface"} &&
-                          (entry.name == "File" || entry.name == "Second file");
-      const bool is_mesh =
-        entry.section == std::vector<std::string>{"Fluid"} && entry.name == "Mesh";
-      if ((is_map || is_mesh) && !entry.value.empty())
-        entry.value =
-          (std::filesystem::path(entry.folder) / entry.value).lexically_normal().string();
+      const bool by_load = scene.contact.control == ContactControl::load;
+      if (scene.contact.enabled)
+        for (const double value : scene.programme.pressures)
+          if (!(value > 0.) && !(scene.contact.adhesion.enabled && by_load))
+            throw InputError(
+              "Load programme/Pressures contains " + to_text(value) +
+              (by_load ? ", a load that never makes contact; give positive nominal "
+                         "pressures."
+                       : "; give positive mean gaps (Contact/Control = mean gap)."));
+      if (scene.programme.find_threshold &&
+          (!scene.contact.enabled || !scene.fluid.enabled || !by_load))
+        throw InputError(
+          "Load programme/Find threshold looks for a critical load; it needs "
+          "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
+      if (scene.programme.find_blow_out && (!scene.fluid.feedback.enabled || !by_load))
+        throw InputError(
+          "Load programme/Find blow-out raises the inlet pressure until the "
+          "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
+          "Contact/Control = load.");
+    }
+
+    void
+    check_leak_rate_units(const Scene &scene)
+    {
+      for (const std::string &name : scene.output.leak_rate_units)
+        {
+          if (!scene.units.are_complete())
+            throw InputError(
+              "Output/Leak rate units = " + name +
+              " needs to know the scene's units; set Units/Length, Pressure "
+              "and Time.");
+          if (find_leak_rate_unit(name)->is_throughput && !scene.fluid.is_gas)
+            throw InputError(
+              "Output/Leak rate units = " + name +
+              " is a throughput of gas; set Fluid/State = gas, or choose a "
+              "volume per time.");
+        }
+    }
+
+    /** What a run of the theory alone cannot do without. */
+    void
+    check_theory_alone(const Scene &scene)
+    {
+      if (scene.contact.control != ContactControl::load)
+        throw InputError(
+          "Theory/Enabled without Contact and Fluid takes Load programme/"
+          "Pressures as loads; set Contact/Control = load.");
+      if (scene.programme.pressures.empty())
+        throw InputError(
+          "Load programme/Pressures is empty; list at least one load for the theory.");
+      for (const double pressure : scene.programme.pressures)
+        if (!(pressure > 0.))
+          throw InputError("Load programme/Pressures contains " + to_text(pressure) +
+                           ", at which the theory has no contact; give positive "
+                           "nominal pressures.");
+    }
+
+    void
+    check_theory(const Scene &scene)
+    {
+      const TheoryParameters &theory = scene.theory;
+      if (!theory.enabled)
+        return;
+      const bool simulates = scene.contact.enabled || scene.fluid.enabled;
+      if (theory.spectrum == TheorySpectrum::model &&
+          scene.surface.kind != SurfaceKind::self_affine)
+        throw InputError(
+          "Theory/Spectrum = model needs Surface/Kind = self-affine; set "
+          "Theory/Spectrum = surface for other kinds.");
+      if (theory.gaps == TheoryGaps::simulated && !simulates)
+        throw InputError(
+          "Theory/Gap distribution = simulated needs a simulation; enable "
+          "Contact or Fluid, or take persson.");
+      if (theory.gaps == TheoryGaps::persson && simulates && !scene.contact.enabled)
+        throw InputError(
+          "Theory/Gap distribution = persson needs a load, and with "
+          "Contact/Enabled = false there is none; take simulated.");
+      if (theory.dimension == TheoryDimension::from_threshold &&
+          !scene.programme.find_threshold)
+        throw InputError(
+          "Theory/Dimension parameter = from threshold needs the critical "
+          "load; set Load programme/Find threshold = true.");
+      if (theory.dimension == TheoryDimension::from_threshold &&
+          theory.gaps == TheoryGaps::simulated && scene.fluid.has_slip())
+        throw InputError(
+          "Theory/Dimension parameter = from threshold knows the simulated "
+          "contact fraction at the threshold, not what a slip length "
+          "blocks; take Gap distribution = persson or no slip length.");
+      if (!simulates)
+        check_theory_alone(scene);
     }
   } // namespace
 
   void
-  Scene::declare(dealii::ParameterHandler &prm)
+  Scene::bind(ParameterTable &table)
   {
-    UnitParameters::declare(prm);
-    SurfaceParameters::declare(prm);
-    ContactParameters::declare(prm);
-    FluidParameters::declare(prm);
-    ProgrammeParameters::declare(prm);
-    RealisationParameters::declare(prm);
-    TheoryParameters::declare(prm);
-    OutputParameters::declare(prm);
-  }
-
-  void
-  Scene::parse(dealii::ParameterHandler &prm)
-  {
-    units.parse(prm);
-    surface.parse(prm);
-    surface.map.length_in_metres = units.length_in_metres();
-    contact.parse(prm);
-    fluid.parse(prm);
-    programme.parse(prm);
-    realisations.parse(prm);
-    theory.parse(prm);
-    output.parse(prm);
-    std::ostringstream text;
-    prm.print_parameters(text, in_order);
-    resolved = text.str();
+    const auto section = [&](const char *name) {
+      return ParameterSection(table, {name});
+    };
+    units.bind(section("Units"));
+    surface.bind(section("Surface"));
+    contact.bind(section("Contact"));
+    fluid.bind(section("Fluid"));
+    programme.bind(section("Load programme"));
+    realisations.bind(section("Realisations"));
+    theory.bind(section("Theory"));
+    output.bind(section("Output"));
   }
 
   void
   Scene::check() const
   {
-    units.check();
     surface.check();
-    contact.check();
+    contact.adhesion.check();
     fluid.check();
     programme.check();
     realisations.check();
-    theory.check(*this);
-    output.check();
+    check_programme(*this);
+    check_theory(*this);
+    check_leak_rate_units(*this);
 
-    const bool by_load = contact.control == ContactControl::load;
-    if (contact.enabled)
-      for (const double value : programme.pressures)
-        if (!(value > 0.) && !(contact.adhesion.enabled && by_load))
-          throw InputError(
-            "Load programme/Pressures contains " + to_text(value) +
-            (by_load ? ", a load that never makes contact; give positive nominal "
-                       "pressures."
-                     : "; give positive mean gaps (Contact/Control = mean gap)."));
-    if (programme.find_threshold && (!contact.enabled || !fluid.enabled || !by_load))
-      throw InputError(
-        "Load programme/Find threshold looks for a critical load; it needs "
-        "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
     if (fluid.feedback.enabled && (!contact.enabled || !fluid.enabled))
       throw InputError(
         "Fluid/Wall feedback lets a fluid press on an elastic wall; it "
@@ -112,35 +160,15 @@ namespace strait
       throw InputError(
         "Fluid/Wall feedback and Contact/Adhesion cannot be enabled "
         "together yet; switch one of them off.");
-    if (programme.find_resealing && !programme.find_blow_out)
-      throw InputError(
-        "Load programme/Find re-sealing looks for the pressure at which a "
-        "seal that has blown out closes again; it needs Find blow-out.");
-    if (programme.find_blow_out &&
-        (!fluid.feedback.enabled || contact.control != ContactControl::load))
-      throw InputError(
-        "Load programme/Find blow-out raises the inlet pressure until the "
-        "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
-        "Contact/Control = load.");
-    if (fluid.enabled && !fluid.mesh_file.empty() && output.error_budget)
+    const bool has_mesh = fluid.enabled && !fluid.mesh_file.empty();
+    if (has_mesh && output.error_budget)
       throw InputError(
         "Output/Error budget repeats the flow on coarser grids, which Fluid/Mesh does not "
         "support; switch one of them off.");
-    if (fluid.enabled && !fluid.mesh_file.empty() && theory.enabled)
+    if (has_mesh && theory.enabled)
       throw InputError(
         "Theory/Enabled predicts the leak rate of the whole box and not of Fluid/Mesh; "
         "switch one of them off.");
-    for (const std::string &name : output.leak_rate_units)
-      {
-        if (!units.are_complete())
-          throw InputError("Output/Leak rate units = " + name +
-                           " needs to know the scene's units; set Units/Length, Pressure "
-                           "and Time.");
-        if (find_leak_rate_unit(name)->is_throughput && !fluid.is_gas)
-          throw InputError("Output/Leak rate units = " + name +
-                           " is a throughput of gas; set Fluid/State = gas, or choose a "
-                           "volume per time.");
-      }
     if (!contact.enabled && !fluid.enabled && !theory.enabled)
       throw InputError(
         "Contact/Enabled and Fluid/Enabled are both false, so there is "
@@ -157,6 +185,21 @@ namespace strait
         "Surface/Roll-off wavelength exceeds the shorter side of the box, so the "
         "surface is not isotropic."};
     return {};
+  }
+
+  Scene
+  make_scene(const std::vector<SceneEntry> &entries)
+  {
+    Scene          scene;
+    ParameterTable table;
+    scene.bind(table);
+    for (const SceneEntry &entry : entries)
+      table.assign(entry);
+    scene.resolved                     = table.scene(false);
+    scene.surface.map.length_in_metres = scene.units.length_in_metres();
+    scene.contact.take_elastic_constants();
+    scene.check();
+    return scene;
   }
 
   Scene
@@ -178,32 +221,19 @@ namespace strait
     std::vector<SceneEntry> entries = lex_scene(text, path, folder);
     for (const std::string &override_text : overrides)
       entries.push_back(lex_override(override_text, here));
-
-    dealii::ParameterHandler prm;
-    Scene::declare(prm);
-    const ParameterTable table(prm);
-    for (SceneEntry &entry : entries)
-      {
-        anchor_path(entry);
-        table.assign(prm, entry);
-      }
-    Scene scene;
-    scene.parse(prm);
-    scene.check();
-    return scene;
+    return make_scene(entries);
   }
 
   void
   print_parameters(std::ostream &out, const std::string &format)
   {
-    dealii::ParameterHandler prm;
-    Scene::declare(prm);
+    Scene          scene;
+    ParameterTable table;
+    scene.bind(table);
     if (format == "md")
-      print_markdown(out, ParameterTable(prm));
+      out << table.markdown();
     else if (format == "prm")
-      prm.print_parameters(out,
-                           dealii::ParameterHandler::Text |
-                             dealii::ParameterHandler::KeepDeclarationOrder);
+      out << table.scene(true);
     else
       throw InputError("--parameters " + format + ": the formats are prm and md.");
   }

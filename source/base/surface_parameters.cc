@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/choices.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/parameter_table.h>
 #include <strait/base/surface_parameters.h>
-#include <strait/base/text.h>
-
-#include <deal.II/base/parameter_handler.h>
+#include <strait/base/units.h>
 
 #include <algorithm>
 
@@ -13,35 +10,10 @@ namespace strait
 {
   namespace
   {
-    const Choices<SurfaceKind> kinds = {{SurfaceKind::self_affine, "self-affine"},
-                                        {SurfaceKind::square_saddle, "square saddle"},
-                                        {SurfaceKind::triangular_peaks,
-                                         "triangular peaks"},
-                                        {SurfaceKind::honeycomb_peaks, "honeycomb peaks"},
-                                        {SurfaceKind::sphere, "sphere"},
-                                        {SurfaceKind::sine, "sine"},
-                                        {SurfaceKind::flat, "flat"},
-                                        {SurfaceKind::expression, "expression"},
-                                        {SurfaceKind::file, "file"}};
-
-    const Choices<Amplitudes> amplitude_laws = {{Amplitudes::gaussian, "gaussian"},
-                                                {Amplitudes::fixed, "fixed"}};
-
-    const Choices<Normalisation> normalisations = {
-      {Normalisation::rms_slope, "rms slope"},
-      {Normalisation::rms_height, "rms height"}};
-
-    /** The wavelengths and the exponent of a self-affine surface. */
+    /** The wavelengths and the height of a self-affine surface. */
     void
     check_spectrum(const SurfaceParameters &surface)
     {
-      if (!(surface.hurst_exponent > 0. && surface.hurst_exponent <= 1.))
-        throw InputError("Surface/Hurst exponent is " + to_text(surface.hurst_exponent) +
-                         " but must lie above 0 and not above 1.");
-      if (!(surface.short_cut_off_wavelength > 0.))
-        throw InputError("Surface/Short cut-off wavelength is " +
-                         to_text(surface.short_cut_off_wavelength) +
-                         " but must be positive.");
       if (!(surface.short_cut_off_wavelength < surface.roll_off_wavelength))
         throw InputError("Surface/Short cut-off wavelength (" +
                          to_text(surface.short_cut_off_wavelength) +
@@ -53,108 +25,184 @@ namespace strait
           "Surface/Roll-off wavelength (" + to_text(surface.roll_off_wavelength) +
           ") does not fit into a box of Size " + to_text(surface.size[0]) + ", " +
           to_text(surface.size[1]) + "; shorten it or enlarge the box.");
-      if (!(surface.rms_value > 0.))
-        throw InputError("Surface/RMS value is " + to_text(surface.rms_value) +
-                         " but must be positive; choose Kind = flat for no roughness.");
+      if (surface.rms_value == 0.)
+        throw InputError("Surface/RMS value is 0; choose Kind = flat for no roughness.");
     }
   } // namespace
 
   void
-  SurfaceParameters::declare(dealii::ParameterHandler &prm)
+  MapParameters::bind(ParameterSection section)
   {
-    using namespace dealii::Patterns;
-    const SurfaceParameters standard;
-    prm.enter_subsection("Surface");
-    prm.declare_entry("Kind",
-                      kinds.name(standard.kind),
-                      Selection(kinds.pattern()),
-                      "The height profile h(x, y) of the rigid substrate.");
-    prm.declare_entry(
-      "Size",
-      "1, 1",
-      List(Double(), 1, 2),
-      "Lx, Ly: sides of the periodic box [length]; one number: a square.");
-    prm.declare_entry(
-      "Seed",
-      "1",
-      Integer(0),
-      "Kind = self-affine: number of the realisation. The same seed gives "
-      "the same surface on every grid and number of ranks.");
-    prm.declare_entry(
-      "Hurst exponent",
-      to_text(standard.hurst_exponent),
-      Double(),
-      "Kind = self-affine: H, above 0 and at most 1; the spectrum falls as "
-      "q^(-2(1+H)) [1].");
-    prm.declare_entry(
-      "Roll-off wavelength",
-      to_text(standard.roll_off_wavelength),
-      Double(),
-      "Kind = self-affine: longest wavelength of the self-affine range; the "
-      "spectrum is constant above it [length].");
-    prm.declare_entry("Short cut-off wavelength",
-                      to_text(standard.short_cut_off_wavelength),
-                      Double(),
-                      "Kind = self-affine: no roughness below this wavelength [length].");
-    prm.declare_entry("Amplitudes",
-                      amplitude_laws.name(standard.amplitudes),
-                      Selection(amplitude_laws.pattern()),
-                      "Kind = self-affine: amplitudes of the waves drawn at random "
-                      "(gaussian), or equal to the spectrum with random phases only "
-                      "(fixed).");
-    prm.declare_entry("Normalisation",
-                      normalisations.name(standard.normalisation),
-                      Selection(normalisations.pattern()),
-                      "Kind = self-affine: what RMS value prescribes.");
-    prm.declare_entry("RMS value",
-                      to_text(standard.rms_value),
-                      Double(),
-                      "Kind = self-affine: rms slope [1] or rms height [length].");
-    prm.declare_entry(
-      "Amplitude",
-      to_text(standard.amplitude),
-      Double(),
-      "Kind = square saddle, triangular peaks, honeycomb peaks, sine: the "
-      "amplitude Delta [length]; sphere: its radius [length].");
-    prm.declare_entry(
-      "Expression",
-      "",
-      Anything(),
-      "Kind = expression: h [length] as a formula of x and y [length], in "
-      "muParser's syntax; pi is known.");
-    MapParameters::declare(prm);
-    prm.declare_entry("Invert", "false", Bool(), "Use -h instead of h.");
-    prm.declare_entry("Rotate", "false", Bool(), "Rotate the surface by 90 degrees.");
-    prm.leave_subsection();
+    const Text unit = {std::string("a length such as nm or 63.1 nm (known are ") +
+                         length_units + "), scene, or empty",
+                       [](const std::string &text) {
+                         return text.empty() || text == "scene" ||
+                                parse_length_unit(text).metres;
+                       }};
+    section.add_path(
+      "File",
+      file,
+      "Kind = file: a measured map (.npy, text, XYZ, NetCDF, HDF5, X3P, SDF); "
+      "a relative path starts at the folder of the scene file (with --set: at "
+      "the current folder).");
+    section.add_path("Second file",
+                     second_file,
+                     "Kind = file: the map of the other body, if that is rough as well; "
+                     "turned over (x to -x) and added.");
+    section.add("Format",
+                format,
+                Names<MapFormat>({{MapFormat::by_content, "auto"},
+                                  {MapFormat::npy, "npy"},
+                                  {MapFormat::text, "text"},
+                                  {MapFormat::xyz, "xyz"},
+                                  {MapFormat::netcdf, "netcdf"},
+                                  {MapFormat::hdf5, "hdf5"},
+                                  {MapFormat::x3p, "x3p"},
+                                  {MapFormat::sdf, "sdf"}}),
+                "Kind = file: format of the file; auto: by its content, XYZ by its "
+                "extension.");
+    section.add(
+      "Dataset",
+      dataset,
+      "Kind = file: path of the data set of an HDF5 file or variable of a NetCDF "
+      "file; empty: the only one with two dimensions.");
+    section.add(
+      "Height unit",
+      height_unit,
+      unit,
+      "Kind = file: what 1 in the file is high; scene: the scene's unit of length; "
+      "empty: what the file states, or the scene's if it states no unit at all.");
+    section.add("Lateral unit",
+                lateral_unit,
+                unit,
+                "Kind = file: the same of the size that the file states.");
+    section.add(
+      "Largest missing share",
+      largest_missing_share,
+      not_negative.at_most(1.),
+      "Kind = file: missing points are filled by harmonic interpolation if they "
+      "are not more than this share of all [1].");
+    section.add("Detrend",
+                detrend,
+                Names<Detrend>({{Detrend::none, "none"},
+                                {Detrend::mean, "mean"},
+                                {Detrend::tilt, "tilt"},
+                                {Detrend::curvature, "curvature"}}),
+                "Kind = file: subtract the mean, the plane (tilt) or the paraboloid "
+                "(curvature) of least squares.");
+    section.add(
+      "Make periodic",
+      make_periodic,
+      Names<MakePeriodic>({{MakePeriodic::no, "no"},
+                           {MakePeriodic::window, "window"},
+                           {MakePeriodic::mirror, "mirror"}}),
+      "Kind = file: no: the map is one period as it is; window: heights fade to "
+      "their mean at the edges; mirror: the map and its mirror images, twice as "
+      "long and wide.");
+    section.add(
+      "Window width",
+      window_width,
+      positive.at_most(0.5),
+      "Make periodic = window: share of the sides over which heights fade, at each "
+      "edge [1].");
+    section.add(
+      "Resample",
+      resample,
+      "Kind = file: bring the map to Contact/Grid points by Fourier interpolation; "
+      "false: the grid must be the map's.");
+    section.add("Shortest wavelength",
+                shortest_wavelength,
+                not_negative,
+                "Kind = file: waves shorter than this are removed; 0: none [length].");
+    section.add("Longest wavelength",
+                longest_wavelength,
+                not_negative,
+                "Kind = file: waves longer than this are removed; 0: none [length].");
   }
 
   void
-  SurfaceParameters::parse(dealii::ParameterHandler &prm)
+  MapParameters::check() const
   {
-    prm.enter_subsection("Surface");
-    kind                     = kinds.value(prm.get("Kind"));
-    size                     = parse_pair(prm.get("Size"));
-    seed                     = static_cast<unsigned long long>(prm.get_integer("Seed"));
-    hurst_exponent           = prm.get_double("Hurst exponent");
-    roll_off_wavelength      = prm.get_double("Roll-off wavelength");
-    short_cut_off_wavelength = prm.get_double("Short cut-off wavelength");
-    amplitudes               = amplitude_laws.value(prm.get("Amplitudes"));
-    normalisation            = normalisations.value(prm.get("Normalisation"));
-    rms_value                = prm.get_double("RMS value");
-    amplitude                = prm.get_double("Amplitude");
-    expression               = prm.get("Expression");
-    map.parse(prm);
-    invert = prm.get_bool("Invert");
-    rotate = prm.get_bool("Rotate");
-    prm.leave_subsection();
+    if (file.empty())
+      throw InputError("Surface/Kind = file needs a height map; set Surface/File.");
+    if (longest_wavelength > 0. && longest_wavelength <= shortest_wavelength)
+      throw InputError("Surface/Longest wavelength (" + to_text(longest_wavelength) +
+                       ") must exceed the Shortest wavelength (" +
+                       to_text(shortest_wavelength) + "), or nothing is left.");
+  }
+
+  void
+  SurfaceParameters::bind(ParameterSection section)
+  {
+    section.add("Kind",
+                kind,
+                Names<SurfaceKind>({{SurfaceKind::self_affine, "self-affine"},
+                                    {SurfaceKind::square_saddle, "square saddle"},
+                                    {SurfaceKind::triangular_peaks, "triangular peaks"},
+                                    {SurfaceKind::honeycomb_peaks, "honeycomb peaks"},
+                                    {SurfaceKind::sphere, "sphere"},
+                                    {SurfaceKind::sine, "sine"},
+                                    {SurfaceKind::flat, "flat"},
+                                    {SurfaceKind::expression, "expression"},
+                                    {SurfaceKind::file, "file"}}),
+                "The height profile h(x, y) of the rigid substrate.");
+    section.add("Size",
+                size,
+                positive,
+                "Lx, Ly: sides of the periodic box [length]; one number: a square.");
+    section.add(
+      "Seed",
+      seed,
+      not_negative,
+      "Kind = self-affine: number of the realisation. The same seed gives the same "
+      "surface on every grid and number of ranks.");
+    section.add("Hurst exponent",
+                hurst_exponent,
+                positive.at_most(1.),
+                "Kind = self-affine: H; the spectrum falls as q^(-2(1+H)) [1].");
+    section.add("Roll-off wavelength",
+                roll_off_wavelength,
+                positive,
+                "Kind = self-affine: longest wavelength of the self-affine range; the "
+                "spectrum is constant above it [length].");
+    section.add("Short cut-off wavelength",
+                short_cut_off_wavelength,
+                positive,
+                "Kind = self-affine: no roughness below this wavelength [length].");
+    section.add(
+      "Amplitudes",
+      amplitudes,
+      Names<Amplitudes>(
+        {{Amplitudes::gaussian, "gaussian"}, {Amplitudes::fixed, "fixed"}}),
+      "Kind = self-affine: amplitudes of the waves drawn at random (gaussian), or equal to "
+      "the spectrum with random phases only (fixed).");
+    section.add("Normalisation",
+                normalisation,
+                Names<Normalisation>({{Normalisation::rms_slope, "rms slope"},
+                                      {Normalisation::rms_height, "rms height"}}),
+                "Kind = self-affine: what RMS value prescribes.");
+    section.add("RMS value",
+                rms_value,
+                not_negative,
+                "Kind = self-affine: rms slope [1] or rms height [length].");
+    section.add(
+      "Amplitude",
+      amplitude,
+      not_negative,
+      "Kind = square saddle, triangular peaks, honeycomb peaks, sine: the amplitude "
+      "Delta [length]; sphere: its radius [length].");
+    section.add("Expression",
+                expression,
+                "Kind = expression: h [length] as a formula of x and y [length], in "
+                "muParser's syntax; pi is known.");
+    map.bind(section);
+    section.add("Invert", invert, "Use -h instead of h.");
+    section.add("Rotate", rotate, "Rotate the surface by 90 degrees.");
   }
 
   void
   SurfaceParameters::check() const
   {
-    if (!(size[0] > 0. && size[1] > 0.))
-      throw InputError("Surface/Size is " + to_text(size[0]) + ", " + to_text(size[1]) +
-                       " but both sides must be positive.");
     switch (kind)
       {
         case SurfaceKind::self_affine:
@@ -165,10 +213,9 @@ namespace strait
         case SurfaceKind::honeycomb_peaks:
         case SurfaceKind::sphere:
         case SurfaceKind::sine:
-          if (!(amplitude > 0.))
-            throw InputError("Surface/Amplitude is " + to_text(amplitude) +
-                             " but must be positive for Kind = " + kinds.name(kind) +
-                             "; choose Kind = flat for no roughness.");
+          if (amplitude == 0.)
+            throw InputError(
+              "Surface/Amplitude is 0; choose Kind = flat for no roughness.");
           break;
         case SurfaceKind::expression:
           if (expression.empty())

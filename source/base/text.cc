@@ -108,6 +108,8 @@ namespace strait
       {
         const int distance = edit_distance(word, candidate);
         const int longest  = static_cast<int>(std::max(word.size(), candidate.size()));
+        // A smaller part of the length misses more misspellings, a larger one suggests
+        // names that have nothing to do with the word.
         if (2 * distance < longest && (nearest.empty() || distance < smallest))
           {
             nearest  = candidate;

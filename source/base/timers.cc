@@ -17,7 +17,6 @@ namespace strait
   Timers::Scope::~Scope()
   {
     timers.nodes[part].seconds += seconds_since(start);
-    ++timers.nodes[part].calls;
     timers.innermost = parent;
   }
 
@@ -40,15 +39,6 @@ namespace strait
     nodes.push_back(Node{name, parent, {}});
     nodes[parent].children.push_back(innermost);
     return {*this, innermost, parent};
-  }
-
-  double
-  Timers::seconds(const std::string &wanted) const
-  {
-    for (std::size_t node = 1; node < nodes.size(); ++node)
-      if (path(node) == wanted)
-        return nodes[node].seconds;
-    return 0.;
   }
 
   double
@@ -95,7 +85,7 @@ namespace strait
                  const int          depth,
                  const double       seconds) const
   {
-    rows.push_back({path(node), depth, seconds, nodes[node].calls});
+    rows.push_back({path(node), depth, seconds});
     if (nodes[node].children.empty())
       return;
     double rest = seconds;
@@ -106,6 +96,6 @@ namespace strait
       }
     const std::string prefix = node == 0 ? "" : path(node) + "/";
     // A part that is still being timed has less on its clock than its children.
-    rows.push_back({prefix + "other", depth + 1, std::max(rest, 0.), 1});
+    rows.push_back({prefix + "other", depth + 1, std::max(rest, 0.)});
   }
 } // namespace strait

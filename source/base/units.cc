@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/text.h>
+#include <strait/base/parameter_table.h>
 #include <strait/base/units.h>
 
 #include <array>
@@ -116,5 +116,41 @@ namespace strait
     for (const LeakRateUnit &unit : leak_rate_units)
       names.emplace_back(unit.name);
     return join(names, ", ");
+  }
+
+  double
+  UnitParameters::length_in_metres() const
+  {
+    return metres_in(length).value_or(1.);
+  }
+
+  bool
+  UnitParameters::are_complete() const
+  {
+    return !length.empty() && !pressure.empty() && !time.empty();
+  }
+
+  void
+  UnitParameters::bind(ParameterSection section)
+  {
+    const auto unit_or_nothing = [](const std::string &known, const auto &meaning) {
+      return Text{known + ", or empty", [meaning](const std::string &unit) {
+                    return unit.empty() || meaning(unit);
+                  }};
+    };
+    section.add(
+      "Length",
+      length,
+      unit_or_nothing(length_units, metres_in),
+      "Unit of all lengths of the scene and its results; empty: not stated, and "
+      "metres where a file states units.");
+    section.add("Pressure",
+                pressure,
+                unit_or_nothing("Pa, kPa, MPa, GPa, mbar, bar, N/mm2", pascals_in),
+                "Unit of all pressures and moduli; empty: not stated.");
+    section.add("Time",
+                time,
+                unit_or_nothing("s, ms, min, h", seconds_in),
+                "Unit of time, in the viscosity and the leak rate; empty: not stated.");
   }
 } // namespace strait

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
-#include <strait/base/parameter_table.h>
 #include <strait/base/scene.h>
 #include <strait/base/scene_text.h>
 #include <strait/surface/readers/height_map.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cstdint>
 #include <cstdlib>
@@ -81,22 +78,6 @@ namespace
       }
     return false;
   }
-
-  /** As read_scene(), without the communication. */
-  void
-  read_scene_text(const std::string &text)
-  {
-    const auto               entries = lex_scene(text, "scene.prm", "/");
-    dealii::ParameterHandler prm;
-    Scene::declare(prm);
-    const ParameterTable table(prm);
-    for (const SceneEntry &entry : entries)
-      table.assign(prm, entry);
-    Scene scene;
-    scene.parse(prm);
-    scene.check();
-    scene.warnings();
-  }
 } // namespace
 
 extern "C" int
@@ -109,7 +90,7 @@ LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
   try
     {
       if (reader == "scene")
-        read_scene_text(content);
+        make_scene(lex_scene(content, "scene.prm", "/")).warnings();
       else
         read_height_map({file, formats.at(reader)});
     }

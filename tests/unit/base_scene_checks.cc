@@ -69,8 +69,8 @@ TEST(Scene, Theory)
   expect_in("Find threshold = true",
             error_with("Theory/Dimension parameter=from threshold"));
   expect_in("there is none; take simulated", error_with("Contact/Enabled=false"));
-  expect_in("must lie between 0 and 1", error_with("Theory/Critical contact fraction=1"));
-  expect_in("at most 1", error_with("Theory/Gamma=0"));
+  expect_in("above 0 and below 1", error_with("Theory/Critical contact fraction=1"));
+  expect_in("above 0 and at most 1", error_with("Theory/Gamma=0"));
 }
 
 TEST(Scene, ThresholdAndReducedLoads)
@@ -87,21 +87,22 @@ TEST(Scene, ThresholdAndReducedLoads)
   EXPECT_TRUE(scene.programme.pressures.empty());
   EXPECT_EQ(scene.programme.reduced_loads, (std::vector<double>{0.1, 0.01}));
   EXPECT_EQ(scene.programme.path, LoadPath::unloading);
-  expect_in("must lie between 0 and 1",
+  expect_in("above 0 and below 1",
             error_of(text, {"Load programme/Reduced loads=0.1, 1"}));
   expect_in("needs the critical load",
             error_of(text,
                      {"Load programme/Find threshold=false",
                       "Load programme/Pressures=1"}));
   expect_in("Contact/Control = load", error_of(text, {"Contact/Control=mean gap"}));
-  expect_in("between 1e-9 and 0.1",
+  expect_in("a number from 1e-09 to 0.1",
             error_of(text, {"Load programme/Threshold tolerance=1"}));
 }
 
 TEST(Scene, ValuesOfTheWrongKind)
 {
   EXPECT_EQ(error_of("subsection Fluid\n set Viscosity = thick\nend\n"),
-            "a.prm:2: 'thick' is no value for Fluid/Viscosity; expected a number.");
+            "a.prm:2: 'thick' is no value for Fluid/Viscosity; expected a number above "
+            "0.");
   EXPECT_EQ(error_of("subsection Fluid\n set Direction = z\nend\n"),
             "a.prm:2: 'z' is no value for Fluid/Direction; expected one of: x, y.");
   for (const char *wrong : {"Surface/Size=1, 2, 3",
@@ -137,16 +138,22 @@ TEST(Scene, ValuesOutOfRange)
                             "Fluid/Element degree=0",
                             "Fluid/Target accuracy=1",
                             "Fluid/Maximum unknowns=-5",
+                            "Fluid/Slip length=",
+                            "Fluid/Wall feedback/Relaxation=0",
+                            "Contact/Poisson ratios=0.6",
+                            "Surface/Window width=0.6",
+                            "Units/Length=furlong",
+                            "Output/Leak rate units=gallons",
+                            "Realisations/Orientations=",
+                            "Load programme/Largest reduced load of fits=2",
                             "Load programme/Pressures=",
                             "Load programme/Pressures=0.1, -0.1",
                             "Output/Directory="})
     {
       const std::string error = error_of("", {wrong});
       EXPECT_NE(error, "none") << wrong;
-      // One sentence that names the section.
-      EXPECT_EQ(error.substr(0, error.find('/')),
-                std::string(wrong).substr(0, std::string(wrong).find('/')))
-        << error;
+      // One sentence that names the parameter.
+      expect_in(std::string(wrong).substr(0, std::string(wrong).find('=')), error);
       EXPECT_EQ(error.back(), '.') << error;
       EXPECT_EQ(error.find('\n'), std::string::npos) << error;
     }

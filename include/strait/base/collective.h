@@ -10,6 +10,16 @@
 namespace strait
 {
   /**
+   * Run @p program and turn what it throws into an exit status and one sentence
+   * on standard error: 2 for an InputError, 3 for an Interruption, 1 for anything else.
+   *
+   * If all ranks of @p comm fail, rank 0 speaks for them. If only some do, the
+   * others wait for them in vain somewhere: after a few seconds the lowest rank
+   * that failed speaks and all ranks are aborted with the same status.
+   */
+  int with_clear_exit(MPI_Comm comm, const std::function<int()> &program);
+
+  /**
    * Run @p action on rank 0 only; if it throws there, every rank of @p comm
    * throws the same exception type (InputError or ComputationError) with the
    * same message. Collective: keeps an error of one rank from becoming a hang

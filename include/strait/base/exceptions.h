@@ -18,6 +18,14 @@ namespace strait
     using std::runtime_error::runtime_error;
   };
 
+  /** Throw InputError with @p message unless @p condition is true. */
+  inline void
+  require(const bool condition, const std::string &message)
+  {
+    if (!condition)
+      throw InputError(message);
+  }
+
   /**
    * A computation that could not be completed although the input was valid.
    * The program prints the message once and ends with status 1.

@@ -2,18 +2,33 @@
 #ifndef strait_base_fluid_parameters_h
 #define strait_base_fluid_parameters_h
 
-#include <strait/base/feedback_parameters.h>
-
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace strait
 {
+  class ParameterSection;
+
+  /** How the next fluid pressure is guessed from those before. */
+  enum class Acceleration
+  {
+    anderson,
+    none
+  };
+
+  /** The subsection Fluid/Wall feedback: the fluid presses the walls apart. */
+  struct FeedbackParameters
+  {
+    bool         enabled            = false;
+    double       tolerance          = 1e-4; // of leak rate and fluid pressure
+    int          maximum_iterations = 200;
+    Acceleration acceleration       = Acceleration::anderson;
+    double       relaxation         = 1.;
+    double       pool_pressure      = 0.;
+
+    void bind(ParameterSection section);
+  };
+
   /** Where the mean flow goes; the box is periodic across it. */
   enum class FlowDirection
   {
@@ -79,9 +94,8 @@ namespace strait
       return false;
     }
 
-    static void declare(dealii::ParameterHandler &prm);
-    void        parse(dealii::ParameterHandler &prm);
-    void        check() const;
+    void bind(ParameterSection section);
+    void check() const;
   };
 } // namespace strait
 

@@ -2,8 +2,11 @@
 #ifndef strait_base_json_h
 #define strait_base_json_h
 
-#include <iosfwd>
+#include <strait/base/text.h>
+
+#include <cmath>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace strait
@@ -18,23 +21,30 @@ namespace strait
   {
   public:
     Json() = default; // null
-    Json(bool value);
-    Json(int value);
-    Json(unsigned int value);
-    Json(long value);
-    Json(unsigned long value);
-    Json(long long value);
-    Json(unsigned long long value);
-    Json(double value);
-    Json(const char *value);
-    Json(const std::string &value);
+    Json(const std::string &text);
+    Json(const char *text)
+      : Json(std::string(text))
+    {
+    }
+
+    template <typename Number,
+              typename = std::enable_if_t<std::is_arithmetic<Number>::value>>
+    Json(const Number number)
+    {
+      if constexpr (std::is_same<Number, bool>::value)
+        start = number ? "true" : "false";
+      else if constexpr (std::is_integral<Number>::value)
+        start = std::to_string(number);
+      else if (std::isfinite(number))
+        start = to_text(number);
+    }
 
     template <typename Value>
     Json(const std::vector<Value> &values)
-      : kind(Kind::array)
+      : Json(array())
     {
       for (const Value &value : values)
-        elements.emplace_back(value);
+        append(value);
     }
 
     /** A value that is JSON text already. */
@@ -42,29 +52,19 @@ namespace strait
     static Json object();
     static Json array();
 
-    /** Set a member of an object; setting it again replaces it. */
-    Json &set(const std::string &name, Json value);
+    /** Add a member to an object. */
+    Json &set(const std::string &name, const Json &value);
 
     /** Append to an array. */
-    Json &append(Json value);
+    Json &append(const Json &value);
 
     /** Indented by two blanks a level. */
     std::string text() const;
 
   private:
-    enum class Kind
-    {
-      scalar,
-      array,
-      object
-    };
-
-    void write(std::ostream &out, const std::string &indent) const;
-
-    Kind                     kind   = Kind::scalar;
-    std::string              scalar = "null"; // as it is written
-    std::vector<std::string> names;           // of an object's elements
-    std::vector<Json>        elements;
+    std::string              start = "null"; // all of a scalar
+    std::string              end;            // of arrays and objects
+    std::vector<std::string> elements;
   };
 } // namespace strait
 

@@ -2,68 +2,182 @@
 #ifndef strait_base_parameter_table_h
 #define strait_base_parameter_table_h
 
+#include <strait/base/parameter_values.h>
 #include <strait/base/scene_text.h>
+#include <strait/base/text.h>
 
 #include <array>
-#include <iosfwd>
+#include <functional>
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace strait
 {
-  /** What is declared of one parameter. */
-  struct ParameterInfo
+  /** What a scene says of one parameter, and the way from there to who wants to know. */
+  struct Parameter
   {
     std::vector<std::string> section;
     std::string              name;
-    std::string              default_value;
+    std::string              value;   // at first the default
+    std::string              allowed; // in words
     std::string              documentation;
-    std::string              allowed; // "a number", "one of: a, b, c", ...
+
+    /** Hand on the value that stands in a text; false: it is not allowed. */
+    std::function<bool(const std::string &)> take;
+
+    bool is_path = false;
 
     /** "Section/Subsection/Name". */
     std::string path() const;
   };
 
-  /** All declared parameters in the order of their declaration. */
+  /** All parameters of a scene, in the order of the documentation. */
   class ParameterTable
   {
   public:
-    explicit ParameterTable(const dealii::ParameterHandler &prm);
-
-    const std::vector<ParameterInfo> &
-    parameters() const
+    /** Append a parameter; those of a section must come one after the other. */
+    void
+    add(Parameter parameter)
     {
-      return all;
+      parameters.push_back(std::move(parameter));
     }
 
     /**
-     * Give the handler the value of @p entry. Throws InputError, with the place
-     * of the entry and the nearest known name, for a section or parameter that
-     * is not declared, and for a value of the wrong kind.
+     * Give a parameter the value of @p entry; a path counts from the folder of the entry.
+     * Throws InputError, with the place of the entry, for a section or parameter that
+     * does not exist (with the nearest name that does) and for a value that is not
+     * allowed.
      */
-    void assign(dealii::ParameterHandler &prm, const SceneEntry &entry) const;
+    void assign(const SceneEntry &entry);
+
+    /** A scene file with all values; with the documentation if @p explained. */
+    std::string scene(bool explained) const;
+
+    /** A page with a table for each section. */
+    std::string markdown() const;
 
   private:
-    void                 check_section(const SceneEntry &entry) const;
-    const ParameterInfo &find(const SceneEntry &entry) const;
+    void       check_section(const SceneEntry &entry) const;
+    Parameter &find(const SceneEntry &entry);
 
-    std::vector<ParameterInfo>            all;
-    std::vector<std::vector<std::string>> sections;
+    std::vector<Parameter> parameters;
   };
 
-  /** Markdown: a heading and a table for each section. */
-  void print_markdown(std::ostream &out, const ParameterTable &table);
+  /**
+   * One section of the table. Each add() says all about a parameter: its name; the
+   * variable that holds the default and gets the value, which must stay where it is as
+   * long as the table is in use; the values allowed; the documentation.
+   */
+  class ParameterSection
+  {
+  public:
+    ParameterSection(ParameterTable &table, const std::vector<std::string> &names)
+      : table(table)
+      , names(names)
+    {
+    }
 
-  /** The numbers of a list, which may be empty. */
-  std::vector<double> parse_numbers(const std::string &text);
+    /** A section within this one. */
+    ParameterSection subsection(const std::string &name) const;
 
-  /** The one or two entries of a list; one stands for both directions. */
-  std::array<double, 2> parse_pair(const std::string &text);
+    /** Whether or not. */
+    void add(const std::string &name, bool &variable, const std::string &documentation);
+
+    /** Any text. */
+    void
+    add(const std::string &name, std::string &variable, const std::string &documentation);
+
+    /** The path of a file. */
+    void add_path(const std::string &name,
+                  std::string       &variable,
+                  const std::string &documentation);
+
+    /** @p values is a Range, Names or a Text. */
+    template <typename Value, typename Values>
+    void
+    add(const std::string &name,
+        Value             &variable,
+        const Values      &values,
+        const std::string &documentation)
+    {
+      add({names,
+           name,
+           values.text(variable),
+           values.words(variable, false),
+           documentation,
+           [&variable, values](const std::string &text) {
+             return values.read(text, variable);
+           }});
+    }
+
+    /** A list, which may be empty. */
+    template <typename Value, typename Values>
+    void
+    add(const std::string  &name,
+        std::vector<Value> &variable,
+        const Values       &values,
+        const std::string  &documentation)
+    {
+      std::vector<std::string> texts;
+      for (const Value &value : variable)
+        texts.push_back(values.text(value));
+      add({names,
+           name,
+           join(texts, ", "),
+           values.words(Value(), true),
+           documentation,
+           [&variable, values](const std::string &text) {
+             return read_list(text, values, variable);
+           }});
+    }
+
+    /** One value for each direction; if they are the same, one stands for both. */
+    template <typename Value, typename Values>
+    void
+    add(const std::string    &name,
+        std::array<Value, 2> &variable,
+        const Values         &values,
+        const std::string    &documentation)
+    {
+      const std::string first = values.text(variable[0]);
+      add({names,
+           name,
+           variable[0] == variable[1] ? first : first + ", " + values.text(variable[1]),
+           "one or two " + values.words(Value(), true),
+           documentation,
+           [&variable, values](const std::string &text) {
+             std::vector<Value> list;
+             if (!read_list(text, values, list) || list.empty() || list.size() > 2)
+               return false;
+             variable = {{list.front(), list.back()}};
+             return true;
+           }});
+    }
+
+  private:
+    void
+    add(Parameter parameter)
+    {
+      table.add(std::move(parameter));
+    }
+
+    template <typename Value, typename Values>
+    static bool
+    read_list(const std::string &text, const Values &values, std::vector<Value> &list)
+    {
+      std::vector<std::string> parts = split(text, ',');
+      if (parts.back().empty()) // an empty list, or a comma at its end
+        parts.pop_back();
+      list.assign(parts.size(), Value());
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!values.read(parts[i], list[i]))
+          return false;
+      return true;
+    }
+
+    ParameterTable          &table;
+    std::vector<std::string> names;
+  };
 } // namespace strait
 
 #endif

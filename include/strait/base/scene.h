@@ -4,12 +4,10 @@
 
 #include <strait/base/contact_parameters.h>
 #include <strait/base/fluid_parameters.h>
-#include <strait/base/output_parameters.h>
-#include <strait/base/programme_parameters.h>
-#include <strait/base/realisation_parameters.h>
+#include <strait/base/run_parameters.h>
+#include <strait/base/scene_text.h>
 #include <strait/base/surface_parameters.h>
-#include <strait/base/theory_parameters.h>
-#include <strait/base/unit_parameters.h>
+#include <strait/base/units.h>
 
 #include <iosfwd>
 #include <string>
@@ -17,6 +15,8 @@
 
 namespace strait
 {
+  class ParameterTable;
+
   /** All that a scene file says, parsed and checked; constant from then on. */
   struct Scene
   {
@@ -29,11 +29,11 @@ namespace strait
     TheoryParameters      theory;
     OutputParameters      output;
 
-    /** The scene file, with every default filled in (ParameterHandler text). */
+    /** The scene file, with every default filled in. */
     std::string resolved;
 
-    static void declare(dealii::ParameterHandler &prm);
-    void        parse(dealii::ParameterHandler &prm);
+    /** Bind all parameters; this scene must then stay where it is. */
+    void bind(ParameterTable &table);
     /** Checks of each section and across sections; throws InputError. */
     void check() const;
     /** What is allowed but doubtful, one sentence each. */
@@ -44,12 +44,17 @@ namespace strait
   using Overrides = std::vector<std::string>;
 
   /**
-   * Read, override and check the scene file @p path on rank 0 of MPI_COMM_WORLD
-   * and hand it to all ranks. Throws InputError on all ranks for an unreadable
-   * file, an unknown parameter (naming file, line and the nearest known name), a
-   * value out of range, or sections that contradict each other. The path in
-   * Surface/File becomes absolute: it counts from the folder of the scene file,
-   * that of an override from the current folder.
+   * The scene that @p entries give, checked. Throws InputError for an unknown parameter
+   * (naming file, line and the nearest known name), a value that is not allowed, or
+   * sections that contradict each other.
+   */
+  Scene make_scene(const std::vector<SceneEntry> &entries);
+
+  /**
+   * Read the scene file @p path on rank 0 of MPI_COMM_WORLD, override it and make the
+   * scene on all ranks. Throws InputError on all ranks, also for an unreadable file. The
+   * paths of files in the scene become absolute: they count from the folder of the scene
+   * file, those in an override from the current folder.
    */
   Scene read_scene(const std::string &path, const Overrides &overrides = {});
 

@@ -2,18 +2,70 @@
 #ifndef strait_base_surface_parameters_h
 #define strait_base_surface_parameters_h
 
-#include <strait/base/map_parameters.h>
-
 #include <array>
 #include <string>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace strait
 {
+  class ParameterSection;
+
+  /** The format of a file of heights. */
+  enum class MapFormat
+  {
+    by_content,
+    npy,
+    text,
+    xyz,
+    netcdf,
+    hdf5,
+    x3p,
+    sdf
+  };
+
+  /** What is subtracted from a measured map, by least squares. */
+  enum class Detrend
+  {
+    none,
+    mean,
+    tilt,
+    curvature
+  };
+
+  /** How a measured map becomes one period. */
+  enum class MakePeriodic
+  {
+    no,
+    window,
+    mirror
+  };
+
+  /**
+   * The part of the section Surface that says how a measured map becomes a
+   * surface (Kind = file).
+   */
+  struct MapParameters
+  {
+    std::string  file;
+    std::string  second_file;
+    MapFormat    format = MapFormat::by_content;
+    std::string  dataset;
+    std::string  height_unit;  // settles or overrides what the file states
+    std::string  lateral_unit; // likewise
+    double       largest_missing_share = 0.;
+    Detrend      detrend               = Detrend::none;
+    MakePeriodic make_periodic         = MakePeriodic::no;
+    double       window_width          = 0.1; // share of each side
+    bool         resample              = false;
+    double       shortest_wavelength   = 0.; // 0: no filter
+    double       longest_wavelength    = 0.; // 0: no filter
+
+    /** The scene's unit of length, from the section Units. */
+    double length_in_metres = 1.;
+
+    void bind(ParameterSection section);
+    void check() const;
+  };
+
   /** The height profiles that strait knows. */
   enum class SurfaceKind
   {
@@ -60,8 +112,7 @@ namespace strait
     bool                  invert = false;
     bool                  rotate = false;
 
-    static void declare(dealii::ParameterHandler &prm);
-    void        parse(dealii::ParameterHandler &prm);
+    void bind(ParameterSection section);
     /** Throws InputError where the values contradict each other. */
     void check() const;
   };

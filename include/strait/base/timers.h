@@ -42,16 +42,12 @@ namespace strait
       std::string path;  // "contact/transforms"
       int         depth; // 0: the whole
       double      seconds;
-      long        calls;
     };
 
     Timers();
 
     /** Time @p name as a part of the innermost part that is being timed. */
     [[nodiscard]] Scope scope(const std::string &name);
-
-    /** Seconds spent in the finished scopes of the part @p path; 0 if none. */
-    double seconds(const std::string &path) const;
 
     /** Wall-clock seconds. */
     static double
@@ -79,7 +75,6 @@ namespace strait
       std::size_t              parent;
       std::vector<std::size_t> children;
       double                   seconds = 0.;
-      long                     calls   = 0;
     };
 
     std::string path(std::size_t node) const;

@@ -7,6 +7,8 @@
 
 namespace strait
 {
+  class ParameterSection;
+
   /**
    * What one of @p unit is in metres; nothing if the unit is
    * not known. The micro sign may be UTF-8, Latin-1, a Greek mu or the letter u.
@@ -55,6 +57,26 @@ namespace strait
 
   /** The names of all of them, for messages and documentation. */
   std::string leak_rate_unit_names();
+
+  /**
+   * The section Units of a scene: in what its numbers are meant. Computations
+   * know no units; they serve to read files, to label results and to convert
+   * leak rates.
+   */
+  struct UnitParameters
+  {
+    std::string length; // empty: not stated, as are the others
+    std::string pressure;
+    std::string time;
+
+    /** The scene's unit of length in metres; 1 if it is not stated. */
+    double length_in_metres() const;
+
+    /** Whether all three are stated. */
+    bool are_complete() const;
+
+    void bind(ParameterSection section);
+  };
 } // namespace strait
 
 #endif

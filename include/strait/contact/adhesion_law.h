@@ -2,7 +2,7 @@
 #ifndef strait_contact_adhesion_law_h
 #define strait_contact_adhesion_law_h
 
-#include <strait/base/adhesion_parameters.h>
+#include <strait/base/contact_parameters.h>
 
 #include <cstddef>
 

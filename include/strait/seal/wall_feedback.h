@@ -2,7 +2,7 @@
 #ifndef strait_seal_wall_feedback_h
 #define strait_seal_wall_feedback_h
 
-#include <strait/base/feedback_parameters.h>
+#include <strait/base/fluid_parameters.h>
 #include <strait/seal/fixed_point.h>
 #include <strait/spectral/slab_field.h>
 

@@ -2,7 +2,7 @@
 #ifndef strait_surface_readers_height_map_h
 #define strait_surface_readers_height_map_h
 
-#include <strait/base/map_parameters.h>
+#include <strait/base/surface_parameters.h>
 #include <strait/base/units.h>
 
 #include <array>

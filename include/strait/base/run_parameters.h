@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_base_run_parameters_h
+#define strait_base_run_parameters_h
+
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  class ParameterSection;
+
+  /** In which direction the loads are taken. */
+  enum class LoadPath
+  {
+    loading,
+    unloading,
+    cycle
+  };
+
+  /** The section Load programme: which loads (or mean gaps), in which order. */
+  struct ProgrammeParameters
+  {
+    std::vector<double> pressures           = {0.05, 0.1};
+    bool                find_threshold      = false;
+    bool                find_blow_out       = false;
+    bool                find_resealing      = false; // after blow-out
+    double              threshold_tolerance = 1e-4;
+    std::vector<double> reduced_loads;         // 1 − L/L_c
+    double              largest_fitted = 0.02; // reduced load
+    LoadPath            path           = LoadPath::loading;
+    double              jump_tolerance = 1e-3;
+
+    void bind(ParameterSection section);
+    void check() const;
+  };
+
+  /** How a realisation of a surface is turned. */
+  enum class Orientation
+  {
+    as_is,
+    inverted,
+    rotated,
+    inverted_and_rotated
+  };
+
+  /** The section Realisations: several surfaces of one kind in one run. */
+  struct RealisationParameters
+  {
+    std::vector<unsigned long long> seeds; // empty: that of the surface
+    std::vector<Orientation>        orientations = {Orientation::as_is};
+
+    /** Whether there is more than the surface of the section Surface. */
+    bool
+    enabled() const
+    {
+      return !seeds.empty() || orientations.size() > 1;
+    }
+
+    void bind(ParameterSection section);
+    void check() const;
+  };
+
+  /** The name of an orientation in a scene. */
+  std::string name_of(Orientation orientation);
+
+  /** The spectrum for which the theory is evaluated. */
+  enum class TheorySpectrum
+  {
+    model,  // what a self-affine surface has on average: no grid
+    surface // that of the heights on the grid
+  };
+
+  /** Whose gaps the effective medium is made of. */
+  enum class TheoryGaps
+  {
+    persson,
+    simulated
+  };
+
+  /** What sets n of the effective medium. */
+  enum class TheoryDimension
+  {
+    bruggeman,         // n = 2
+    critical_fraction, // given contact fraction at the threshold
+    from_threshold     // that at the run's own critical load
+  };
+
+  /** The section Theory: Persson's theory and the effective medium beside each step. */
+  struct TheoryParameters
+  {
+    bool            enabled           = false;
+    TheorySpectrum  spectrum          = TheorySpectrum::model;
+    TheoryGaps      gaps              = TheoryGaps::persson;
+    TheoryDimension dimension         = TheoryDimension::bruggeman;
+    double          critical_fraction = .42;
+    double          gamma             = .45;
+
+    void bind(ParameterSection section);
+  };
+
+  /** At which steps fields are written. */
+  enum class FieldOutput
+  {
+    none,
+    last,
+    all
+  };
+
+  /** The section Output. */
+  struct OutputParameters
+  {
+    std::string              directory        = "output";
+    FieldOutput              fields           = FieldOutput::none;
+    bool                     pictures         = true;
+    bool                     error_budget     = false; // with what costs more solves
+    bool                     checkpoint       = true;
+    bool                     surface_map      = false; // surface.nc
+    bool                     surface_spectrum = false; // spectrum.csv
+    std::vector<std::string> leak_rate_units;
+
+    void bind(ParameterSection section);
+  };
+} // namespace strait
+
+#endif
