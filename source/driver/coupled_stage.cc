@@ -48,9 +48,9 @@ namespace strait
     goal.tolerance = scene.fluid.feedback.tolerance;
     if (step.feedback->converged && !last_result.agrees_within(goal))
       iterate(step, target, goal);
-    if (step.flow->solver)
+    if (step.flow->solution)
       {
-        flow.certify(*step.flow, step.gap, step.slip_length, share);
+        flow.certify(*step.flow, share);
         allow_for_mesh(step);
       }
   }
@@ -73,20 +73,19 @@ namespace strait
       {
         iterate(step, target, goal);
         goal.goes_on = true;
-        if (!step.feedback->converged || !step.flow->solver)
+        if (!step.feedback->converged || !step.flow->solution)
           break;
         bool stays = true;
         if (leak_before)
           {
-            flow.certify(*step.flow, step.gap, step.slip_length, share);
+            flow.certify(*step.flow, share);
             // A change below the width of the bracket, or below what the iteration leaves
             // over, is chance.
-            const FlowResult &now = step.flow->result;
-            step.feedback->mesh_error =
-              std::max({std::abs(*leak_before / now.leak_rate - 1.),
-                        .5 * now.relative_width(),
-                        goal.tolerance});
-            stays = step.feedback->mesh_error <= another_state;
+            const Leakage &now        = step.flow->leakage;
+            step.feedback->mesh_error = std::max({std::abs(*leak_before / now.rate - 1.),
+                                                  .5 * now.relative_width(),
+                                                  goal.tolerance});
+            stays                     = step.feedback->mesh_error <= another_state;
             const bool is_narrow =
               now.relative_width() + 2. * step.feedback->mesh_error <=
               flow.fluid().target_accuracy;
@@ -103,8 +102,8 @@ namespace strait
             ++states;
             flow.discard_mesh();
           }
-        flow.certify(*step.flow, step.gap, step.slip_length, share);
-        leak_before = step.flow->result.leak_rate;
+        flow.certify(*step.flow, share);
+        leak_before = step.flow->leakage.rate;
       }
     return share;
   }
@@ -114,7 +113,7 @@ namespace strait
   void
   CoupledStage::allow_for_mesh(Step &step) const
   {
-    FlowResult  &result = step.flow->result;
+    Leakage     &result = step.flow->leakage;
     const double error  = step.feedback->mesh_error;
     result.lower *= std::max(0., 1. - error);
     result.upper *= 1. + error;
@@ -216,8 +215,8 @@ namespace strait
     flow.follow(*step.flow, step.gap, step.slip_length, mesh_share);
 
     FeedbackRound result;
-    result.percolates     = step.flow->clusters.percolates;
-    result.leak_rate      = step.flow->result.upper;
+    result.percolates     = step.flow->channel.percolates();
+    result.leak_rate      = step.flow->leakage.upper;
     result.fluid_pressure = pressure_in(step, assumed);
     log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",
                         mean(result.fluid_pressure),
@@ -228,15 +227,15 @@ namespace strait
   SlabField
   CoupledStage::pressure_in(const Step &step, SlabField start)
   {
-    const std::vector<NodeState> &states = step.flow->clusters.states;
+    const std::vector<NodeState> &states = step.flow->channel.clusters.states;
     pools.note(states);
-    SlabField               open_gap = FlowStage::seen_gap(step.gap, step.slip_length);
-    const double            inlet    = flow.fluid().inlet_pressure;
-    const double            drop     = inlet - flow.fluid().outlet_pressure;
-    const SlabLayoutPtr    &layout   = start.layout_pointer();
-    const GridDeposit::Sums channel  = step.flow->solver
-                                         ? pressure_on_grid(*step.flow->solver, layout)
-                                         : GridDeposit::Sums();
+    SlabField               open    = open_gap(step.gap, step.slip_length);
+    const double            inlet   = flow.fluid().inlet_pressure;
+    const double            drop    = inlet - flow.fluid().outlet_pressure;
+    const SlabLayoutPtr    &layout  = start.layout_pointer();
+    const GridDeposit::Sums channel = step.flow->solution
+                                        ? pressure_on_grid(*step.flow->solution, layout)
+                                        : GridDeposit::Sums();
     for (std::size_t k = 0; k < start.size(); ++k)
       switch (pools.contains(k) ? pools.state_before(k) : states[k])
         {
@@ -261,13 +260,13 @@ namespace strait
           case NodeState::closed:
             if (!has_continued)
               start[k] = .5 * (inlet + flow.fluid().outlet_pressure);
-            open_gap[k] = std::min(open_gap[k], 0.);
+            open[k] = std::min(open[k], 0.);
             break;
         }
     has_continued = true;
     // The next round starts from here, so that no more is needed than to come nearer.
     constexpr double reduction = 1e-3;
-    continuation.extend(start, open_gap, inlet, flow.fluid().outlet_pressure, reduction);
+    continuation.extend(start, open, inlet, flow.fluid().outlet_pressure, reduction);
     return start;
   }
 
@@ -283,11 +282,11 @@ namespace strait
     step.contact->mean_gap = step.mean_gap = infinite;
     step.contact->gap = step.gap = SlabField(layout, infinite);
     step.flow.emplace();
-    step.flow->clusters.percolates = true;
-    step.flow->clusters.states.assign(step.gap.size(), NodeState::percolating);
-    step.flow->result.leak_rate = step.flow->result.upper = infinite;
-    step.feedback->lifted_off                             = true;
-    step.feedback->fluid_load                             = target;
+    step.flow->channel.clusters.percolates = true;
+    step.flow->channel.clusters.states.assign(step.gap.size(), NodeState::percolating);
+    step.flow->leakage.rate = step.flow->leakage.upper = infinite;
+    step.feedback->lifted_off                          = true;
+    step.feedback->fluid_load                          = target;
     log.warn(
       format("the fluid alone carries a load of %.6g: the walls part and nothing "
              "limits the leak",

@@ -142,7 +142,7 @@ namespace strait
         compare_with_threshold(step);
         compare_with_theory(step);
         step.errors =
-          step.flow && step.flow->solver ? error_budget->assess(step) : StepErrors();
+          step.flow && step.flow->solution ? error_budget->assess(step) : StepErrors();
         converged = converged && step.converged();
         report_step(step, static_cast<int>(stops.size()), timers.total(), log);
         ++next_stop;

@@ -12,20 +12,6 @@ namespace strait
   namespace
   {
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-    /** (12 η K_eff)^(1/3) with K_eff = Q L_along/(L_across Δp); in a mesh the uniform gap
-     *  that leaks as much. */
-    double
-    effective_gap(const FluidParameters &fluid,
-                  const PeriodicGrid    &grid,
-                  const StepFlow        &flow)
-    {
-      const double aspect = flow.shape_factor > 0                 ? 1. / flow.shape_factor
-                            : fluid.direction == FlowDirection::x ? grid.lx / grid.ly
-                                                                  : grid.ly / grid.lx;
-      return std::cbrt(12. * fluid.viscosity * flow.result.leak_rate * aspect /
-                       (fluid.inlet_pressure - fluid.outlet_pressure));
-    }
   } // namespace
 
   ResultTable::ResultTable(const Scene &scene)
@@ -54,12 +40,12 @@ namespace strait
       add_contact_columns();
     if (scene.fluid.enabled)
       {
-        add("cells", [](const Step &step) { return step.flow->result.cells; });
-        add("unknowns", [](const Step &step) { return step.flow->result.unknowns; });
+        add("cells", [](const Step &step) { return step.flow->leakage.cells; });
+        add("unknowns", [](const Step &step) { return step.flow->leakage.unknowns; });
         add("refinements",
-            [](const Step &step) { return step.flow->result.refinements; });
+            [](const Step &step) { return step.flow->leakage.refinements; });
         add("flow_iterations",
-            [](const Step &step) { return step.flow->result.iterations; });
+            [](const Step &step) { return step.flow->leakage.iterations; });
       }
     if (scene.contact.enabled && scene.contact.adhesion.enabled)
       {
@@ -88,29 +74,28 @@ namespace strait
     const FluidParameters fluid = scene.fluid;
     if (fluid.has_slip())
       add("slip_length", [](const Step &step) { return step.slip_length; });
-    add("percolates", [](const Step &step) { return step.flow->clusters.percolates; });
+    add("percolates", [](const Step &step) { return step.flow->channel.percolates(); });
     if (scene.programme.find_threshold)
       add("reduced_load",
           [](const Step &step) { return step.reduced_load.value_or(not_a_number); });
-    add("leak_rate", [](const Step &step) { return step.flow->result.leak_rate; });
-    add("leak_rate_lower", [](const Step &step) { return step.flow->result.lower; });
-    add("leak_rate_upper", [](const Step &step) { return step.flow->result.upper; });
+    add("leak_rate", [](const Step &step) { return step.flow->leakage.rate; });
+    add("leak_rate_lower", [](const Step &step) { return step.flow->leakage.lower; });
+    add("leak_rate_upper", [](const Step &step) { return step.flow->leakage.upper; });
     for (const std::string &name : scene.output.leak_rate_units)
       {
         const LeakRateUnit  *unit  = find_leak_rate_unit(name);
         const UnitParameters units = scene.units;
         add(unit->column, [=](const Step &step) {
-          return in_trade_unit(step.flow->result.leak_rate, *unit, units, fluid);
+          return in_trade_unit(step.flow->leakage.rate, *unit, units, fluid);
         });
       }
-    add("effective_gap", [fluid](const Step &step) {
-      return effective_gap(fluid, step.gap.grid(), *step.flow);
-    });
+    add("effective_gap",
+        [fluid](const Step &step) { return effective_gap(step.flow->leakage, fluid); });
     const auto add_constriction = [this](const std::string &name, auto value) {
       add(name, [value](const Step &step) {
-        return step.flow->paths.empty()
+        return step.flow->channel.paths.empty()
                  ? not_a_number
-                 : value(step.flow->paths.front(), step.gap.grid());
+                 : value(step.flow->channel.paths.front(), step.gap.grid());
       });
     };
     add_constriction("worst_constriction_x",

@@ -108,7 +108,7 @@ namespace strait
     Step step;
     step.slip_length = slip_length;
     stages.coupling->settle(step, load);
-    keep_fluid(step.flow->clusters.percolates);
+    keep_fluid(step.flow->channel.percolates());
     warn_of_disagreement(step, load);
     return std::move(*step.contact);
   }
@@ -237,10 +237,10 @@ namespace strait
     stages.coupling->settle(step, load);
     warn_of_disagreement(step, load);
     BlowOutProbe result;
-    result.leaks        = step.flow->clusters.percolates;
+    result.leaks        = step.flow->channel.percolates();
     result.contact_area = step.contact->contact_area;
-    if (result.leaks && !step.flow->paths.empty())
-      result.constriction = step.flow->paths.front().bottleneck;
+    if (result.leaks && !step.flow->channel.paths.empty())
+      result.constriction = step.flow->channel.paths.front().bottleneck;
     log.progress(format("  blow-out: inlet pressure %.6g %s",
                         inlet,
                         result.leaks ? "leaks" : "is held"));

@@ -6,13 +6,13 @@
 namespace strait
 {
   void
-  report_flow(const FlowResult &flow, Log &log)
+  report_flow(const Leakage &leakage, Log &log)
   {
     log.progress(format("  flow: mesh %u, %llu cells, leak rate between %.4g and %.4g",
-                        flow.refinements + 1,
-                        flow.cells,
-                        flow.lower,
-                        flow.upper));
+                        leakage.refinements + 1,
+                        leakage.cells,
+                        leakage.lower,
+                        leakage.upper));
   }
 
   void
@@ -27,11 +27,11 @@ namespace strait
                step.contact->residual,
                step.contact->fft_pairs,
                step.contact_seconds);
-    if (step.flow && step.flow->clusters.percolates)
+    if (step.flow && step.flow->channel.percolates())
       text += format("; leak rate %.5g ± %.1g %% (%llu cells, %.1f s)",
-                     step.flow->result.leak_rate,
-                     50. * step.flow->result.relative_width(),
-                     step.flow->result.cells,
+                     step.flow->leakage.rate,
+                     50. * step.flow->leakage.relative_width(),
+                     step.flow->leakage.cells,
                      step.flow_seconds);
     else if (step.flow)
       text += "; sealed";

@@ -92,7 +92,7 @@ namespace strait
     if (!step.flow || !step.flow->constrictions)
       return;
     const ConstrictionReport &report = *step.flow->constrictions;
-    const FlowPath           &path   = step.flow->paths.front();
+    const FlowPath           &path   = step.flow->channel.paths.front();
     file.append({std::to_string(step.number),
                  full_precision(step.contact->nominal_pressure),
                  full_precision(step.slip_length),
@@ -103,7 +103,7 @@ namespace strait
                  full_precision(report.throat.length),
                  full_precision(report.throat.width),
                  full_precision(report.points_along),
-                 full_precision(report.share_of_worst),
+                 full_precision(report.fraction_at_worst),
                  std::to_string(report.n_constrictions),
                  std::to_string(report.n_for_90_percent)});
   }
@@ -127,7 +127,7 @@ namespace strait
       if (step.doubts.empty())
         quantities.trusted[name].push_back({*step.reduced_load, value});
     };
-    add("leak_rate", std::abs(step.flow->result.leak_rate));
+    add("leak_rate", std::abs(step.flow->leakage.rate));
     add("throat_gap", throat.gap);
     add("throat_length", throat.length);
     add("throat_width", throat.width);

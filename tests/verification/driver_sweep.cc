@@ -150,8 +150,8 @@ namespace strait
       step.doubts = {"uncertain-threshold", "unresolved-throat"};
       EXPECT_EQ(step.status(), "uncertain-threshold+unresolved-throat");
       EXPECT_TRUE(step.converged());
-      step.flow.emplace().result.status = "flow-accuracy";
-      step.contact.emplace().converged  = false;
+      step.flow.emplace().leakage.status = "flow-accuracy";
+      step.contact.emplace().converged   = false;
       EXPECT_EQ(
         step.status(),
         "contact-not-converged+flow-accuracy+uncertain-threshold+unresolved-throat");

@@ -5,7 +5,7 @@
 #include <strait/base/scene.h>
 #include <strait/contact/adhesive_contact_solver.h>
 #include <strait/driver/branch_follower.h>
-#include <strait/percolation/flow_domain.h>
+#include <strait/percolation/flow_region.h>
 
 namespace strait
 {

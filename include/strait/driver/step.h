@@ -4,11 +4,10 @@
 
 #include <strait/base/text.h>
 #include <strait/contact/contact_state.h>
-#include <strait/driver/constriction_report.h>
 #include <strait/driver/theory_prediction.h>
-#include <strait/flow/reynolds_solver.h>
-#include <strait/percolation/clusters.h>
-#include <strait/percolation/flow_path.h>
+#include <strait/flow/constrictions.h>
+#include <strait/flow/leakage.h>
+#include <strait/percolation/channel.h>
 
 #include <memory>
 #include <optional>
@@ -17,23 +16,23 @@
 
 namespace strait
 {
+  class ReynoldsSolver;
+  struct SealMesh;
+
   /** What the fluid does in one gap. */
   struct StepFlow
   {
-    Clusters              clusters;
-    std::vector<FlowPath> paths;  // empty where nothing percolates
-    FlowResult            result; // zero leak rate where nothing percolates
-
-    /** The mesh that the scene names, where the fluid flows; null: the box. */
-    const SealMesh *seal         = nullptr;
-    double          shape_factor = 0.; // of that mesh: Q/(K Δp) at a uniform K
+    Channel channel;
+    Leakage leakage; // a rate of zero where nothing percolates
 
     /** If the scene looks for the threshold and something percolates. */
     std::optional<ConstrictionReport> constrictions;
 
-    /** Mesh and pressure; none where nothing percolates. Valid until the next
-     *  step changes the gap. */
-    std::unique_ptr<ReynoldsSolver> solver;
+    /** For fields and pictures: the mesh that the scene names, null if the fluid flows in
+     *  the box, and the mesh and pressure of the flow, null where nothing percolates;
+     *  valid until the flow stage is given another gap. */
+    const SealMesh                 *seal = nullptr;
+    std::shared_ptr<ReynoldsSolver> solution;
   };
 
   /** How contact and flow came to agree, where the fluid presses on the wall. */
@@ -88,7 +87,8 @@ namespace strait
     bool
     converged() const
     {
-      return (!contact || contact->converged) && (!flow || flow->result.status == "ok") &&
+      return (!contact || contact->converged) &&
+             (!flow || flow->leakage.status == "ok") &&
              (!feedback || feedback->converged);
     }
 
@@ -99,8 +99,8 @@ namespace strait
       std::vector<std::string> words;
       if (contact && !contact->converged)
         words.emplace_back("contact-not-converged");
-      if (flow && flow->result.status != "ok")
-        words.push_back(flow->result.status);
+      if (flow && flow->leakage.status != "ok")
+        words.push_back(flow->leakage.status);
       if (feedback && !feedback->converged)
         words.emplace_back(feedback->lifted_off  ? "lifted-off"
                            : feedback->undecided ? "feedback-undecided"

@@ -8,7 +8,7 @@
 namespace strait
 {
   /** Show how far the bracket of the leak rate is, as progress. */
-  void report_flow(const FlowResult &flow, Log &log);
+  void report_flow(const Leakage &leakage, Log &log);
 
   /** A line on a step that is done, and how long the others may take. */
   void report_step(const Step &step, int n_steps, double seconds_so_far, Log &log);
