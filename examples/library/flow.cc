@@ -30,9 +30,9 @@ main(int argc, char **argv)
   strait::Timers    timers;
   strait::LoadSweep sweep(scene, gap, log, timers);
   sweep.run([](const strait::Step &step) {
-    const strait::FlowResult &flow = step.flow->result;
-    std::cout << "leak rate " << flow.leak_rate << ", between " << flow.lower << " and "
-              << flow.upper << std::endl;
+    const strait::Leakage &leakage = step.flow->leakage;
+    std::cout << "leak rate " << leakage.rate << ", between " << leakage.lower << " and "
+              << leakage.upper << std::endl;
     return true; // go on to the next step, if there is one
   });
   std::cout << "exact     " << std::pow(0.75, 2.5) / 1.125 << std::endl;

@@ -66,7 +66,7 @@ namespace strait
     if (step.state.contact ? coarser.size() < 2
                            : !can_be_coarsened(step.state.gap().grid()))
       return;
-    const double fine   = step.flow->result.leak_rate;
+    const double fine   = step.flow->leakage.rate;
     const double half   = leak_on(1, step);
     const double first  = (fine - half) / fine;
     double       error  = std::abs(first);
@@ -90,18 +90,17 @@ namespace strait
   StepErrors
   ErrorBudget::assess(const Step &step)
   {
-    StepErrors        errors;
-    const FlowResult &flow    = step.flow->result;
-    const double      by_wall = step.state.fluid ? step.state.fluid->mesh_error : 0.;
+    StepErrors     errors;
+    const Leakage &leakage = step.flow->leakage;
+    const double   by_wall = step.state.fluid ? step.state.fluid->mesh_error : 0.;
     errors.items.push_back(
-      {"mesh", .5 * flow.relative_width() - by_wall, "Fluid/Target accuracy"});
-    errors.items.push_back({"linear solver",
-                            ReynoldsSolver::linear_share * scene.fluid.target_accuracy,
-                            "Fluid/Target accuracy"});
+      {"mesh", .5 * leakage.relative_width() - by_wall, "Fluid/Target accuracy"});
+    errors.items.push_back(
+      {"linear solver", leakage.linear_error, "Fluid/Target accuracy"});
     if (step.state.contact)
       errors.items.push_back({"contact tolerance",
                               3. * step.state.contact->residual * rms_height /
-                                step.flow->paths.front().bottleneck_gap,
+                                step.flow->channel.paths.front().bottleneck_gap,
                               "Contact/Tolerance"});
     if (step.state.fluid)
       {
@@ -122,7 +121,7 @@ namespace strait
         const double leak =
           leak_rate_of(step.state.gap(), step.state.control.slip_length, other);
         errors.items.push_back({"gap interpolation",
-                                std::abs(leak / flow.leak_rate - 1.),
+                                std::abs(leak / leakage.rate - 1.),
                                 "Contact/Grid points"});
       }
     std::stable_sort(errors.items.begin(),

@@ -102,7 +102,7 @@ namespace strait
     if (step.flow && step.flow->constrictions && step.converged())
       {
         const Throat &throat         = step.flow->constrictions->throat;
-        sample.values[leak_rate]     = std::abs(step.flow->result.leak_rate);
+        sample.values[leak_rate]     = std::abs(step.flow->leakage.rate);
         sample.values[throat_gap]    = throat.gap;
         sample.values[throat_length] = throat.length;
         sample.values[throat_width]  = throat.width;

@@ -4,6 +4,7 @@
 #include <strait/driver/field_output.h>
 #include <strait/driver/grid_description.h>
 #include <strait/driver/output_directory.h>
+#include <strait/flow/reynolds_solver.h>
 
 #include <deal.II/base/hdf5.h>
 #include <deal.II/numerics/data_out.h>
@@ -69,11 +70,11 @@ namespace strait
     if (step.flow)
       {
         std::vector<int> labels;
-        for (const NodeState state : step.flow->clusters.states)
+        for (const NodeState state : step.flow->channel.clusters.states)
           labels.push_back(static_cast<int>(state));
         write_slabs(file, "labels", layout, labels);
         datasets.push_back({"labels", true});
-        file.set_attribute("leak_rate", step.flow->result.leak_rate);
+        file.set_attribute("leak_rate", step.flow->leakage.rate);
       }
     file.set_attribute("lx", grid.lx);
     file.set_attribute("ly", grid.ly);
@@ -92,9 +93,9 @@ namespace strait
                     const Step            &step,
                     const FluidParameters &fluid)
   {
-    if (!step.flow || !step.flow->solver)
+    if (!step.flow || !step.flow->solution)
       return;
-    const PotentialProblem &problem = step.flow->solver->pressure();
+    const PotentialProblem &problem = step.flow->solution->pressure();
     const auto             &dofs    = problem.dof_handler();
     const auto             &tria    = dofs.get_triangulation();
 
@@ -125,7 +126,7 @@ namespace strait
     out.add_data_vector(conductivity, "mean_conductivity");
     out.add_data_vector(level, "level");
     out.add_data_vector(leaks, "leaks");
-    out.build_patches(step.flow->solver->mesh().mapping(), dofs.get_fe().degree);
+    out.build_patches(step.flow->solution->mesh().mapping(), dofs.get_fe().degree);
     const std::string name = numbered(directory, "flow", step.number);
     MPI_Comm          comm = step.state.gap().layout().communicator();
     // About what it takes, compressed; the library would print errors of its own.

@@ -13,20 +13,6 @@ namespace strait
   {
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-    /** (12 η K_eff)^(1/3) with K_eff = Q L_along/(L_across Δp); in a mesh the uniform gap
-     *  that leaks as much. */
-    double
-    effective_gap(const FluidParameters &fluid,
-                  const PeriodicGrid    &grid,
-                  const StepFlow        &flow)
-    {
-      const double aspect = flow.shape_factor > 0                 ? 1. / flow.shape_factor
-                            : fluid.direction == FlowDirection::x ? grid.lx / grid.ly
-                                                                  : grid.ly / grid.lx;
-      return std::cbrt(12. * fluid.viscosity * flow.result.leak_rate * aspect /
-                       (fluid.inlet_pressure - fluid.outlet_pressure));
-    }
-
     /** Getters of members of the contact. */
     const auto of_contact = [](auto member) {
       return
@@ -47,14 +33,15 @@ namespace strait
     /** The same of a leak rate. */
     const auto of_leakage = [](auto member) {
       return
-        [member](const Step &step) { return std::invoke(member, step.flow->result); };
+        [member](const Step &step) { return std::invoke(member, step.flow->leakage); };
     };
 
     /** The same of the path of least resistance, where there is one. */
     const auto of_path = [](auto value) {
       return [value](const Step &step) -> double {
-        return step.flow->paths.empty() ? not_a_number
-                                        : std::invoke(value, step.flow->paths.front());
+        return step.flow->channel.paths.empty()
+                 ? not_a_number
+                 : std::invoke(value, step.flow->channel.paths.front());
       };
     };
 
@@ -65,15 +52,15 @@ namespace strait
       const PeriodicGrid    grid  = grid_of(scene);
       table.when(with_flow)
         .add(
-          of_leakage(&FlowResult::leak_rate),
+          of_leakage(&Leakage::rate),
           "leak_rate [length³/time]: Q, volume per time from inlet to outlet: geometric "
           "mean of its bounds, or the upper one if they differ by more than a factor of "
           "two; 0 if nothing percolates; negative if the outlet has the higher pressure")
-        .add(of_leakage(&FlowResult::lower),
+        .add(of_leakage(&Leakage::lower),
              "leak_rate_lower [length³/time]: lower bound of its magnitude, the best of "
              "all meshes; with `Wall feedback` bounds are widened by what the last mesh "
              "changed of it through the gap")
-        .add(of_leakage(&FlowResult::upper),
+        .add(of_leakage(&Leakage::upper),
              "leak_rate_upper [length³/time]: upper bound, likewise");
       table.when({"with `Output/Leak rate units`", scene.fluid.enabled});
       for (const std::string &name : scene.output.leak_rate_units)
@@ -82,7 +69,7 @@ namespace strait
           const UnitParameters units = scene.units;
           table.add(
             [=](const Step &step) {
-              const double rate = step.flow->result.leak_rate;
+              const double rate = step.flow->leakage.rate;
               return in_trade_unit(rate, *unit, units, fluid);
             },
             std::string(unit->column) + " [" + unit->name + "]: " +
@@ -91,7 +78,7 @@ namespace strait
         }
       table.when(with_flow)
         .add(
-          [=](const Step &step) { return effective_gap(fluid, grid, *step.flow); },
+          [=](const Step &step) { return effective_gap(step.flow->leakage, fluid); },
           "effective_gap [length]: (12 η K_eff)^(1/3) with K_eff = Q L/(W Δp), or in a "
           "mesh ([meshes](meshes.md)) Q/(S Δp) with Q = S K Δp at a uniform K: smooth "
           "plates with this gap leak as much")
@@ -167,7 +154,7 @@ namespace strait
       .add([](const Step &step) { return step.state.control.slip_length; },
            "slip_length [length]: d0")
       .when(with_flow)
-      .add([](const Step &step) { return step.flow->clusters.percolates; },
+      .add([](const Step &step) { return step.flow->channel.percolates(); },
            "percolates [1]: 1 if an open channel connects inlet and outlet, 0 if not")
       .when(
         {"with `Find threshold`", scene.fluid.enabled && scene.programme.find_threshold})
@@ -185,12 +172,11 @@ namespace strait
       .add(of_contact(&ContactState::fft_pairs),
            "fft_pairs [1]: transforms there and back, counted likewise")
       .when(with_flow)
-      .add(of_leakage(&FlowResult::cells), "cells [1]: active cells of the last mesh")
-      .add(of_leakage(&FlowResult::unknowns),
+      .add(of_leakage(&Leakage::cells), "cells [1]: active cells of the last mesh")
+      .add(of_leakage(&Leakage::unknowns),
            "unknowns [1]: of pressure and stream function together, on the last mesh")
-      .add(of_leakage(&FlowResult::refinements),
-           "refinements [1]: meshes after the first")
-      .add(of_leakage(&FlowResult::iterations),
+      .add(of_leakage(&Leakage::refinements), "refinements [1]: meshes after the first")
+      .add(of_leakage(&Leakage::iterations),
            "flow_iterations [1]: of the linear solver, all meshes, both problems")
       .when(with_adhesion)
       .add([](const Step &step) { return step.state.contact->adhesion->adhesive_energy; },

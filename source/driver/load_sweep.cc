@@ -20,9 +20,9 @@ namespace strait
     unlimited_flow(const std::size_t n_points)
     {
       StepFlow flow;
-      flow.clusters.percolates = true;
-      flow.clusters.states.assign(n_points, NodeState::percolating);
-      flow.result.leak_rate = flow.result.upper = std::numeric_limits<double>::infinity();
+      flow.channel.clusters.percolates = true;
+      flow.channel.clusters.states.assign(n_points, NodeState::percolating);
+      flow.leakage.rate = flow.leakage.upper = std::numeric_limits<double>::infinity();
       return flow;
     }
   } // namespace
@@ -175,9 +175,9 @@ namespace strait
       step.flow = flow->solve(step.state.gap(),
                               step.state.control.slip_length,
                               share_of_bracket(step.state, accuracy));
-    if (step.state.fluid && step.flow->solver)
-      allow_for_feedback(step.flow->result, *step.state.fluid, accuracy);
-    flow->warn_of_width(step.flow->result);
+    if (step.state.fluid && step.flow->solution)
+      allow_for_feedback(step.flow->leakage, *step.state.fluid, accuracy);
+    flow->warn_of_width(step.flow->leakage);
     step.flow_seconds = Timers::seconds_since(start);
   }
 
@@ -188,7 +188,7 @@ namespace strait
     compare_with_threshold(step);
     compare_with_theory(step);
     step.errors =
-      step.flow && step.flow->solver ? error_budget->assess(step) : StepErrors();
+      step.flow && step.flow->solution ? error_budget->assess(step) : StepErrors();
     converged = converged && step.converged();
   }
 

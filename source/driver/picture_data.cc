@@ -4,6 +4,7 @@
 #include <strait/driver/picture_data.h>
 #include <strait/flow/grid_points.h>
 #include <strait/flow/mapped_points.h>
+#include <strait/flow/reynolds_solver.h>
 #include <strait/flow/vertex_slopes.h>
 
 #include <deal.II/base/hdf5.h>
@@ -146,7 +147,7 @@ namespace strait
           result[k] = step.state.gap()[k] > 0 ? 1 : 0;
         else
           {
-            const NodeState state = step.flow->clusters.states[k];
+            const NodeState state = step.flow->channel.clusters.states[k];
             result[k]             = state == NodeState::closed        ? 0
                                     : state == NodeState::percolating ? 2
                                     : state == NodeState::outside     ? 3
@@ -172,13 +173,13 @@ namespace strait
       if (step.state.contact)
         fields.contact_pressure =
           thin_out(layout, step.state.contact->pressure.data(), raster);
-      if (!step.flow || !step.flow->solver)
+      if (!step.flow || !step.flow->solution)
         return fields;
 
       const RasterFlow flow =
-        flow_on_raster(*step.flow->solver, raster, layout.communicator());
+        flow_on_raster(*step.flow->solution, raster, layout.communicator());
       const double drop = fluid.inlet_pressure - fluid.outlet_pressure;
-      const double leak = std::abs(step.flow->result.leak_rate);
+      const double leak = std::abs(step.flow->leakage.rate);
       for (std::size_t k = 0; k < fields.gap.size(); ++k)
         {
           const bool leaks = fields.open[k] == 2.F;
@@ -244,11 +245,11 @@ namespace strait
         }
       if (!step.flow)
         return;
-      file.set_attribute("leak_rate", step.flow->result.leak_rate);
-      file.set_attribute("percolates", step.flow->clusters.percolates ? 1. : 0.);
-      if (!step.flow->paths.empty())
+      file.set_attribute("leak_rate", step.flow->leakage.rate);
+      file.set_attribute("percolates", step.flow->channel.percolates() ? 1. : 0.);
+      if (!step.flow->channel.paths.empty())
         {
-          const FlowPath &path = step.flow->paths.front();
+          const FlowPath &path = step.flow->channel.paths.front();
           file.set_attribute("worst_x",
                              path.bottleneck.ix * step.state.gap().grid().dx());
           file.set_attribute("worst_y",

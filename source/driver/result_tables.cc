@@ -34,7 +34,7 @@ namespace strait
     GridPoint
     bottleneck_of(const Step &step)
     {
-      return step.flow->paths.front().bottleneck;
+      return step.flow->channel.paths.front().bottleneck;
     }
 
     /** Entries of the report on a step's constrictions, and of the throat in it. */
@@ -98,7 +98,7 @@ namespace strait
            "width [length]: across it, at which the gap would vanish")
       .add(of_report(&ConstrictionReport::points_along),
            "points_along [1]: the length in grid spacings")
-      .add(of_report(&ConstrictionReport::share_of_worst),
+      .add(of_report(&ConstrictionReport::fraction_at_worst),
            "share_of_worst [1]: largest part of the pressure drop at one of them")
       .add(of_report(&ConstrictionReport::n_constrictions),
            "constrictions [1]: how many there are along the path")

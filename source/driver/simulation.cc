@@ -11,6 +11,7 @@
 #include <strait/driver/simulation.h>
 #include <strait/driver/surface_output.h>
 #include <strait/driver/theory_run.h>
+#include <strait/flow/seal_mesh.h>
 #include <strait/interface/moment_set.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/resolution.h>

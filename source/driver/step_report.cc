@@ -17,11 +17,11 @@ namespace strait
                step.state.contact->residual,
                step.state.contact->fft_pairs,
                step.state.contact_seconds);
-    if (step.flow && step.flow->clusters.percolates)
+    if (step.flow && step.flow->channel.percolates())
       text += format("; leak rate %.5g ± %.1g %% (%llu cells, %.1f s)",
-                     step.flow->result.leak_rate,
-                     50. * step.flow->result.relative_width(),
-                     step.flow->result.cells,
+                     step.flow->leakage.rate,
+                     50. * step.flow->leakage.relative_width(),
+                     step.flow->leakage.cells,
                      step.flow_seconds);
     else if (step.flow)
       text += "; sealed";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/flow/critical_cells.h>
 #include <strait/flow/reynolds_solver.h>
-#include <strait/percolation/critical_cells.h>
 
 #include <deal.II/distributed/grid_refinement.h>
 
@@ -12,13 +12,23 @@ namespace strait
 {
   namespace
   {
-    // A cell is refined if its share exceeds this part of the mean one.
+    // A cell is refined if it contributes more to the width of the bracket than this
+    // fraction of the mean. Half of it refines more cells a mesh, and leaves more
+    // unknowns than it takes; double of it takes more meshes.
     constexpr double marking_level = .7;
+
+    // How much smaller than the target accuracy the linear solver's error is. Double of
+    // it saves a fraction of an iteration, as half of it costs one; the bounds feel
+    // neither.
+    constexpr double linear_tolerance_factor = 1e-12;
+
+    // What rounding may do to bounds of the same quantity, relative.
+    constexpr double rounding = 1e-6;
   } // namespace
 
   ReynoldsSolver::ReynoldsSolver(const FluidParameters       &fluid,
                                  const GapField              &gap,
-                                 const std::vector<FlowPath> &paths,
+                                 const std::vector<GridCell> &critical_cells,
                                  const SealMesh              *seal)
     : parameters(fluid)
     , gap_field(gap)
@@ -32,57 +42,61 @@ namespace strait
       enrichment = std::make_unique<Enrichment>(flow_mesh);
     if (fluid.refinement == Refinement::adaptive)
       flow_mesh.refine_initially(largest_start_exponent(flow_mesh.grid()),
-                                 paths.empty() ? std::vector<GridCell>()
-                                               : paths.front().critical_cells);
+                                 critical_cells);
     else
       flow_mesh.refine_uniformly(start_exponent);
   }
 
-  FlowResult
+  Leakage
   ReynoldsSolver::run(const Observer          &observer,
-                      const double             share,
+                      const double             tolerance_factor,
                       const unsigned long long most_unknowns)
   {
-    FlowResult result;
+    const double target = parameters.target_accuracy;
+    Leakage      leakage;
+    leakage.linear_error = linear_tolerance_factor * target;
     widths.clear();
     while (true)
       {
-        const bool solved = solve_on_mesh(result);
+        const bool solved = solve_on_mesh(leakage);
         if (observer)
-          observer(result);
-        if (!(result.mesh_lower > 0 &&
-              result.mesh_lower <= result.mesh_upper * (1 + 1e-6)))
+          observer(leakage);
+        if (!(leakage.mesh_lower > 0 &&
+              leakage.mesh_lower <= leakage.mesh_upper * (1 + rounding)))
           {
-            result.status = "flow-bracket";
-            return result;
+            leakage.status = "flow-bracket";
+            return leakage;
           }
-        if (unknowns_needed == 0 && result.relative_width() <= parameters.target_accuracy)
-          unknowns_needed = result.unknowns;
-        if (result.relative_width() <= share * parameters.target_accuracy ||
-            is_enough(result) || result.unknowns > most_unknowns)
-          return result;
-        result.reason = obstacle(result);
-        if (result.reason.empty() && !refine(result))
-          result.reason = "it takes more than Fluid/Maximum unknowns";
-        if (!result.reason.empty())
+        const double width = leakage.relative_width();
+        if (unknowns_needed == 0 && width <= target)
+          unknowns_needed = leakage.unknowns;
+        if (width <= tolerance_factor * target || is_enough(leakage) ||
+            leakage.unknowns > most_unknowns)
+          return leakage;
+        std::string reason = obstacle(leakage);
+        if (reason.empty() && !refine(leakage))
+          reason = "it takes more than Fluid/Maximum unknowns";
+        if (!reason.empty())
           {
-            if (result.relative_width() <= parameters.target_accuracy)
-              result.reason.clear(); // only the share was missed
-            else
-              result.status = solved ? "flow-accuracy" : "flow-solver";
-            return result;
+            // To miss the smaller tolerance only is no failure.
+            if (width > target)
+              {
+                leakage.reason = reason;
+                leakage.status = solved ? "flow-accuracy" : "flow-solver";
+              }
+            return leakage;
           }
-        ++result.refinements;
+        ++leakage.refinements;
       }
   }
 
   /** Whether more than the target accuracy would cost too much. */
   bool
-  ReynoldsSolver::is_enough(const FlowResult &result) const
+  ReynoldsSolver::is_enough(const Leakage &leakage) const
   {
     constexpr unsigned long long most_growth = 8;
-    return result.relative_width() <= parameters.target_accuracy &&
-           result.unknowns > most_growth * unknowns_needed;
+    return leakage.relative_width() <= parameters.target_accuracy &&
+           leakage.unknowns > most_growth * unknowns_needed;
   }
 
   LinearSolve
@@ -91,7 +105,7 @@ namespace strait
     problem.set_up();
     problem.assemble(gap_field);
     return problem.solve(parameters.preconditioner,
-                         linear_share * parameters.target_accuracy);
+                         linear_tolerance_factor * parameters.target_accuracy);
   }
 
   double
@@ -102,13 +116,13 @@ namespace strait
   }
 
   bool
-  ReynoldsSolver::solve_on_mesh(FlowResult &result)
+  ReynoldsSolver::solve_on_mesh(Leakage &leakage)
   {
     bool solved = true;
     for (PotentialProblem *problem : {&pressure_problem, &stream_problem})
       {
         const LinearSolve outcome = solve(*problem);
-        result.iterations += outcome.iterations;
+        leakage.iterations += outcome.iterations;
         solved = solved && outcome.converged;
       }
     plain = plain_bracket(flow_mesh, pressure_problem, stream_problem);
@@ -126,33 +140,33 @@ namespace strait
     if (closest.quadrature_errors.size() > 0)
       plain.shares += closest.quadrature_errors;
 
-    const double drop = std::abs(pressure_drop);
-    result.mesh_upper = closest.safe_upper * drop;
-    result.mesh_lower = closest.safe_lower * drop;
+    const double drop  = std::abs(pressure_drop);
+    leakage.mesh_upper = closest.safe_upper * drop;
+    leakage.mesh_lower = closest.safe_lower * drop;
     // A bound of an earlier mesh still holds, should the solver fail on this one,
     // unless its cells were so coarse that it contradicts this one.
-    const bool first = result.upper == 0;
-    const bool fit   = result.mesh_lower <= result.upper * (1 + 1e-6) &&
-                     result.mesh_upper * (1 + 1e-6) >= result.lower;
+    const bool first = leakage.upper == 0;
+    const bool fit   = leakage.mesh_lower <= leakage.upper * (1 + rounding) &&
+                     leakage.mesh_upper * (1 + rounding) >= leakage.lower;
     if (first || !fit)
       {
-        result.upper = result.mesh_upper;
-        result.lower = result.mesh_lower;
+        leakage.upper = leakage.mesh_upper;
+        leakage.lower = leakage.mesh_lower;
       }
-    result.upper = std::min(result.upper, result.mesh_upper);
-    result.lower = std::max(result.lower, result.mesh_lower);
+    leakage.upper = std::min(leakage.upper, leakage.mesh_upper);
+    leakage.lower = std::max(leakage.lower, leakage.mesh_lower);
     // Of a wide bracket the upper end is nearer: the lower bound waits for a channel.
-    const double best = 2. * result.lower < result.upper
-                          ? result.upper
-                          : std::sqrt(result.upper) * std::sqrt(result.lower);
-    result.leak_rate  = pressure_drop < 0 ? -best : best;
-    result.cells      = flow_mesh.triangulation().n_global_active_cells();
-    result.unknowns   = pressure_problem.n_unknowns() + stream_problem.n_unknowns();
+    const double best = 2. * leakage.lower < leakage.upper
+                          ? leakage.upper
+                          : std::sqrt(leakage.upper) * std::sqrt(leakage.lower);
+    leakage.rate      = pressure_drop < 0 ? -best : best;
+    leakage.cells     = flow_mesh.triangulation().n_global_active_cells();
+    leakage.unknowns  = pressure_problem.n_unknowns() + stream_problem.n_unknowns();
     return solved;
   }
 
   std::string
-  ReynoldsSolver::obstacle(const FlowResult &result)
+  ReynoldsSolver::obstacle(const Leakage &leakage)
   {
     constexpr unsigned int max_refinements = 40;
     // While a barrier or a channel is being resolved the bracket may rest for a mesh
@@ -161,10 +175,10 @@ namespace strait
     constexpr double      progress = .97;
     // Below this the next meshes cost next to nothing, and may yet find the channel.
     constexpr unsigned long long many_unknowns = 50000;
-    widths.push_back(result.relative_width());
-    if (result.refinements == max_refinements)
+    widths.push_back(leakage.relative_width());
+    if (leakage.refinements == max_refinements)
       return "the mesh was refined " + std::to_string(max_refinements) + " times";
-    if (result.unknowns > many_unknowns && widths.size() > patience &&
+    if (leakage.unknowns > many_unknowns && widths.size() > patience &&
         widths.back() > progress * widths[widths.size() - 1 - patience])
       return "the bracket no longer narrows: the grid of the contact does not resolve "
              "the narrowest constriction";
@@ -172,13 +186,13 @@ namespace strait
   }
 
   bool
-  ReynoldsSolver::refine(const FlowResult &result)
+  ReynoldsSolver::refine(const Leakage &leakage)
   {
     namespace refinement = dealii::parallel::distributed::GridRefinement;
     // Each marked cell adds three; a few more come from balancing the mesh.
     constexpr double least_share = .02;
     const double     affordable =
-      (static_cast<double>(parameters.maximum_unknowns) / result.unknowns - 1.) / 3.;
+      (static_cast<double>(parameters.maximum_unknowns) / leakage.unknowns - 1.) / 3.;
     auto &tria = flow_mesh.triangulation();
     if (parameters.refinement == Refinement::uniform)
       {
@@ -190,7 +204,7 @@ namespace strait
       {
         const double total =
           dealii::Utilities::MPI::sum(plain.shares.l1_norm(), tria.get_communicator());
-        const double level = marking_level * total / static_cast<double>(result.cells);
+        const double level = marking_level * total / static_cast<double>(leakage.cells);
         for (const auto &cell : tria.active_cell_iterators())
           if (cell->is_locally_owned() && plain.shares(cell->active_cell_index()) > level)
             cell->set_refine_flag();
@@ -203,9 +217,9 @@ namespace strait
         // Where most cells matter alike, adaptivity saves nothing and costs hanging
         // nodes and meshes.
         constexpr double most_cells = .5;
-        if (n_marked > most_cells * static_cast<double>(result.cells) && affordable > 1.)
+        if (n_marked > most_cells * static_cast<double>(leakage.cells) && affordable > 1.)
           tria.set_all_refine_flags();
-        else if (n_marked > affordable * result.cells)
+        else if (n_marked > affordable * leakage.cells)
           {
             for (const auto &cell : tria.active_cell_iterators())
               cell->clear_refine_flag();

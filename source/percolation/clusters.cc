@@ -232,15 +232,23 @@ namespace strait
     }
   } // namespace
 
+  SlabField
+  open_gap(SlabField gap, const double slip_length)
+  {
+    for (double &value : gap)
+      value = open_gap(value, slip_length);
+    return gap;
+  }
+
   Clusters
-  find_clusters(const SlabField &flow_gap, const FlowDomain &domain)
+  find_clusters(const SlabField &open_gap, const FlowDomain &domain)
   {
     if (domain.region != nullptr)
-      return find_clusters_in_region(flow_gap, domain);
+      return find_clusters_in_region(open_gap, domain);
     const FlowDirection direction = domain.direction;
-    std::vector<Label>  labels    = label_slab(flow_gap, direction);
-    merge_slabs(flow_gap, labels, direction);
-    const ReservoirLabels reservoirs = find_reservoir_labels(flow_gap, labels, direction);
+    std::vector<Label>  labels    = label_slab(open_gap, direction);
+    merge_slabs(open_gap, labels, direction);
+    const ReservoirLabels reservoirs = find_reservoir_labels(open_gap, labels, direction);
 
     Clusters  clusters;
     long long n_open = 0, n_percolating = 0;
@@ -257,8 +265,8 @@ namespace strait
           ++n_open;
           n_percolating += in && out;
         }
-    MPI_Comm   comm               = flow_gap.layout().communicator();
-    const auto n_points           = static_cast<double>(flow_gap.grid().n_points());
+    MPI_Comm   comm               = open_gap.layout().communicator();
+    const auto n_points           = static_cast<double>(open_gap.grid().n_points());
     n_percolating                 = sum(comm, n_percolating);
     clusters.percolates           = n_percolating > 0;
     clusters.open_fraction        = static_cast<double>(sum(comm, n_open)) / n_points;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/percolation/critical_cells.h>
 #include <strait/percolation/flow_path.h>
 
 #include <algorithm>
@@ -39,13 +38,6 @@ namespace strait
 
       /** The least-resistance path that avoids blocked points; may be empty. */
       FlowPath run();
-
-      /** Of the last run(), from the inlet; infinity where it did not come. */
-      const std::vector<double> &
-      resistances() const
-      {
-        return resistance;
-      }
 
       /** Bar the throats of @p path to later searches. */
       void block_throats(const FlowPath &path);
@@ -121,11 +113,7 @@ namespace strait
             continue;
           const int a = gap.along(k), b = gap.across_of(k);
           if (gap.is_outlet(k))
-            {
-              FlowPath path        = trace_back(k, came_by);
-              path.path_resistance = so_far;
-              return path;
-            }
+            return trace_back(k, came_by);
           for (std::size_t s = 0; s < steps.size(); ++s)
             {
               if (!gap.can_step(k, steps[s].along, steps[s].across))
@@ -153,6 +141,7 @@ namespace strait
         {
           path.points.push_back(gap.point(k));
           path.gaps.push_back(gap[k]);
+          path.resistances.push_back(resistance[k]);
           if (gap[k] < path.bottleneck_gap)
             {
               path.bottleneck_gap = gap[k];
@@ -165,6 +154,7 @@ namespace strait
         }
       std::reverse(path.points.begin(), path.points.end());
       std::reverse(path.gaps.begin(), path.gaps.end());
+      std::reverse(path.resistances.begin(), path.resistances.end());
       return path;
     }
 
@@ -192,18 +182,15 @@ namespace strait
       auto n_points = static_cast<int>(path.points.size());
       MPI_Bcast(&n_points, 1, MPI_INT, 0, comm);
       path.points.resize(n_points);
-      path.gaps.resize(n_points);
-      MPI_Bcast(path.gaps.data(), n_points, MPI_DOUBLE, 0, comm);
+      for (std::vector<double> *values : {&path.gaps, &path.resistances})
+        {
+          values->resize(n_points);
+          MPI_Bcast(values->data(), n_points, MPI_DOUBLE, 0, comm);
+        }
       static_assert(sizeof(GridPoint) == 2 * sizeof(int));
       MPI_Bcast(path.points.data(), 2 * n_points, MPI_INT, 0, comm);
       MPI_Bcast(&path.bottleneck, 2, MPI_INT, 0, comm);
       MPI_Bcast(&path.bottleneck_gap, 1, MPI_DOUBLE, 0, comm);
-      MPI_Bcast(&path.path_resistance, 1, MPI_DOUBLE, 0, comm);
-      auto n_cells = static_cast<int>(path.critical_cells.size());
-      MPI_Bcast(&n_cells, 1, MPI_INT, 0, comm);
-      path.critical_cells.resize(n_cells);
-      static_assert(sizeof(GridCell) == 3 * sizeof(int));
-      MPI_Bcast(path.critical_cells.data(), 3 * n_cells, MPI_INT, 0, comm);
     }
   } // namespace
 
@@ -216,7 +203,6 @@ namespace strait
     MPI_Comm                  comm          = gap.layout().communicator();
     const std::vector<double> whole         = gather_on_root(gap);
     std::vector<FlowPath>     paths;
-    std::vector<double>       resistances;
     run_on_root(comm, [&]() {
       const FlowLattice lattice(whole, gap.grid(), domain);
       PathSearch        search(lattice);
@@ -225,20 +211,11 @@ namespace strait
           FlowPath path = search.run();
           if (path.points.empty() ||
               (!paths.empty() &&
-               path.path_resistance > largest_ratio * paths.front().path_resistance))
+               path.resistance() > largest_ratio * paths.front().resistance()))
             break;
-          if (paths.empty())
-            resistances = search.resistances();
           search.block_throats(path);
           paths.push_back(std::move(path));
         }
-      if (!paths.empty())
-        paths.front().critical_cells =
-          find_critical_cells(lattice,
-                              resistances,
-                              paths,
-                              domain.direction,
-                              largest_start_exponent(gap.grid()));
     });
     auto n_found = static_cast<int>(paths.size());
     MPI_Bcast(&n_found, 1, MPI_INT, 0, comm);

@@ -72,19 +72,19 @@ namespace strait
   } // namespace
 
   Clusters
-  find_clusters_in_region(const SlabField &flow_gap, const FlowDomain &domain)
+  find_clusters_in_region(const SlabField &open_gap, const FlowDomain &domain)
   {
-    MPI_Comm                  comm  = flow_gap.layout().communicator();
-    const std::vector<double> whole = gather_on_root(flow_gap);
+    MPI_Comm                  comm  = open_gap.layout().communicator();
+    const std::vector<double> whole = gather_on_root(open_gap);
     std::vector<double>       states;
     run_on_root(comm, [&]() {
-      states = label(FlowLattice(whole, flow_gap.grid(), domain),
+      states = label(FlowLattice(whole, open_gap.grid(), domain),
                      *domain.region,
-                     flow_gap.grid());
+                     open_gap.grid());
     });
     Clusters  clusters;
     long long n_inside = 0, n_open = 0, n_percolating = 0;
-    for (const double value : scatter_from_root(flow_gap.layout_pointer(), states))
+    for (const double value : scatter_from_root(open_gap.layout_pointer(), states))
       {
         clusters.states.push_back(static_cast<NodeState>(static_cast<int>(value)));
         const NodeState state = clusters.states.back();
@@ -98,41 +98,5 @@ namespace strait
     clusters.open_fraction        = static_cast<double>(sum(comm, n_open)) / n_points;
     clusters.percolating_fraction = static_cast<double>(n_percolating) / n_points;
     return clusters;
-  }
-
-  SlabField
-  gap_around_region(const SlabField &flow_gap, const Clusters &clusters)
-  {
-    constexpr int       reach  = 2;
-    const SlabLayout   &layout = flow_gap.layout();
-    const int           nx = flow_gap.grid().nx, n_rows = layout.n_rows();
-    std::vector<double> states;
-    for (const NodeState state : clusters.states)
-      states.push_back(static_cast<double>(state));
-    std::vector<int> rows;
-    for (int row = -reach; n_rows > 0 && row < n_rows + reach; ++row)
-      rows.push_back(layout.first_row() + row);
-    const std::vector<double> around = fetch_rows(layout, states.data(), nx, rows);
-    const auto                is_near_percolating = [&](const int ix, const int row) {
-      for (int b = 0; b <= 2 * reach; ++b)
-        for (int a = -reach; a <= reach; ++a)
-          if (around[static_cast<std::size_t>(row + b) * nx + (ix + a + nx) % nx] ==
-              static_cast<double>(NodeState::percolating))
-            return true;
-      return false;
-    };
-    SlabField kept(flow_gap.layout_pointer());
-    for (int row = 0; row < n_rows; ++row)
-      for (int ix = 0; ix < nx; ++ix)
-        {
-          const double    value = flow_gap(ix, row);
-          const NodeState state =
-            clusters.states[static_cast<std::size_t>(row) * nx + ix];
-          const bool is_kept =
-            state == NodeState::percolating || !(value > 0) ||
-            (state == NodeState::outside && is_near_percolating(ix, row));
-          kept(ix, row) = is_kept ? value : 0.;
-        }
-    return kept;
   }
 } // namespace strait

@@ -8,14 +8,15 @@
 namespace strait
 {
   Throat
-  measure_throat(const SlabField &gap, const GridPoint &point)
+  measure_throat(const SlabField &gap, const double slip_length, const GridPoint &point)
   {
     const PeriodicGrid       &grid = gap.grid();
     const std::vector<double> rows =
       fetch_rows(gap, {point.iy - 1, point.iy, point.iy + 1});
     const auto g = [&](const int i, const int j) {
       const int column = (point.ix + i + grid.nx) % grid.nx;
-      return rows[static_cast<std::size_t>(j + 1) * grid.nx + column];
+      return open_gap(rows[static_cast<std::size_t>(j + 1) * grid.nx + column],
+                      slip_length);
     };
     const double g0 = g(0, 0);
     const double xx = (g(1, 0) - 2 * g0 + g(-1, 0)) / (grid.dx() * grid.dx());

@@ -2,6 +2,7 @@
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
 #include <strait/flow/pressure_on_grid.h>
+#include <strait/flow/reynolds_solver.h>
 #include <strait/seal/coupled_seal.h>
 #include <strait/seal/unsettled_pools.h>
 #include <strait/seal/wall_feedback.h>
@@ -170,9 +171,9 @@ namespace strait
     double       share = mesh_share;
 
     std::optional<double> leak_before;
-    const auto            certify = [&]() -> const FlowResult            &{
-      flow.certify(fluid_flow, state.contact->gap, control.slip_length, share);
-      return fluid_flow.result;
+    const auto            certify = [&]() -> const Leakage            &{
+      flow.certify(fluid_flow, share);
+      return fluid_flow.leakage;
     };
     for (int finer = 0, states = 1;;)
       {
@@ -180,18 +181,18 @@ namespace strait
         goal.goes_on = true;
         if (fluid.lifted_off)
           return;
-        if (!fluid.converged || !fluid_flow.solver)
+        if (!fluid.converged || !fluid_flow.solution)
           break;
         bool stays = true;
         if (leak_before)
           {
             // A change below the width of the bracket, or below what the iteration leaves
             // over, is chance.
-            const FlowResult &now = certify();
-            fluid.mesh_error      = std::max({std::abs(*leak_before / now.leak_rate - 1.),
-                                              .5 * now.relative_width(),
-                                              goal.tolerance});
-            stays                 = fluid.mesh_error <= another_state;
+            const Leakage &now = certify();
+            fluid.mesh_error   = std::max({std::abs(*leak_before / now.rate - 1.),
+                                           .5 * now.relative_width(),
+                                           goal.tolerance});
+            stays              = fluid.mesh_error <= another_state;
             const bool is_narrow =
               now.relative_width() + 2. * fluid.mesh_error <= target_accuracy;
             if (is_narrow || (stays ? finer == max_finer : states == max_states))
@@ -207,7 +208,7 @@ namespace strait
             ++states;
             flow.discard_mesh();
           }
-        leak_before = certify().leak_rate;
+        leak_before = certify().rate;
       }
     goal.tolerance = tolerance;
     if (fluid.converged && !last_result.agrees_within(goal))
@@ -269,8 +270,8 @@ namespace strait
     flow.follow(fluid_flow, state.contact->gap, control.slip_length, mesh_share);
 
     FeedbackRound result;
-    result.percolates     = fluid_flow.clusters.percolates;
-    result.leak_rate      = fluid_flow.result.upper;
+    result.percolates     = fluid_flow.channel.percolates();
+    result.leak_rate      = fluid_flow.leakage.upper;
     result.fluid_pressure = pressure_in_gap(assumed);
     seal.log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",
                              mean(result.fluid_pressure),
@@ -283,14 +284,14 @@ namespace strait
   SlabField
   CoupledSeal::Iteration::pressure_in_gap(SlabField start)
   {
-    const std::vector<NodeState> &states = fluid_flow.clusters.states;
+    const std::vector<NodeState> &states = fluid_flow.channel.clusters.states;
     pools.note(states);
-    SlabField    open_gap = FlowStage::seen_gap(state.contact->gap, control.slip_length);
-    const double inlet    = flow.fluid().inlet_pressure;
-    const double drop     = inlet - flow.fluid().outlet_pressure;
+    SlabField               open  = open_gap(state.contact->gap, control.slip_length);
+    const double            inlet = flow.fluid().inlet_pressure;
+    const double            drop  = inlet - flow.fluid().outlet_pressure;
     const GridDeposit::Sums channel =
-      fluid_flow.solver ? pressure_on_grid(*fluid_flow.solver, seal.layout)
-                        : GridDeposit::Sums();
+      fluid_flow.solution ? pressure_on_grid(*fluid_flow.solution, seal.layout)
+                          : GridDeposit::Sums();
     for (std::size_t k = 0; k < start.size(); ++k)
       switch (pools.contains(k) ? pools.state_before(k) : states[k])
         {
@@ -315,7 +316,7 @@ namespace strait
           case NodeState::closed:
             if (!has_extended)
               start[k] = .5 * (inlet + flow.fluid().outlet_pressure);
-            open_gap[k] = std::min(open_gap[k], 0.);
+            open[k] = std::min(open[k], 0.);
             break;
         }
     has_extended = true;
@@ -356,7 +357,7 @@ namespace strait
   }
 
   void
-  allow_for_feedback(FlowResult       &result,
+  allow_for_feedback(Leakage          &result,
                      const FluidState &fluid,
                      const double      target_accuracy)
   {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/text.h>
-#include <strait/percolation/percolating_gap.h>
+#include <strait/flow/critical_cells.h>
+#include <strait/flow/reynolds_solver.h>
 #include <strait/seal/flow_stage.h>
 
 #include <algorithm>
@@ -12,32 +13,40 @@ namespace strait
   namespace
   {
     // The lower bound divides by the conductivity, which is therefore taken to be no
-    // smaller than this share of the narrowest point's, in contact as well: that lets
-    // the bound leak a little, by about this share times width over length.
-    constexpr double       floor_share    = 1e-8;
+    // smaller than this fraction of the narrowest point's, in contact as well: that lets
+    // the bound leak a little, by about this fraction times width over length. Half and
+    // double of it change the leak rate by less than that.
+    constexpr double floor_fraction = 1e-8;
+
+    // The mesh starts fine at the throats of so many paths. Where more channels share the
+    // flow refinement finds the others; fewer take it more meshes.
     constexpr unsigned int n_paths_wanted = 3;
 
     // On the way to another gap, where the channel may be about to close, no mesh is
-    // refined beyond this.
+    // refined beyond this: with half of it the fluid's pressure on the wall is coarser,
+    // which more rounds on finer meshes make up for, with double of it more is spent on
+    // states that are left again.
     constexpr unsigned long long most_on_the_way = 10000;
 
     // A mesh that is fine around a throat serves until the narrowest point is elsewhere
-    // and this many times narrower.
+    // and this many times narrower. A smaller factor makes more meshes, a larger one
+    // takes the pressure around the new throat from cells that are too coarse for it.
     constexpr double outdone = 2.;
 
     // A bracket is sought on a new mesh if the leak rate is this many times what it was
-    // when the mesh was made, or less by as much.
+    // when the mesh was made, or less by as much. A smaller factor makes more meshes, a
+    // larger one keeps more cells that no longer matter.
     constexpr double another_gap = 2.;
 
     /** Show how far the bracket of the leak rate is, as progress. */
     void
-    report_flow(const FlowResult &flow, Log &log)
+    report_flow(const Leakage &leakage, Log &log)
     {
       log.progress(format("  flow: mesh %u, %llu cells, leak rate between %.4g and %.4g",
-                          flow.refinements + 1,
-                          flow.cells,
-                          flow.lower,
-                          flow.upper));
+                          leakage.refinements + 1,
+                          leakage.cells,
+                          leakage.lower,
+                          leakage.upper));
     }
 
     /** Collective. */
@@ -61,6 +70,9 @@ namespace strait
     , timers(timers_)
     , gap_field(layout, fluid)
     , flow_domain(parameters.direction)
+    , aspect(parameters.direction == FlowDirection::x
+               ? layout->grid().lx / layout->grid().ly
+               : layout->grid().ly / layout->grid().lx)
   {
     if (!parameters.mesh_file.empty())
       read_mesh(layout);
@@ -71,7 +83,7 @@ namespace strait
   {
     constexpr double    shape_accuracy = 1e-4;
     const PeriodicGrid &grid           = layout->grid();
-    seal                               = std::make_unique<const SealMesh>(
+    seal                               = std::make_shared<const SealMesh>(
       read_seal_mesh(parameters.mesh_file, grid, layout->communicator()));
     flow_domain = FlowDomain(std::make_shared<const FlowRegion>(
       grid, seal->outline(.25 * std::min(grid.dx(), grid.dy())), layout->communicator()));
@@ -83,15 +95,16 @@ namespace strait
     fluid.inlet_pressure  = 1.;
     fluid.outlet_pressure = 0.;
     GapField uniform(layout, fluid);
-    uniform.update(SlabField(layout, 1.), floor_share * uniform.conductivity_of(1.));
-    const FlowResult flow = ReynoldsSolver(fluid, uniform, {}, seal.get()).run();
-    shape_factor          = flow.leak_rate / uniform.conductivity_of(1.);
-    if (!flow.reason.empty())
+    uniform.update(SlabField(layout, 1.), floor_fraction * uniform.conductivity_of(1.));
+    const Leakage leakage      = ReynoldsSolver(fluid, uniform, {}, seal.get()).run();
+    const double  shape_factor = leakage.rate / uniform.conductivity_of(1.);
+    aspect                     = 1. / shape_factor;
+    if (!leakage.reason.empty())
       log.warn(
         format("effective gaps are uncertain, as the shape of the mesh is known to "
                "%.2g %% only because %s",
-               50. * flow.relative_width(),
-               flow.reason.c_str()));
+               50. * leakage.relative_width(),
+               leakage.reason.c_str()));
     log.line(format("mesh %s: %s of %zu cells, shape factor %.5g",
                     parameters.mesh_file.c_str(),
                     seal->is_ring ? "a ring" : "a strip",
@@ -100,157 +113,130 @@ namespace strait
   }
 
   StepFlow
-  FlowStage::solve(const SlabField &gap, const double slip_length, const double share)
+  FlowStage::solve(const SlabField &gap,
+                   const double     slip_length,
+                   const double     tolerance_factor)
   {
-    StepFlow        flow;
-    const SlabField seen = seen_gap(gap, slip_length);
-    const SlabField open = find_channel(flow, seen);
-    if (!open.empty())
-      mesh_and_bracket(flow, seen, open, share);
+    StepFlow flow;
+    find_channel(flow, gap, slip_length, n_paths_wanted);
+    if (!flow.channel.paths.empty())
+      mesh_and_bracket(flow, tolerance_factor, ReynoldsSolver::unlimited);
     return flow;
-  }
-
-  void
-  FlowStage::mesh_and_bracket(StepFlow                &flow,
-                              const SlabField         &seen,
-                              const SlabField         &open,
-                              const double             share,
-                              const unsigned long long most_unknowns)
-  {
-    find_paths(flow, open);
-    update_bridge(open, flow.paths.front(), true);
-    make_mesh(flow);
-    bracket(flow, seen, share, most_unknowns);
-    meshed_leak_rate = flow.result.upper;
   }
 
   void
   FlowStage::follow(StepFlow        &flow,
                     const SlabField &gap,
                     const double     slip_length,
-                    const double     share)
+                    const double     tolerance_factor)
   {
-    const SlabField seen = seen_gap(gap, slip_length);
-    const SlabField open = find_channel(flow, seen);
-    if (open.empty())
+    const unsigned int n_paths = flow.solution ? 1 : n_paths_wanted;
+    find_channel(flow, gap, slip_length, n_paths);
+    const Channel &channel = flow.channel;
+    if (channel.paths.empty())
       {
-        flow.paths.clear();
         flow.constrictions.reset();
-        flow.result = FlowResult();
-        flow.solver.reset();
+        flow.leakage = Leakage();
+        flow.solution.reset();
         return;
       }
-    std::vector<FlowPath> paths;
-    if (flow.solver)
-      paths = find_flow_paths(open, flow_domain, 1);
-    if (paths.empty() ||
-        value_at(open, meshed_bottleneck) >= outdone * paths.front().bottleneck_gap)
+    if (!flow.solution || value_at(channel.gap, meshed_bottleneck) >=
+                            outdone * channel.paths.front().bottleneck_gap)
       {
         // Refined as for a bracket: on the first mesh the pressure is too coarse.
-        mesh_and_bracket(flow, seen, open, share, most_on_the_way);
+        mesh_and_bracket(flow, tolerance_factor, most_on_the_way);
         return;
       }
-    flow.paths = std::move(paths);
-    update_bridge(open, flow.paths.front(), false);
-    const auto scope  = timers.scope("mesh and solver");
-    flow.result.upper = flow.solver->solve_pressure();
+    update_bridge(channel, false);
+    const auto scope   = timers.scope("mesh and solver");
+    flow.leakage.upper = flow.solution->solve_pressure();
   }
 
   void
-  FlowStage::certify(StepFlow        &flow,
-                     const SlabField &gap,
-                     const double     slip_length,
-                     const double     share)
+  FlowStage::certify(StepFlow &flow, const double tolerance_factor)
   {
-    const SlabField seen = seen_gap(gap, slip_length);
-    const SlabField open = find_channel(flow, seen);
     // Cells that are small where a very different gap was narrow are a burden here.
-    const double change = flow.result.upper / meshed_leak_rate;
+    const double change = flow.leakage.upper / meshed_leak_rate;
     if (std::max(change, 1. / change) > another_gap)
-      mesh_and_bracket(flow, seen, open, share);
+      mesh_and_bracket(flow, tolerance_factor, ReynoldsSolver::unlimited);
     else
       {
-        update_bridge(open, flow.paths.front(), true);
-        bracket(flow, seen, share);
+        update_bridge(flow.channel, true);
+        bracket(flow, tolerance_factor, ReynoldsSolver::unlimited);
       }
   }
 
-  SlabField
-  FlowStage::find_channel(StepFlow &flow, const SlabField &seen) const
+  /** With paths only where reservoirs differ in pressure. */
+  void
+  FlowStage::find_channel(StepFlow          &flow,
+                          const SlabField   &gap,
+                          const double       slip_length,
+                          const unsigned int n_paths)
   {
-    flow.seal         = seal.get();
-    flow.shape_factor = shape_factor;
-    flow.clusters     = find_clusters(seen, flow_domain);
-    if (!flow.clusters.percolates || !has_drive())
-      return {};
-    return percolating_gap(seen, flow.clusters, flow_domain);
+    const auto scope = timers.scope("channel");
+    flow.seal        = seal.get();
+    flow.channel = make_channel(gap, slip_length, flow_domain, has_drive() ? n_paths : 0);
   }
 
   void
-  FlowStage::find_paths(StepFlow &flow, const SlabField &open)
+  FlowStage::mesh_and_bracket(StepFlow                &flow,
+                              const double             tolerance_factor,
+                              const unsigned long long most_unknowns)
   {
-    const auto scope  = timers.scope("paths");
-    flow.paths        = find_flow_paths(open, flow_domain, n_paths_wanted);
-    meshed_bottleneck = flow.paths.front().bottleneck;
+    std::vector<GridCell> critical;
+    {
+      const auto scope = timers.scope("channel");
+      find_paths(flow.channel, n_paths_wanted);
+      critical = find_critical_cells(flow.channel);
+    }
+    update_bridge(flow.channel, true);
+    {
+      const auto scope = timers.scope("mesh and solver");
+      flow.solution.reset();
+      flow.solution =
+        std::make_shared<ReynoldsSolver>(parameters, gap_field, critical, seal.get());
+    }
+    bracket(flow, tolerance_factor, most_unknowns);
+    meshed_bottleneck = flow.channel.paths.front().bottleneck;
+    meshed_leak_rate  = flow.leakage.upper;
   }
 
   void
-  FlowStage::make_mesh(StepFlow &flow)
+  FlowStage::update_bridge(const Channel &channel, const bool with_bounds)
   {
-    const auto scope = timers.scope("mesh and solver");
-    flow.solver.reset();
-    flow.solver =
-      std::make_unique<ReynoldsSolver>(parameters, gap_field, flow.paths, seal.get());
-  }
-
-  void
-  FlowStage::update_bridge(const SlabField &open,
-                           const FlowPath  &path,
-                           const bool       with_bounds)
-  {
-    const auto scope = timers.scope("bridge");
-    gap_field.update(open,
-                     with_bounds
-                       ? floor_share * gap_field.conductivity_of(path.bottleneck_gap)
-                       : 0.);
+    const auto   scope = timers.scope("bridge");
+    const double narrowest =
+      gap_field.conductivity_of(channel.paths.front().bottleneck_gap);
+    gap_field.update(channel.gap, with_bounds ? floor_fraction * narrowest : 0.);
   }
 
   void
   FlowStage::bracket(StepFlow                &flow,
-                     const SlabField         &seen,
-                     const double             share,
+                     const double             tolerance_factor,
                      const unsigned long long most_unknowns)
   {
     const auto scope = timers.scope("mesh and solver");
-    flow.result =
-      flow.solver->run([this](const FlowResult &now) { report_flow(now, log); },
-                       share,
-                       most_unknowns);
+    flow.leakage =
+      flow.solution->run([this](const Leakage &now) { report_flow(now, log); },
+                         tolerance_factor,
+                         most_unknowns);
+    flow.leakage.aspect = aspect;
     if (watches_constrictions)
-      flow.constrictions = report_constrictions(seen, flow.paths.front(), *flow.solver);
+      flow.constrictions = report_constrictions(flow.channel, *flow.solution);
   }
 
   void
-  FlowStage::warn_of_width(const FlowResult &result)
+  FlowStage::warn_of_width(const Leakage &leakage)
   {
-    if (!result.reason.empty())
+    if (!leakage.reason.empty())
       log.warn(format("the leak rate is known to %.1f %% only because %s",
-                      50. * result.relative_width(),
-                      result.reason.c_str()));
+                      50. * leakage.relative_width(),
+                      leakage.reason.c_str()));
   }
 
   void
   FlowStage::set_inlet_pressure(const double pressure)
   {
     parameters.inlet_pressure = pressure;
-  }
-
-  SlabField
-  FlowStage::seen_gap(const SlabField &gap, const double slip_length)
-  {
-    SlabField seen = gap;
-    for (double &value : seen)
-      value += 2. * slip_length;
-    return seen;
   }
 } // namespace strait

@@ -17,11 +17,10 @@
 // `seconds` are from the contact's gap, `solver` those of meshes, matrices and solves
 // alone: preparing the gap costs the same for all.
 #include <strait/contact/contact_solver.h>
+#include <strait/flow/critical_cells.h>
 #include <strait/flow/enrichment.h>
 #include <strait/flow/reynolds_solver.h>
-#include <strait/percolation/clusters.h>
-#include <strait/percolation/critical_cells.h>
-#include <strait/percolation/percolating_gap.h>
+#include <strait/percolation/channel.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/surface.h>
 
@@ -64,25 +63,26 @@ namespace
 
   struct Cost
   {
-    FlowResult flow;
-    double     seconds = 0.;
-    double     solver  = 0.; // without the preparation of the gap
+    Leakage flow;
+    double  seconds = 0.;
+    double  solver  = 0.; // without the preparation of the gap
   };
 
   /** A gap of the contact, prepared for the flow. */
   struct PreparedGap
   {
     PreparedGap(const SlabField &gap, const FluidParameters &fluid)
-      : open(percolating_gap(gap, find_clusters(gap, fluid.direction), fluid.direction))
-      , paths(find_flow_paths(open, fluid.direction, 3))
-      , field(open.layout_pointer(), fluid)
+      : channel(make_channel(gap, 0., fluid.direction, 3))
+      , cells(find_critical_cells(channel))
+      , field(gap.layout_pointer(), fluid)
     {
-      if (!paths.empty())
-        field.update(open, 1e-8 * field.conductivity_of(paths.front().bottleneck_gap));
+      if (channel.percolates())
+        field.update(channel.gap,
+                     1e-8 * field.conductivity_of(channel.paths.front().bottleneck_gap));
     }
 
-    SlabField             open;
-    std::vector<FlowPath> paths;
+    Channel               channel;
+    std::vector<GridCell> cells;
     GapField              field;
   };
 
@@ -97,10 +97,10 @@ namespace
     Cost                cost;
     const dealii::Timer timer;
     const PreparedGap   prepared(gap, fluid);
-    if (prepared.paths.empty())
+    if (!prepared.channel.percolates())
       return cost;
     const double   ready = timer.wall_time();
-    ReynoldsSolver solver(fluid, prepared.field, prepared.paths);
+    ReynoldsSolver solver(fluid, prepared.field, prepared.cells);
     cost.flow    = solver.run();
     cost.seconds = timer.wall_time();
     cost.solver  = cost.seconds - ready;
@@ -142,12 +142,11 @@ namespace
     Cost                cost;
     const dealii::Timer timer;
     const PreparedGap   prepared(gap, fluid);
-    if (prepared.paths.empty())
+    if (!prepared.channel.percolates())
       return cost;
     const double ready = timer.wall_time();
     FlowMesh     mesh(prepared.field, fluid.direction);
-    mesh.refine_initially(largest_start_exponent(mesh.grid()),
-                          prepared.paths.front().critical_cells);
+    mesh.refine_initially(largest_start_exponent(mesh.grid()), prepared.cells);
     PotentialProblem pressure(PotentialProblem::Kind::pressure,
                               mesh,
                               prepared.field.moment_set());
@@ -156,11 +155,11 @@ namespace
       {
         pressure.set_up();
         pressure.assemble(prepared.field);
-        pressure.solve(fluid.preconditioner, ReynoldsSolver::linear_share * accuracy);
+        pressure.solve(fluid.preconditioner, 1e-12 * accuracy);
         enrichment.set_up();
         const EnrichedSolution enriched = enrichment.relax(pressure, prepared.field, 4);
-        cost.flow.upper = cost.flow.leak_rate = enriched.energy;
-        cost.flow.unknowns                    = pressure.n_unknowns();
+        cost.flow.upper = cost.flow.rate = enriched.energy;
+        cost.flow.unknowns               = pressure.n_unknowns();
         if (std::abs(enriched.energy / reference - 1) <= accuracy)
           break;
         if (cost.flow.unknowns > fluid.maximum_unknowns / 2 ||
@@ -184,9 +183,9 @@ namespace
                 what.name.c_str(),
                 mesh,
                 cost.flow.unknowns,
-                cost.flow.leak_rate,
+                cost.flow.rate,
                 cost.flow.relative_width(),
-                std::abs(cost.flow.leak_rate / reference - 1),
+                std::abs(cost.flow.rate / reference - 1),
                 cost.seconds,
                 cost.solver,
                 cost.flow.refinements + 1,
@@ -230,7 +229,7 @@ main(int argc, char **argv)
       fluid.maximum_unknowns =
         argc > 3 ? static_cast<unsigned int>(std::atof(argv[3])) : 6000000;
       const Cost   fine      = bracket(gap, fluid, Refinement::adaptive, accuracy / 5);
-      const double reference = fine.flow.leak_rate;
+      const double reference = fine.flow.rate;
       print(what, "reference", fine, reference);
       print(what, "primal", primal(gap, fluid, accuracy, reference), reference);
       for (const auto &[name, refinement] : {std::pair("adaptive", Refinement::adaptive),

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/percolation/clusters.h>
-#include <strait/percolation/flow_path.h>
-#include <strait/percolation/percolating_gap.h>
+#include <strait/percolation/channel.h>
 
 #include <gtest/gtest.h>
 
@@ -232,10 +230,10 @@ namespace strait
       EXPECT_EQ(x[0].bottleneck.iy, 9);
       EXPECT_DOUBLE_EQ(x[0].bottleneck_gap, .5);
       // 14 steps at gap 1, two half-way into the neck.
-      EXPECT_NEAR(x[0].path_resistance, (14 * 1. + 2 * (.5 * 8 + .5)) / 16, 1e-12);
-      EXPECT_NEAR(x[1].path_resistance, 1000., 1e-9);
+      EXPECT_NEAR(x[0].resistance(), (14 * 1. + 2 * (.5 * 8 + .5)) / 16, 1e-12);
+      EXPECT_NEAR(x[1].resistance(), 1000., 1e-9);
       EXPECT_EQ(y[0].bottleneck.iy, 11);
-      EXPECT_DOUBLE_EQ(y[0].path_resistance, x[0].path_resistance);
+      EXPECT_DOUBLE_EQ(y[0].resistance(), x[0].resistance());
     }
 
     TEST(FlowPath, CrossesThePeriodicSideButNoTouchingCorners)

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
 #include <strait/percolation/bottleneck.h>
-#include <strait/percolation/clusters.h>
-#include <strait/percolation/flow_path.h>
-#include <strait/percolation/percolating_gap.h>
+#include <strait/percolation/channel.h>
 
 #include <gtest/gtest.h>
 

@@ -55,12 +55,13 @@ namespace strait
         const double s = std::sqrt(.75) * x + .5 * y, t = -.5 * x + std::sqrt(.75) * y;
         return g0 * (1 + s * s / (length * length)) * (1 - t * t / (width * width));
       };
-      const Throat throat = measure_throat(sample(256, gap), {0, 0});
+      const Throat throat = measure_throat(sample(256, gap), 0., {0, 0});
       EXPECT_DOUBLE_EQ(throat.gap, g0);
       EXPECT_NEAR(throat.length, length, 1e-3);
       EXPECT_NEAR(throat.width, width, 1e-3);
       const Throat valley =
         measure_throat(sample(64, [](double, const double y) { return 1 + y * (1 - y); }),
+                       0.,
                        {5, 32});
       EXPECT_TRUE(std::isnan(valley.length));
     }

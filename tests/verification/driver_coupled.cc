@@ -48,9 +48,9 @@ namespace strait
       SilentSweep silent(scene);
       Step        last;
       EXPECT_TRUE(silent.loads.run([&last](const Step &step) {
-        last.state        = step.state;
-        last.flow         = StepFlow();
-        last.flow->result = step.flow->result;
+        last.state         = step.state;
+        last.flow          = StepFlow();
+        last.flow->leakage = step.flow->leakage;
         return true;
       }));
       return last;
@@ -82,7 +82,7 @@ namespace strait
       EXPECT_LT(largest, 1e-7); // heights up to 4; the solver's tolerance is 1e-8
       EXPECT_NEAR(pressed.state.fluid->load, pressure, 1e-12);
       EXPECT_LE(pressed.state.fluid->rounds, 2);
-      EXPECT_EQ(pressed.flow->result.leak_rate, 0);
+      EXPECT_EQ(pressed.flow->leakage.rate, 0);
     }
 
     TEST(Coupled, EqualReservoirsShiftTheThreshold)
@@ -147,7 +147,7 @@ namespace strait
           scene.fluid.feedback.tolerance = 1e-6;
           const Step        step         = last_step(scene);
           const PressedWall exact{scene.fluid.inlet_pressure, 1., 1., 1.};
-          const double      ratio = step.flow->result.leak_rate / exact.inlet_pressure;
+          const double      ratio = step.flow->leakage.rate / exact.inlet_pressure;
           errors.push_back((1. - ratio) / (1. - exact.leak_rate_ratio()) - 1.);
         }
       EXPECT_LT(std::abs(errors[1]), .03);
@@ -225,7 +225,7 @@ namespace strait
         {
           const SealState state =
             seal.solve({(1 - reduced) * critical, .15, 0.}, nullptr, Aim::leak_rate);
-          leak_rates.push_back(flow.solve(state.gap(), 0.).result.leak_rate);
+          leak_rates.push_back(flow.solve(state.gap(), 0.).leakage.rate);
         }
       const double exponent = std::log2(leak_rates[0] / leak_rates[1]);
       EXPECT_GT(exponent, 3.4);
@@ -266,8 +266,8 @@ namespace strait
       SilentSweep silent(scene);
       EXPECT_FALSE(silent.loads.run([](const Step &step) {
         EXPECT_EQ(step.status(), "lifted-off");
-        EXPECT_TRUE(step.flow->clusters.percolates);
-        EXPECT_TRUE(std::isinf(step.flow->result.leak_rate));
+        EXPECT_TRUE(step.flow->channel.percolates());
+        EXPECT_TRUE(std::isinf(step.flow->leakage.rate));
         return true;
       }));
     }
@@ -291,8 +291,8 @@ namespace strait
                               step.number > 1 ? &alone : nullptr);
         EXPECT_EQ(step.state.contact->fft_pairs, alone.fft_pairs);
         const StepFlow dry = flow.solve(alone.gap, 0.);
-        EXPECT_EQ(step.flow->result.unknowns, dry.result.unknowns);
-        EXPECT_EQ(step.flow->result.leak_rate, dry.result.leak_rate);
+        EXPECT_EQ(step.flow->leakage.unknowns, dry.leakage.unknowns);
+        EXPECT_EQ(step.flow->leakage.rate, dry.leakage.leak_rate);
         EXPECT_FALSE(step.state.fluid);
         return true;
       }));

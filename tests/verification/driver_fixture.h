@@ -57,13 +57,14 @@ namespace strait
     if (scene.programme.find_threshold)
       result.thresholds = silent.loads.find_thresholds();
     EXPECT_TRUE(silent.loads.run([&result](const Step &step) {
-      const FlowResult &flow = step.flow->result;
+      const Leakage &flow = step.flow->leakage;
       result.rows.push_back(
         {step.state.contact->nominal_pressure,
          step.state.contact->contact_area_corrected,
          step.state.mean_gap,
-         step.flow->paths.empty() ? 0. : step.flow->paths[0].bottleneck_gap,
-         flow.leak_rate,
+         step.flow->channel.paths.empty() ? 0.
+                                          : step.flow->channel.paths[0].bottleneck_gap,
+         flow.rate,
          flow.lower,
          flow.upper,
          step.state.control.slip_length,

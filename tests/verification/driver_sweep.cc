@@ -154,7 +154,7 @@ namespace strait
       step.doubts = {"uncertain-threshold", "unresolved-throat"};
       EXPECT_EQ(step.status(), "uncertain-threshold+unresolved-throat");
       EXPECT_TRUE(step.converged());
-      step.flow.emplace().result.status      = "flow-accuracy";
+      step.flow.emplace().leakage.status     = "flow-accuracy";
       step.state.contact.emplace().converged = false;
       EXPECT_EQ(
         step.status(),

@@ -94,8 +94,8 @@ namespace strait
       surface.kind        = SurfaceKind::square_saddle;
       const SlabField gap = contact_gap(surface, 1024, .226 * 2 * pi);
 
-      const FlowResult coarse = leak(gap, plain_fluid(1e-2));
-      const FlowResult fine   = leak(gap, plain_fluid(1e-3));
+      const Leakage coarse = leak(gap, plain_fluid(1e-2));
+      const Leakage fine   = leak(gap, plain_fluid(1e-3));
       EXPECT_EQ(coarse.status, "ok");
       EXPECT_EQ(fine.status, "ok");
       EXPECT_LE(coarse.unknowns, 2500U);
@@ -109,8 +109,8 @@ namespace strait
     {
       SurfaceParameters surface;
       surface.short_cut_off_wavelength = 8. / 1024;
-      const SlabField  gap             = contact_gap(surface, 1024, .218);
-      const FlowResult flow            = leak(gap, plain_fluid(1e-2));
+      const SlabField gap              = contact_gap(surface, 1024, .218);
+      const Leakage   flow             = leak(gap, plain_fluid(1e-2));
       EXPECT_EQ(flow.status, "ok");
       EXPECT_LE(flow.unknowns, 60000U);
     }
@@ -121,13 +121,13 @@ namespace strait
       for (const GapInterpolation kind :
            {GapInterpolation::monotone_cubic, GapInterpolation::bilinear})
         {
-          FluidParameters fluid       = plain_fluid(1e-2);
-          fluid.interpolation         = kind;
-          const SlabField  gap        = sample(channels, 128, 128);
-          const FlowResult asymptotic = leak(gap, fluid);
-          fluid.bounds                = FlowBounds::rigorous;
-          fluid.target_accuracy       = .15;
-          const FlowResult rigorous   = leak(gap, fluid);
+          FluidParameters fluid      = plain_fluid(1e-2);
+          fluid.interpolation        = kind;
+          const SlabField gap        = sample(channels, 128, 128);
+          const Leakage   asymptotic = leak(gap, fluid);
+          fluid.bounds               = FlowBounds::rigorous;
+          fluid.target_accuracy      = .15;
+          const Leakage rigorous     = leak(gap, fluid);
           EXPECT_EQ(rigorous.status, "ok");
           EXPECT_LT(rigorous.mesh_lower, asymptotic.lower);
           EXPECT_GT(rigorous.mesh_upper, asymptotic.upper);
@@ -139,8 +139,7 @@ namespace strait
     {
       FluidParameters fluid = plain_fluid();
       fluid.bounds          = FlowBounds::rigorous;
-      const FlowResult flow =
-        leak(sample([](double, double) { return .3; }, 32, 32), fluid);
+      const Leakage flow = leak(sample([](double, double) { return .3; }, 32, 32), fluid);
       EXPECT_NEAR(flow.lower, .027, 1e-9);
       EXPECT_NEAR(flow.upper, .027, 1e-9);
     }

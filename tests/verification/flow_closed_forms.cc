@@ -13,13 +13,13 @@ namespace strait
     /** The bracket is that of the interpolated gap: where @p slack is 0 the gap is
      *  sampled so finely, or so much to one side, that this does not matter. */
     void
-    expect_contains(const FlowResult &flow, const double exact, const double slack = 0.)
+    expect_contains(const Leakage &flow, const double exact, const double slack = 0.)
     {
       EXPECT_EQ(flow.status, "ok");
       EXPECT_LE(flow.lower, exact * (1 + slack));
       EXPECT_GE(flow.upper, exact * (1 - slack));
-      EXPECT_LE(flow.lower, flow.leak_rate * (1 + slack));
-      EXPECT_GE(flow.upper, flow.leak_rate * (1 - slack));
+      EXPECT_LE(flow.lower, flow.rate * (1 + slack));
+      EXPECT_GE(flow.upper, flow.rate * (1 - slack));
     }
 
     TEST(FlowClosedForms, ParallelPlatesAreExactInBothDirections)
@@ -33,10 +33,10 @@ namespace strait
         sample([=](double, double) { return gap; }, 64, 32, 2., .5);
       for (const FlowDirection direction : {FlowDirection::x, FlowDirection::y})
         {
-          fluid.direction         = direction;
-          const double     aspect = direction == FlowDirection::x ? .5 / 2. : 2. / .5;
-          const double     exact  = gap * gap * gap / (12 * .7) * 3. * aspect;
-          const FlowResult flow   = leak(plates, fluid);
+          fluid.direction      = direction;
+          const double  aspect = direction == FlowDirection::x ? .5 / 2. : 2. / .5;
+          const double  exact  = gap * gap * gap / (12 * .7) * 3. * aspect;
+          const Leakage flow   = leak(plates, fluid);
           expect_contains(flow, exact, 1e-9);
           EXPECT_NEAR(flow.upper / exact, 1., 1e-8);
           EXPECT_NEAR(flow.lower / exact, 1., 1e-8);
@@ -48,9 +48,8 @@ namespace strait
       FluidParameters fluid = plain_fluid();
       fluid.inlet_pressure  = 0.;
       fluid.outlet_pressure = 1.;
-      const FlowResult flow =
-        leak(sample([](double, double) { return 1.; }, 32, 32), fluid);
-      EXPECT_NEAR(flow.leak_rate, -1., 1e-8);
+      const Leakage flow = leak(sample([](double, double) { return 1.; }, 32, 32), fluid);
+      EXPECT_NEAR(flow.rate, -1., 1e-8);
       EXPECT_LE(flow.lower, 1 + 1e-9);
       EXPECT_GE(flow.upper, 1 - 1e-9);
     }
@@ -82,9 +81,9 @@ namespace strait
           };
           for (const int n : {8, 16, 32})
             {
-              const FlowResult flow = leak(strip(n), fluid);
+              const Leakage flow = leak(strip(n), fluid);
               EXPECT_LT(flow.relative_width(), 3e-5);
-              errors.push_back(std::abs(flow.leak_rate / (exact * aspect(4. / n)) - 1));
+              errors.push_back(std::abs(flow.rate / (exact * aspect(4. / n)) - 1));
             }
           fluid.target_accuracy = 1e-3;
           // One of the bounds is attained, so interpolation shows: 3e-9 of 512 points.
@@ -101,9 +100,9 @@ namespace strait
       const auto   gap    = [](const double x, const double y) {
         return (1 + .3 * std::cos(2 * pi * x)) * (1 + .4 * std::cos(2 * pi * y));
       };
-      const FlowResult flow = leak(sample(gap, 128, 128), plain_fluid(1e-3));
+      const Leakage flow = leak(sample(gap, 128, 128), plain_fluid(1e-3));
       expect_contains(flow, along * across);
-      EXPECT_NEAR(flow.leak_rate / (along * across), 1., 1e-3);
+      EXPECT_NEAR(flow.rate / (along * across), 1., 1e-3);
     }
 
     // The corners are singular: a case for local refinement.
@@ -127,9 +126,9 @@ namespace strait
             n);
           FluidParameters fluid = plain_fluid(5e-3);
           fluid.interpolation   = GapInterpolation::bilinear;
-          const FlowResult flow = leak(board, fluid);
+          const Leakage flow    = leak(board, fluid);
           EXPECT_LT(flow.relative_width(), 5e-3);
-          errors.push_back(std::abs(flow.leak_rate / exact - 1));
+          errors.push_back(std::abs(flow.rate / exact - 1));
         }
       EXPECT_LT(errors[1], .02);
       EXPECT_LT(errors[1], .5 * errors[0]);
@@ -205,8 +204,8 @@ namespace strait
             },
             n,
             n);
-          const FlowResult flow = leak(gap, plain_fluid(2e-3));
-          errors.push_back(std::abs(flow.leak_rate / exact - 1));
+          const Leakage flow = leak(gap, plain_fluid(2e-3));
+          errors.push_back(std::abs(flow.rate / exact - 1));
         }
       EXPECT_LT(errors[1], .01);
       EXPECT_LT(errors[1], .6 * errors[0]);
@@ -225,11 +224,11 @@ namespace strait
         y -= .5;
         return (1 + x * x / (length * length)) * (1 - y * y / (width * width));
       };
-      const FlowResult flow =
+      const Leakage flow =
         leak(sample(gap, 512, 256, 2 * t * length, 1.), plain_fluid(1e-3));
       expect_contains(flow, 1. / resistance);
       EXPECT_LT(flow.relative_width(), 1e-3);
-      EXPECT_NEAR(flow.leak_rate * resistance, 1., 2e-3);
+      EXPECT_NEAR(flow.rate * resistance, 1., 2e-3);
     }
 
     // However deep the walls of a channel are closed, one point is a channel.
@@ -242,10 +241,10 @@ namespace strait
             sample([=](const double, const double y) { return y == .5 ? .01 : wall; },
                    64,
                    64);
-          const FlowResult flow = leak(gap, plain_fluid(1e-2));
+          const Leakage flow = leak(gap, plain_fluid(1e-2));
           EXPECT_EQ(flow.status, "ok");
           EXPECT_GT(flow.lower, 0.);
-          leaks.push_back(flow.leak_rate);
+          leaks.push_back(flow.rate);
         }
       // g³ over a spacing or so; how deep the wall is closed hardly matters.
       EXPECT_LT(leaks[0], 1e-6 / 64);
@@ -263,7 +262,7 @@ namespace strait
       };
       double     lower = 0., upper = 1e300;
       int        n_meshes = 0;
-      const auto check    = [&](const FlowResult &flow) {
+      const auto check    = [&](const Leakage &flow) {
         // Cells below the grid spacing integrate the same gap more finely.
         EXPECT_LE(flow.mesh_upper, upper * (1 + 1e-5));
         EXPECT_GE(flow.mesh_lower, lower * (1 - 1e-5));

@@ -2,11 +2,10 @@
 #ifndef strait_tests_flow_fixture_h
 #define strait_tests_flow_fixture_h
 
+#include <strait/flow/critical_cells.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/bottleneck.h>
-#include <strait/percolation/clusters.h>
-#include <strait/percolation/flow_path.h>
-#include <strait/percolation/percolating_gap.h>
+#include <strait/percolation/channel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,28 +47,32 @@ namespace strait
   struct GivenGap
   {
     GivenGap(const SlabField &gap, const FluidParameters &fluid)
-      : clusters(find_clusters(gap, fluid.direction))
-      , field(gap.layout_pointer(), fluid)
+      : GivenGap(gap, fluid, fluid.direction)
     {
-      const SlabField kept = percolating_gap(gap, clusters, fluid.direction);
-      paths                = find_flow_paths(kept, fluid.direction, 3);
-      const double bottleneck =
-        paths.empty() ? 1. : field.conductivity_of(paths.front().bottleneck_gap);
-      field.update(kept, 1e-8 * bottleneck);
     }
 
-    Clusters              clusters;
+    GivenGap(const SlabField &gap, const FluidParameters &fluid, const FlowDomain &domain)
+      : channel(make_channel(gap, 0., domain, 3))
+      , cells(find_critical_cells(channel))
+      , field(gap.layout_pointer(), fluid)
+    {
+      if (channel.percolates())
+        field.update(channel.gap,
+                     1e-8 * field.conductivity_of(channel.paths.front().bottleneck_gap));
+    }
+
+    Channel               channel;
+    std::vector<GridCell> cells;
     GapField              field;
-    std::vector<FlowPath> paths;
   };
 
-  inline FlowResult
+  inline Leakage
   leak(const SlabField                &gap,
        const FluidParameters          &fluid,
        const ReynoldsSolver::Observer &observer = {})
   {
     const GivenGap given(gap, fluid);
-    ReynoldsSolver solver(fluid, given.field, given.paths);
+    ReynoldsSolver solver(fluid, given.field, given.cells);
     return solver.run(observer);
   }
 } // namespace strait

@@ -154,8 +154,8 @@ namespace strait
       for (const auto &[name, aspect] :
            {std::pair<std::string, double>("strip", .5), {"box", 1.}})
         {
-          const FlowResult flow  = leak_in_seal(plates, plain_fluid(), name);
-          const double     exact = .3 * .3 * .3 * aspect;
+          const Leakage flow  = leak_in_seal(plates, plain_fluid(), name);
+          const double  exact = .3 * .3 * .3 * aspect;
           EXPECT_EQ(flow.status, "ok");
           EXPECT_NEAR(flow.upper / exact, 1., 1e-9) << name;
           EXPECT_NEAR(flow.lower / exact, 1., 1e-9) << name;
@@ -172,9 +172,9 @@ namespace strait
         },
         256,
         256);
-      const FlowResult flow   = leak_in_seal(gap, plain_fluid(2e-3), "strip");
-      double           across = 0.; // ∫ B³ dy from 1/4 to 3/4
-      constexpr int    n      = 20000;
+      const Leakage flow   = leak_in_seal(gap, plain_fluid(2e-3), "strip");
+      double        across = 0.; // ∫ B³ dy from 1/4 to 3/4
+      constexpr int n      = 20000;
       for (int k = 0; k < n; ++k)
         across +=
           .5 / n * std::pow(1 + b * std::sin(2 * pi * (.25 + .5 * (k + .5) / n)), 3);
@@ -198,13 +198,13 @@ namespace strait
         128,
         128);
       const FluidParameters fluid    = plain_fluid(.01);
-      const FlowResult      periodic = leak(gap, fluid);
-      const FlowResult      walled   = leak_in_seal(gap, fluid, "box");
+      const Leakage         periodic = leak(gap, fluid);
+      const Leakage         walled   = leak_in_seal(gap, fluid, "box");
       EXPECT_EQ(periodic.status, "ok");
       EXPECT_EQ(walled.status, "ok");
       EXPECT_LT(walled.lower, periodic.upper);
       EXPECT_GT(walled.upper, periodic.lower);
-      EXPECT_NEAR(walled.leak_rate / periodic.leak_rate, 1., .01);
+      EXPECT_NEAR(walled.rate / periodic.rate, 1., .01);
     }
 
     /** Contact all around the ring, but for a notch at the angle 0 of half-width @p
@@ -226,30 +226,29 @@ namespace strait
     TEST(FlowSealMesh, VerdictAndFlowAgreeOnARingParallel)
     {
       const GapInSeal closed(wall_with_notch(0.), plain_fluid(), "ring");
-      EXPECT_FALSE(closed.clusters.percolates);
-      EXPECT_TRUE(closed.paths.empty());
+      EXPECT_FALSE(closed.channel.percolates());
+      EXPECT_TRUE(closed.channel.paths.empty());
 
       const SlabField       notched = wall_with_notch(.3);
       const FluidParameters fluid   = plain_fluid(.03);
       const GapInSeal       open(notched, fluid, "ring");
-      EXPECT_TRUE(open.clusters.percolates);
+      EXPECT_TRUE(open.channel.percolates());
       EXPECT_GT(find_bottleneck(notched, open.domain).value, 0.);
       EXPECT_LT(find_bottleneck(wall_with_notch(0.), closed.domain).value, 0.);
-      std::vector<FlowResult> meshes;
-      ReynoldsSolver          solver(fluid, open.field, open.paths, &open.seal);
-      const FlowResult        flow =
-        solver.run([&](const FlowResult &now) { meshes.push_back(now); });
+      std::vector<Leakage> meshes;
+      ReynoldsSolver       solver(fluid, open.field, open.cells, &open.seal);
+      const Leakage flow = solver.run([&](const Leakage &now) { meshes.push_back(now); });
       EXPECT_EQ(flow.status, "ok");
       // Every bracket contains the last one's value.
-      for (const FlowResult &now : meshes)
+      for (const Leakage &now : meshes)
         {
           EXPECT_LE(now.mesh_lower, flow.upper * (1 + 1e-3));
           EXPECT_GE(now.mesh_upper, flow.lower * (1 - 1e-3));
         }
       // Between a notch with straight walls of its narrowest and of its widest gap.
       const double share = .3 / pi;
-      EXPECT_GT(flow.leak_rate, share * ring_conductance(1e-3));
-      EXPECT_LT(flow.leak_rate, ring_conductance(.027));
+      EXPECT_GT(flow.rate, share * ring_conductance(1e-3));
+      EXPECT_LT(flow.rate, ring_conductance(.027));
     }
   } // namespace
 } // namespace strait

@@ -59,7 +59,7 @@ namespace strait
       double                         open_load;
     };
 
-    FlowResult
+    Leakage
     leak_to(const SlabField &gap, const double accuracy, const unsigned int most_unknowns)
     {
       FluidParameters fluid  = plain_fluid(accuracy);
@@ -68,7 +68,7 @@ namespace strait
     }
 
     void
-    expect_overlap(const FlowResult &a, const FlowResult &b)
+    expect_overlap(const Leakage &a, const Leakage &b)
     {
       EXPECT_LE(a.lower, b.upper) << a.status << ", " << b.status;
       EXPECT_LE(b.lower, a.upper) << a.status << ", " << b.status;
@@ -94,8 +94,8 @@ namespace strait
               const SlabField gap = seal.gap(std::pow(10., -decade));
               if (!RoughSeal::percolates(gap))
                 continue;
-              const FlowResult coarse = leak_to(gap, .02, 20000);
-              const FlowResult fine   = leak_to(gap, .002, 40000);
+              const Leakage coarse = leak_to(gap, .02, 20000);
+              const Leakage fine   = leak_to(gap, .002, 40000);
               ++n_rows;
               n_good += coarse.status == "ok" ? 1 : 0;
               EXPECT_NE(coarse.status, "flow-bracket");

@@ -14,22 +14,30 @@ namespace strait
     return std::string(STRAIT_TEST_DATA) + "/../meshes/" + name + ".msh";
   }
 
+  /** A mesh of the project, and the part of a grid that lies in it. */
+  struct SealOnGrid
+  {
+    SealOnGrid(const PeriodicGrid &grid, const std::string &mesh)
+      : seal(read_seal_mesh(mesh_path(mesh), grid, MPI_COMM_WORLD))
+      , domain(std::make_shared<const FlowRegion>(grid,
+                                                  seal.outline(.25 * grid.dx()),
+                                                  MPI_COMM_WORLD))
+    {
+    }
+
+    SealMesh   seal;
+    FlowDomain domain;
+  };
+
   /** A gap around a mesh of the project, taken through percolation and bridge. */
   struct GapInSeal
+    : SealOnGrid
+    , GivenGap
   {
-    GapInSeal(const SlabField &gap, FluidParameters fluid, const std::string &mesh)
-      : seal(read_seal_mesh(mesh_path(mesh), gap.grid(), MPI_COMM_WORLD))
-      , domain(std::make_shared<const FlowRegion>(gap.grid(),
-                                                  seal.outline(.25 * gap.grid().dx()),
-                                                  MPI_COMM_WORLD))
-      , clusters(find_clusters(gap, domain))
-      , field(gap.layout_pointer(), with_mesh(fluid, mesh))
+    GapInSeal(const SlabField &gap, const FluidParameters &fluid, const std::string &mesh)
+      : SealOnGrid(gap.grid(), mesh)
+      , GivenGap(gap, with_mesh(fluid, mesh), domain)
     {
-      const SlabField kept = percolating_gap(gap, clusters, domain);
-      paths                = find_flow_paths(kept, domain, 3);
-      const double bottleneck =
-        paths.empty() ? 1. : field.conductivity_of(paths.front().bottleneck_gap);
-      field.update(kept, 1e-8 * bottleneck);
     }
 
     static FluidParameters
@@ -38,22 +46,16 @@ namespace strait
       fluid.mesh_file = mesh_path(mesh);
       return fluid;
     }
-
-    SealMesh              seal;
-    FlowDomain            domain;
-    Clusters              clusters;
-    GapField              field;
-    std::vector<FlowPath> paths;
   };
 
-  inline FlowResult
+  inline Leakage
   leak_in_seal(const SlabField                &gap,
                const FluidParameters          &fluid,
                const std::string              &mesh,
                const ReynoldsSolver::Observer &observer = {})
   {
     const GapInSeal given(gap, fluid, mesh);
-    ReynoldsSolver  solver(fluid, given.field, given.paths, &given.seal);
+    ReynoldsSolver  solver(fluid, given.field, given.cells, &given.seal);
     return solver.run(observer);
   }
 } // namespace strait

@@ -48,7 +48,7 @@ namespace strait
     bool
     converged() const
     {
-      return state.converged() && (!flow || flow->result.status == "ok");
+      return state.converged() && (!flow || flow->leakage.status == "ok");
     }
 
     /** "ok", or a short word for each thing that failed or is in doubt, joined by +. */
@@ -58,8 +58,8 @@ namespace strait
       std::vector<std::string> words;
       if (state.contact && !state.contact->converged)
         words.emplace_back("contact-not-converged");
-      if (flow && flow->result.status != "ok")
-        words.push_back(flow->result.status);
+      if (flow && flow->leakage.status != "ok")
+        words.push_back(flow->leakage.status);
       if (state.fluid && !state.fluid->converged)
         words.emplace_back(state.fluid->lifted_off  ? "lifted-off"
                            : state.fluid->undecided ? "feedback-undecided"

@@ -3,8 +3,8 @@
 #define strait_flow_reynolds_solver_h
 
 #include <strait/flow/bracket.h>
+#include <strait/flow/leakage.h>
 #include <strait/flow/potential_problem.h>
-#include <strait/percolation/flow_path.h>
 
 #include <functional>
 #include <limits>
@@ -13,30 +13,6 @@
 
 namespace strait
 {
-  /** The leak rate Q of one gap and how it was found. */
-  struct FlowResult
-  {
-    double leak_rate  = 0.; // best value within the bracket
-    double lower      = 0.; // from the stream function, best of all meshes
-    double upper      = 0.; // from the pressure, likewise
-    double mesh_lower = 0.; // the same on the last mesh alone
-    double mesh_upper = 0.;
-
-    unsigned long long cells       = 0;
-    unsigned long long unknowns    = 0; // of both problems, on the last mesh
-    unsigned int       refinements = 0;
-    unsigned int       iterations  = 0; // of the linear solver, all meshes
-    std::string        status      = "ok";
-    std::string        reason; // why the target accuracy was missed
-
-    /** Relative width of the bracket. */
-    double
-    relative_width() const
-    {
-      return upper > 0 ? (upper - lower) / upper : 0.;
-    }
-  };
-
   /**
    * The Reynolds equation ∇·(K ∇p_f) = 0 in a percolating gap, on a mesh that is
    * refined until the leak rate is bracketed as closely as asked.
@@ -51,30 +27,29 @@ namespace strait
   class ReynoldsSolver
   {
   public:
-    /** How much smaller than the target accuracy the linear solver's error is. */
-    static constexpr double linear_share = 1e-12;
-
     /** Of a mesh that may have as many unknowns as the accuracy takes. */
     static constexpr auto unlimited = std::numeric_limits<unsigned long long>::max();
 
     /** Called after each mesh with what is known so far. */
-    using Observer = std::function<void(const FlowResult &)>;
+    using Observer = std::function<void(const Leakage &)>;
 
-    /** In the box or in @p seal. @p gap, @p fluid and @p seal must outlive the solver. */
+    /** In the box or in @p seal, from a mesh that is refined at @p critical_cells
+     *  (find_critical_cells()). @p gap, @p fluid and @p seal must outlive the solver. */
     ReynoldsSolver(const FluidParameters       &fluid,
                    const GapField              &gap,
-                   const std::vector<FlowPath> &paths,
+                   const std::vector<GridCell> &critical_cells,
                    const SealMesh              *seal = nullptr);
 
     /**
      * Run the adaptive cycle, from the mesh and the solution that are there if it ran
-     * before, to @p share of the target accuracy, but with at most some ten times the
-     * unknowns that the target itself needs; to miss only the share is no failure. A mesh
-     * of more than @p most_unknowns is not refined. Collective.
+     * before, to @p tolerance_factor times the target accuracy, but with at most some ten
+     * times the unknowns that the target itself needs; to miss only what is beyond the
+     * target is no failure. A mesh of more than @p most_unknowns is not refined.
+     * Collective.
      */
-    FlowResult run(const Observer    &observer      = {},
-                   double             share         = 1.,
-                   unsigned long long most_unknowns = unlimited);
+    Leakage run(const Observer    &observer         = {},
+                double             tolerance_factor = 1.,
+                unsigned long long most_unknowns    = unlimited);
 
     /**
      * Solve for the pressure alone on the mesh of run(), after the gap has changed a
@@ -106,15 +81,15 @@ namespace strait
     LinearSolve solve(PotentialProblem &problem);
 
     /** @return whether the linear solver converged; the bounds hold either way. */
-    bool solve_on_mesh(FlowResult &result);
+    bool solve_on_mesh(Leakage &leakage);
 
-    bool is_enough(const FlowResult &result) const;
+    bool is_enough(const Leakage &leakage) const;
 
     /** @return why another mesh would not pay; empty if it would. */
-    std::string obstacle(const FlowResult &result);
+    std::string obstacle(const Leakage &leakage);
 
     /** @return false, without refining, if the unknowns would become too many. */
-    bool refine(const FlowResult &result);
+    bool refine(const Leakage &leakage);
 
     const FluidParameters      &parameters;
     const GapField             &gap_field;

@@ -2,7 +2,7 @@
 #ifndef strait_percolation_clusters_h
 #define strait_percolation_clusters_h
 
-#include <strait/percolation/flow_domain.h>
+#include <strait/percolation/flow_region.h>
 #include <strait/spectral/slab_field.h>
 
 #include <cstdint>
@@ -10,6 +10,20 @@
 
 namespace strait
 {
+  /**
+   * The gap that the fluid sees, g − 2|d0| [length]: what is left of @p gap between
+   * immobile layers of fluid on both walls, each −@p slip_length thick; a positive slip
+   * length widens it. The fluid can enter where it is positive.
+   */
+  inline double
+  open_gap(const double gap, const double slip_length)
+  {
+    return gap + 2. * slip_length;
+  }
+
+  /** The same of a whole field. */
+  SlabField open_gap(SlabField gap, double slip_length);
+
   /** What a grid point is to the fluid. */
   enum class NodeState : std::uint8_t
   {
@@ -31,17 +45,16 @@ namespace strait
   };
 
   /**
-   * Label the points where @p flow_gap > 0. Neighbours are the four nearest
+   * Label the points where @p open_gap > 0. Neighbours are the four nearest
    * points; the grid is periodic across the flow. Along the flow, the points at
    * coordinate 0 touch the inlet, and a point of the last line touches the outlet
    * if the point behind it, across the periodic seam, is open as well. In a region
    * neighbours, inlet and outlet are those of FlowRegion; all is done on rank 0.
    *
-   * @p flow_gap is the gap that the fluid sees, g − 2|d0| with slip length d0;
-   * this function is the one place that decides what is open. Distributed
-   * union–find; collective.
+   * This function is the one place that decides what is open. Distributed union–find;
+   * collective.
    */
-  Clusters find_clusters(const SlabField &flow_gap, const FlowDomain &domain);
+  Clusters find_clusters(const SlabField &open_gap, const FlowDomain &domain);
 } // namespace strait
 
 #endif

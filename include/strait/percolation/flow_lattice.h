@@ -2,7 +2,6 @@
 #ifndef strait_percolation_flow_lattice_h
 #define strait_percolation_flow_lattice_h
 
-#include <strait/percolation/flow_domain.h>
 #include <strait/percolation/flow_region.h>
 #include <strait/spectral/periodic_grid.h>
 

@@ -2,9 +2,7 @@
 #ifndef strait_percolation_flow_path_h
 #define strait_percolation_flow_path_h
 
-#include <strait/base/fluid_parameters.h>
 #include <strait/percolation/flow_lattice.h>
-#include <strait/spectral/grid_cell.h>
 #include <strait/spectral/slab_field.h>
 
 #include <vector>
@@ -15,14 +13,17 @@ namespace strait
   struct FlowPath
   {
     std::vector<GridPoint> points;
-    std::vector<double>    gaps;                 // at the points
-    GridPoint              bottleneck;           // where the gap is smallest
-    double                 bottleneck_gap  = 0.; // there
-    double                 path_resistance = 0.; // ∫ ds / gap³ along the path
+    std::vector<double>    gaps;        // at the points
+    std::vector<double>    resistances; // ∫ ds / gap³ from the inlet to the points
+    GridPoint              bottleneck;  // where the gap is smallest
+    double                 bottleneck_gap = 0.; // there
 
-    /** Of the first path: the cells that are too coarse to begin with, for it and
-     *  for the others (critical_cells.h). */
-    std::vector<GridCell> critical_cells;
+    /** ∫ ds / gap³ along the whole path. */
+    double
+    resistance() const
+    {
+      return resistances.back();
+    }
   };
 
   /**

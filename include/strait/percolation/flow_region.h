@@ -2,12 +2,15 @@
 #ifndef strait_percolation_flow_region_h
 #define strait_percolation_flow_region_h
 
+#include <strait/base/fluid_parameters.h>
 #include <strait/spectral/periodic_grid.h>
 
 #include <mpi.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace strait
@@ -107,6 +110,24 @@ namespace strait
     int                       width;
     std::vector<std::uint8_t> flags;
     long long                 n_points_inside = 0;
+  };
+
+  /** Where the fluid flows: from side to side of the box, which is periodic across the
+   *  flow, or from inlet to outlet of a region of it. */
+  struct FlowDomain
+  {
+    FlowDomain(const FlowDirection direction_) // of the whole box
+      : direction(direction_)
+    {
+    }
+
+    FlowDomain(std::shared_ptr<const FlowRegion> region_)
+      : region(std::move(region_))
+    {
+    }
+
+    FlowDirection                     direction = FlowDirection::x;
+    std::shared_ptr<const FlowRegion> region; // null: the whole box
   };
 } // namespace strait
 

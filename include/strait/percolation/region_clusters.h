@@ -8,11 +8,7 @@ namespace strait
 {
   /** find_clusters() for a @p domain that is a region, on rank 0, whose memory it needs
    *  for 17 B a grid point. Collective. */
-  Clusters find_clusters_in_region(const SlabField &flow_gap, const FlowDomain &domain);
-
-  /** What percolating_gap() keeps of the gap in a region and around it, without a limit
-   *  to closed values. Collective. */
-  SlabField gap_around_region(const SlabField &flow_gap, const Clusters &clusters);
+  Clusters find_clusters_in_region(const SlabField &open_gap, const FlowDomain &domain);
 } // namespace strait
 
 #endif

@@ -2,8 +2,8 @@
 #ifndef strait_percolation_throat_h
 #define strait_percolation_throat_h
 
+#include <strait/percolation/clusters.h>
 #include <strait/percolation/flow_lattice.h>
-#include <strait/spectral/slab_field.h>
 
 #include <vector>
 
@@ -24,8 +24,8 @@ namespace strait
     double width  = 0.;
   };
 
-  /** The throat at @p point of @p gap. Collective. */
-  Throat measure_throat(const SlabField &gap, const GridPoint &point);
+  /** The throat at @p point of the open gap of a contact's @p gap. Collective. */
+  Throat measure_throat(const SlabField &gap, double slip_length, const GridPoint &point);
 
   /** A stretch of a path with one narrowest point. */
   struct Constriction

@@ -76,7 +76,7 @@ namespace strait
    * fluid's pressure on the wall leaves uncertain of that gap.
    */
   void
-  allow_for_feedback(FlowResult &result, const FluidState &fluid, double target_accuracy);
+  allow_for_feedback(Leakage &result, const FluidState &fluid, double target_accuracy);
 } // namespace strait
 
 #endif

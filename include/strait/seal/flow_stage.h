@@ -9,6 +9,7 @@
 #include <strait/seal/step_flow.h>
 
 #include <cstddef>
+#include <memory>
 
 namespace strait
 {
@@ -29,24 +30,28 @@ namespace strait
       watches_constrictions = true;
     }
 
-    /** All about one gap, the bracket of the leak rate included, to @p share of the
-     * target accuracy if possible. Collective. */
-    StepFlow solve(const SlabField &gap, double slip_length, double share = 1.);
+    /** All about one gap, the bracket of the leak rate included, to @p tolerance_factor
+     *  times the target accuracy if possible. Collective. */
+    StepFlow
+    solve(const SlabField &gap, double slip_length, double tolerance_factor = 1.);
 
     /**
      * Bring @p flow, which may be new, up to date with a gap that differs a little
      * from its own: verdict, pressure, and the upper bound of the leak rate, on the
      * mesh that it has. Where the channel has opened or moved away from that mesh there
-     * is a new one, for @p share of the target accuracy. Collective.
+     * is a new one, for @p tolerance_factor times the target accuracy. Collective.
      */
-    void follow(StepFlow &flow, const SlabField &gap, double slip_length, double share);
+    void follow(StepFlow        &flow,
+                const SlabField &gap,
+                double           slip_length,
+                double           tolerance_factor);
 
     /**
      * Complete what follow() left out, the bracket of the leak rate, on the same mesh
      * or finer ones, or on a new one if the leak rate is quite another than when that was
-     * made, to @p share of the target accuracy if possible. Collective.
+     * made, to @p tolerance_factor times the target accuracy if possible. Collective.
      */
-    void certify(StepFlow &flow, const SlabField &gap, double slip_length, double share);
+    void certify(StepFlow &flow, double tolerance_factor);
 
     /** Let the next certify() make a new mesh in any case. */
     void
@@ -56,7 +61,7 @@ namespace strait
     }
 
     /** Say how well a leak rate is known, and why no better, if there is a reason. */
-    void warn_of_width(const FlowResult &result);
+    void warn_of_width(const Leakage &leakage);
 
     /** Where the fluid flows. */
     const FlowDomain &
@@ -81,9 +86,6 @@ namespace strait
       return parameters.inlet_pressure != parameters.outlet_pressure;
     }
 
-    /** The gap that the fluid sees, g − 2|d0|. */
-    static SlabField seen_gap(const SlabField &gap, double slip_length);
-
     /** Bytes of the bridge on this rank. */
     std::size_t
     memory_consumption() const
@@ -93,33 +95,27 @@ namespace strait
 
   private:
     void read_mesh(const SlabLayoutPtr &layout);
-
-    /** Sets the verdict; the gap of the channel alone. */
-    SlabField find_channel(StepFlow &flow, const SlabField &seen) const;
-
-    void update_bridge(const SlabField &open, const FlowPath &path, bool with_bounds);
+    void find_channel(StepFlow        &flow,
+                      const SlabField &gap,
+                      double           slip_length,
+                      unsigned int     n_paths);
+    void update_bridge(const Channel &channel, bool with_bounds);
     void mesh_and_bracket(StepFlow          &flow,
-                          const SlabField   &seen,
-                          const SlabField   &open,
-                          double             share         = 1.,
-                          unsigned long long most_unknowns = ReynoldsSolver::unlimited);
-    void find_paths(StepFlow &flow, const SlabField &open);
-    void make_mesh(StepFlow &flow);
-    void bracket(StepFlow          &flow,
-                 const SlabField   &seen,
-                 double             share,
-                 unsigned long long most_unknowns = ReynoldsSolver::unlimited);
+                          double             tolerance_factor,
+                          unsigned long long most_unknowns);
+    void
+    bracket(StepFlow &flow, double tolerance_factor, unsigned long long most_unknowns);
 
     FluidParameters                 parameters;
     Log                            &log;
     Timers                         &timers;
     GapField                        gap_field;
-    std::unique_ptr<const SealMesh> seal; // null: the box
+    std::shared_ptr<const SealMesh> seal; // null: the box
     FlowDomain                      flow_domain;
-    double    shape_factor = 0.;          // of the seal: Q/(K Δp) at a uniform K
-    GridPoint meshed_bottleneck;          // that the last mesh was made for
-    double    meshed_leak_rate      = 0.; // likewise; 0: it was discarded
-    bool      watches_constrictions = false;
+    double                          aspect;            // of the domain, see Leakage
+    GridPoint                       meshed_bottleneck; // that the last mesh was made for
+    double meshed_leak_rate      = 0.;                 // likewise; 0: it was discarded
+    bool   watches_constrictions = false;
   };
 } // namespace strait
 

@@ -4,7 +4,7 @@
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
-#include <strait/percolation/flow_domain.h>
+#include <strait/percolation/flow_region.h>
 #include <strait/seal/seal_model.h>
 #include <strait/seal/transition_search.h>
 

@@ -2,34 +2,32 @@
 #ifndef strait_seal_step_flow_h
 #define strait_seal_step_flow_h
 
-#include <strait/flow/reynolds_solver.h>
-#include <strait/percolation/clusters.h>
-#include <strait/percolation/flow_path.h>
-#include <strait/seal/constriction_report.h>
+#include <strait/flow/constrictions.h>
+#include <strait/flow/leakage.h>
+#include <strait/percolation/channel.h>
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace strait
 {
+  class ReynoldsSolver;
+  struct SealMesh;
+
   /** What the fluid does in one gap. */
   struct StepFlow
   {
-    Clusters              clusters;
-    std::vector<FlowPath> paths;  // empty where nothing percolates
-    FlowResult            result; // zero leak rate where nothing percolates
-
-    /** The mesh that the scene names, where the fluid flows; null: the box. */
-    const SealMesh *seal         = nullptr;
-    double          shape_factor = 0.; // of that mesh: Q/(K Δp) at a uniform K
+    Channel channel;
+    Leakage leakage; // a rate of zero where nothing percolates
 
     /** If the scene looks for the threshold and something percolates. */
     std::optional<ConstrictionReport> constrictions;
 
-    /** Mesh and pressure; none where nothing percolates. Valid until the next
-     *  step changes the gap. */
-    std::unique_ptr<ReynoldsSolver> solver;
+    /** For fields and pictures: the mesh that the scene names, null if the fluid flows in
+     *  the box, and the mesh and pressure of the flow, null where nothing percolates;
+     *  valid until the flow stage is given another gap. */
+    const SealMesh                 *seal = nullptr;
+    std::shared_ptr<ReynoldsSolver> solution;
   };
 } // namespace strait
 

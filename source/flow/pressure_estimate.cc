@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/percolation/pressure_estimate.h>
+#include <strait/flow/pressure_estimate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,18 +34,16 @@ namespace strait
   } // namespace
 
   std::vector<float>
-  estimate_pressure(const FlowLattice         &gap,
-                    const std::vector<double> &resistance,
-                    const FlowPath            &path)
+  estimate_pressure(const FlowLattice &gap, const FlowPath &path)
   {
     constexpr float                       unknown = -1.F;
     const GapScale                        scale(gap);
     std::vector<float>                    pressure(gap.size(), unknown);
     std::vector<std::vector<std::size_t>> waiting(GapScale::n_places);
-    for (const GridPoint &point : path.points)
+    for (std::size_t p = 0; p < path.points.size(); ++p)
       {
-        const std::size_t k = gap.index_of(point);
-        pressure[k] = static_cast<float>(1. - resistance[k] / path.path_resistance);
+        const std::size_t k = gap.index_of(path.points[p]);
+        pressure[k] = static_cast<float>(1. - path.resistances[p] / path.resistance());
         waiting.back().push_back(k);
       }
     for (int place = GapScale::n_places - 1; place >= 0; --place)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/percolation/critical_cells.h>
-#include <strait/percolation/pressure_estimate.h>
+#include <strait/base/collective.h>
+#include <strait/flow/critical_cells.h>
+#include <strait/flow/pressure_estimate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +13,11 @@ namespace strait
 {
   namespace
   {
-    // Shares of the whole at which a cell counts as too coarse. Smaller ones make a
-    // finer start, which costs more than it saves; measured on rough gaps.
-    constexpr double short_cut_share = .05;
-    constexpr double blocking_share  = .1;
+    // Fractions of the whole at which a cell counts as too coarse. Half of them makes a
+    // finer start, which costs more than it saves; measured on rough gaps. Double of them
+    // leaves more of the throats and barriers to be found by refinement.
+    constexpr double short_cut_fraction = .05;
+    constexpr double blocking_fraction  = .1;
 
     /** What is known of a cell from its grid points. */
     struct Cell
@@ -125,7 +127,7 @@ namespace strait
     conductance_of(const FlowLattice &gap, const FlowPath &path, const double otherwise)
     {
       return width_of_bottleneck(gap, path, otherwise) *
-             std::min(gap.spacing_along(), gap.spacing_across()) / path.path_resistance;
+             std::min(gap.spacing_along(), gap.spacing_across()) / path.resistance();
     }
 
     /** The search proper, from coarse cells to fine ones. */
@@ -135,17 +137,15 @@ namespace strait
       using Cells = std::set<std::pair<int, int>>; // along, across
 
       CellSearch(const FlowLattice           &lattice,
-                 const std::vector<double>   &resistance,
                  const std::vector<FlowPath> &paths_,
                  const int                    largest_exponent)
         : gap(lattice)
         , paths(paths_)
       {
-        const std::vector<float> pressure =
-          estimate_pressure(gap, resistance, paths.front());
-        const double bottleneck = paths.front().bottleneck_gap;
-        const int    n_along    = gap.width() - 1;
-        const int    n_across   = gap.n_across() - (gap.is_periodic() ? 0 : 1);
+        const std::vector<float> pressure   = estimate_pressure(gap, paths.front());
+        const double             bottleneck = paths.front().bottleneck_gap;
+        const int                n_along    = gap.width() - 1;
+        const int                n_across = gap.n_across() - (gap.is_periodic() ? 0 : 1);
         for (int e = 1; e <= largest_exponent; ++e)
           levels.emplace_back(n_along >> e, n_across >> e);
         for (int b = 0; b < n_across; ++b)
@@ -195,7 +195,7 @@ namespace strait
       add_if_short_cut(const int    e,
                        const int    a,
                        const int    b,
-                       const double share,
+                       const double fraction,
                        Cells       &result)
       {
         Level       &level = levels[e - 1];
@@ -203,7 +203,7 @@ namespace strait
         if (!(cubed > 0))
           return;
         const double range = level.pressure_range(a, b);
-        if (cubed * range * range > share * conductances.front())
+        if (cubed * range * range > fraction * conductances.front())
           result.emplace(a, b);
       }
 
@@ -217,7 +217,7 @@ namespace strait
               const std::size_t k = gap.index_of(point);
               const int         a = std::min(gap.along(k) >> e, level.n_along - 1);
               const int         b = std::min(gap.across_of(k) >> e, level.n_across - 1);
-              if (!(level.at(a, b).mean_inverse * conductances[p] > blocking_share))
+              if (!(level.at(a, b).mean_inverse * conductances[p] > blocking_fraction))
                 continue;
               for (int i = std::max(a - 1, 0); i <= std::min(a + 1, level.n_along - 1);
                    ++i)
@@ -232,6 +232,45 @@ namespace strait
       std::vector<Level>           levels; // levels[e − 1] has cells of exponent e
       std::vector<double>          conductances; // of the paths
     };
+
+    /** Sorted. */
+    std::vector<GridCell>
+    find_on_lattice(const FlowLattice           &gap,
+                    const std::vector<FlowPath> &paths,
+                    const FlowDirection          direction,
+                    const int                    largest_exponent)
+    {
+      if (largest_exponent < 1)
+        return {};
+      // Without contact there is no barrier, and the widest way says nothing about the
+      // pressure: coarse cells do, and the bracket tells where they do not.
+      bool has_contact = false;
+      for (std::size_t k = 0; k < gap.size() && !has_contact; ++k)
+        has_contact = gap.is_point(k) && !(gap[k] > 0);
+      if (!has_contact)
+        return {};
+      // At low loads many channels share the flow, and the one path that is known
+      // makes the leak rate's estimate far too small.
+      const std::size_t most     = std::max<std::size_t>(gap.size() / 256, 1000);
+      double            fraction = short_cut_fraction;
+      CellSearch        search(gap, paths, largest_exponent);
+      while (true)
+        {
+          const std::vector<CellSearch::Cells> found = search.run(fraction);
+          std::vector<GridCell>                cells;
+          for (std::size_t e = 0; e < found.size(); ++e)
+            for (const auto &[a, b] : found[e])
+              cells.push_back(direction == FlowDirection::x
+                                ? GridCell{static_cast<int>(e) + 1, a, b}
+                                : GridCell{static_cast<int>(e) + 1, b, a});
+          if (cells.size() <= most || fraction > 1e3)
+            {
+              std::sort(cells.begin(), cells.end());
+              return cells;
+            }
+          fraction *= 4.;
+        }
+    }
   } // namespace
 
   int
@@ -244,41 +283,25 @@ namespace strait
   }
 
   std::vector<GridCell>
-  find_critical_cells(const FlowLattice           &gap,
-                      const std::vector<double>   &resistance,
-                      const std::vector<FlowPath> &paths,
-                      const FlowDirection          direction,
-                      const int                    largest_exponent)
+  find_critical_cells(const Channel &channel)
   {
-    if (largest_exponent < 1)
-      return {};
-    // Without contact there is no barrier, and the widest way says nothing about the
-    // pressure: coarse cells do, and the bracket tells where they do not.
-    bool has_contact = false;
-    for (std::size_t k = 0; k < gap.size() && !has_contact; ++k)
-      has_contact = gap.is_point(k) && !(gap[k] > 0);
-    if (!has_contact)
-      return {};
-    // At low loads many channels share the flow, and the one path that is known
-    // makes the leak rate's estimate far too small.
-    const std::size_t most  = std::max<std::size_t>(gap.size() / 256, 1000);
-    double            share = short_cut_share;
-    CellSearch        search(gap, resistance, paths, largest_exponent);
-    while (true)
-      {
-        const std::vector<CellSearch::Cells> found = search.run(share);
-        std::vector<GridCell>                cells;
-        for (std::size_t e = 0; e < found.size(); ++e)
-          for (const auto &[a, b] : found[e])
-            cells.push_back(direction == FlowDirection::x
-                              ? GridCell{static_cast<int>(e) + 1, a, b}
-                              : GridCell{static_cast<int>(e) + 1, b, a});
-        if (cells.size() <= most || share > 1e3)
-          {
-            std::sort(cells.begin(), cells.end());
-            return cells;
-          }
-        share *= 4.;
-      }
+    std::vector<GridCell> cells;
+    if (channel.paths.empty())
+      return cells;
+    MPI_Comm                  comm  = channel.gap.layout().communicator();
+    const PeriodicGrid       &grid  = channel.gap.grid();
+    const std::vector<double> whole = gather_on_root(channel.gap);
+    run_on_root(comm, [&]() {
+      cells = find_on_lattice(FlowLattice(whole, grid, channel.domain),
+                              channel.paths,
+                              channel.domain.direction,
+                              largest_start_exponent(grid));
+    });
+    auto n_cells = static_cast<int>(cells.size());
+    MPI_Bcast(&n_cells, 1, MPI_INT, 0, comm);
+    cells.resize(n_cells);
+    static_assert(sizeof(GridCell) == 3 * sizeof(int));
+    MPI_Bcast(cells.data(), 3 * n_cells, MPI_INT, 0, comm);
+    return cells;
   }
 } // namespace strait

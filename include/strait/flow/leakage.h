@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_flow_leakage_h
+#define strait_flow_leakage_h
+
+#include <strait/base/fluid_parameters.h>
+
+#include <string>
+
+namespace strait
+{
+  /** What leaks through one gap, how well that is known, and what it took to find out. */
+  struct Leakage
+  {
+    double rate  = 0.; // Q, the best value within the bounds [volume/time]
+    double lower = 0.; // bounds of |Q|: from the stream function, best of all meshes …
+    double upper = 0.; // … and from the pressure, likewise
+    double mesh_lower = 0.; // the same on the last mesh alone
+    double mesh_upper = 0.;
+
+    /** K Δp/|Q| at a uniform conductivity K: of the box its length over its width. */
+    double aspect = 1.;
+
+    /** What the linear solver leaves over, relative. */
+    double linear_error = 0.;
+
+    unsigned long long cells       = 0;
+    unsigned long long unknowns    = 0; // of both problems, on the last mesh
+    unsigned int       refinements = 0;
+    unsigned int       iterations  = 0; // of the linear solver, all meshes
+    std::string        status      = "ok";
+    std::string        reason; // why the target accuracy was missed
+
+    /** Relative width of the bracket. */
+    double
+    relative_width() const
+    {
+      return upper > 0 ? (upper - lower) / upper : 0.;
+    }
+  };
+
+  /** The uniform gap that would leak as much, (12 η Q · aspect/Δp)^(1/3) [length]. */
+  double effective_gap(const Leakage &leakage, const FluidParameters &fluid);
+} // namespace strait
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_percolation_channel_h
+#define strait_percolation_channel_h
+
+#include <strait/percolation/clusters.h>
+#include <strait/percolation/flow_path.h>
+#include <strait/percolation/throat.h>
+
+#include <vector>
+
+namespace strait
+{
+  /**
+   * Where a fluid can flow through one gap, found once and then asked by all: flow,
+   * coupling, searches, tables and pictures.
+   *
+   *   const Channel channel = make_channel(gap, slip_length, domain, n_paths);
+   *   if (channel.percolates()) … channel.paths.front().bottleneck …
+   */
+  struct Channel
+  {
+    FlowDomain domain = FlowDirection::x;
+    Clusters   clusters;
+
+    /** The open gap of what percolates (percolating_gap()); empty where nothing does. */
+    SlabField gap;
+
+    /** Ways from inlet to outlet, that of least resistance first; no more than were
+     *  sought, and none where nothing percolates. */
+    std::vector<FlowPath> paths;
+    unsigned int          n_paths_sought = 0;
+
+    /** At the bottleneck of the first path, if there is one. */
+    Throat throat;
+
+    /** Whether the gap leaks. */
+    bool
+    percolates() const
+    {
+      return clusters.percolates;
+    }
+  };
+
+  /**
+   * The channel of @p gap as the contact leaves it, in @p domain, with at most @p n_paths
+   * paths; 0 if only the verdict and the clusters are wanted. Collective.
+   */
+  Channel make_channel(const SlabField  &gap,
+                       double            slip_length,
+                       const FlowDomain &domain,
+                       unsigned int      n_paths);
+
+  /** Find up to @p n_paths paths, unless as many were sought before. Collective. */
+  void find_paths(Channel &channel, unsigned int n_paths);
+
+  /**
+   * What the flow solver may see of an open gap: its value at percolating points, zero at
+   * other open points, and the value itself (<= 0) at closed points, so that an
+   * interpolant crosses zero where the threshold lies. Closed values are raised to no
+   * less than minus the smallest percolating gap beside them: a channel one point wide
+   * stays open for half a spacing to each side.
+   *
+   * A point on the seam belongs to the inlet and, as a copy, to the outlet; it is kept if
+   * either of the two percolates. Points outside a region that are no more than two
+   * spacings from a percolating one keep their value, since the gap between that and the
+   * outline is interpolated with them. Collective.
+   */
+  SlabField
+  percolating_gap(SlabField open_gap, const Clusters &clusters, const FlowDomain &domain);
+} // namespace strait
+
+#endif

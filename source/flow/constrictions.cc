@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/flow/constrictions.h>
+#include <strait/flow/grid_points.h>
+#include <strait/flow/mapped_points.h>
+#include <strait/flow/reynolds_solver.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    std::vector<double>
+    pressure_in_seal(const ReynoldsSolver &solver, const FlowPath &path)
+    {
+      constexpr double                           unknown = -1.;
+      std::map<std::pair<int, int>, std::size_t> wanted;
+      for (std::size_t k = 0; k < path.points.size(); ++k)
+        wanted[{path.points[k].ix, path.points[k].iy}] = k;
+      // Of cells that hold the point, and of those beside it, which serve where no other
+      // does, on any rank.
+      std::vector<double>    result(path.points.size(), unknown), beside(result);
+      const auto            &dofs = solver.pressure().dof_handler();
+      dealii::Vector<double> corners(dofs.get_fe().n_dofs_per_cell());
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const MappedPoint &p : mapped_points(solver.mesh(), *cell))
+            if (const auto point = wanted.find({p.ix, p.iy}); point != wanted.end())
+              {
+                cell->get_dof_values(solver.pressure().solution(), corners);
+                (p.inside ? result : beside)[point->second] =
+                  interpolate_bilinearly(corners, p.s, p.t);
+              }
+      for (std::vector<double> *values : {&result, &beside})
+        dealii::Utilities::MPI::max(*values,
+                                    solver.mesh().triangulation().get_communicator(),
+                                    *values);
+      for (std::size_t k = 0; k < result.size(); ++k)
+        if (result[k] == unknown)
+          result[k] = beside[k];
+      // The path may end beyond the outline, in the reservoirs.
+      if (result.front() == unknown)
+        result.front() = 1.;
+      for (double &value : result)
+        value = std::max(value, 0.);
+      return result;
+    }
+
+    /** The fluid's pressure, 1 at the inlet and 0 at the outlet, at the points of
+     *  @p path, the same on all ranks. Collective. */
+    std::vector<double>
+    pressure_along(const ReynoldsSolver &solver, const FlowPath &path)
+    {
+      const FlowMesh     &mesh = solver.mesh();
+      const PeriodicGrid &grid = mesh.grid();
+      if (mesh.seal() != nullptr)
+        return pressure_in_seal(solver, path);
+
+      // Points by row and column; the outlet's copies keep their pressure, zero.
+      std::map<std::pair<int, int>, std::size_t> wanted;
+      for (std::size_t k = 0; k < path.points.size(); ++k)
+        if (const GridPoint &p = path.points[k]; p.ix < grid.nx && p.iy < grid.ny)
+          wanted[{p.iy, p.ix}] = k;
+
+      std::vector<double>    result(path.points.size(), 0.);
+      dealii::Vector<double> corners(
+        solver.pressure().dof_handler().get_fe().n_dofs_per_cell());
+      for (const auto &cell : solver.pressure().dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const GridCell     here = mesh.grid_cell(*cell);
+            const PointsOfCell rows(here.j, here.exponent),
+              columns(here.i, here.exponent);
+            if (rows.empty() || columns.empty())
+              continue;
+            bool has_values = false;
+            for (auto point = wanted.lower_bound({rows.first, 0});
+                 point != wanted.end() && point->first.first < rows.end;
+                 ++point)
+              {
+                const auto [iy, ix] = point->first;
+                if (ix < columns.first || ix >= columns.end)
+                  continue;
+                if (!has_values)
+                  cell->get_dof_values(solver.pressure().solution(), corners);
+                has_values        = true;
+                const double size = std::ldexp(1., here.exponent);
+                result[point->second] =
+                  interpolate_bilinearly(corners, ix / size - here.i, iy / size - here.j);
+              }
+          }
+      dealii::Utilities::MPI::sum(result,
+                                  mesh.triangulation().get_communicator(),
+                                  result);
+      return result;
+    }
+  } // namespace
+
+  ConstrictionReport
+  report_constrictions(const Channel &channel, const ReynoldsSolver &solver)
+  {
+    const FlowPath     &path = channel.paths.front();
+    const PeriodicGrid &grid = channel.gap.grid();
+    ConstrictionReport  report;
+    report.throat       = channel.throat;
+    report.points_along = report.throat.length / std::max(grid.dx(), grid.dy());
+
+    const std::vector<double> pressure = pressure_along(solver, path);
+    std::vector<double>       drops;
+    double                    total = 0;
+    for (const Constriction &c : divide_into_constrictions(path.gaps))
+      {
+        drops.push_back(std::max(pressure[c.first] - pressure[c.last], 0.));
+        total += drops.back();
+      }
+    std::sort(drops.begin(), drops.end(), std::greater<>());
+    report.n_constrictions = static_cast<int>(drops.size());
+    if (!(total > 0))
+      return report;
+    report.fraction_at_worst = drops.front() / total;
+    for (double carried = 0; carried < .9 * total; ++report.n_for_90_percent)
+      carried += drops[report.n_for_90_percent];
+    return report;
+  }
+} // namespace strait

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/percolation/channel.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    bool
+    is_pocket_or_fjord(const NodeState state)
+    {
+      return state != NodeState::percolating && state != NodeState::closed;
+    }
+
+    /** Close what does not percolate, in the whole box. */
+    void
+    close_the_rest(SlabField          &gap,
+                   const Clusters     &clusters,
+                   const FlowDirection direction)
+    {
+      const SlabLayout &layout = gap.layout();
+      const int         nx = gap.grid().nx, ny = gap.grid().ny;
+      const bool        has_first = layout.n_rows() > 0 && layout.first_row() == 0;
+      const bool        along_x   = direction == FlowDirection::x;
+      const auto        on_seam   = [=](const std::size_t k) {
+        return along_x ? k % nx == 0 : has_first && k < static_cast<std::size_t>(nx);
+      };
+      for (std::size_t k = 0; k < gap.size(); ++k)
+        if (!on_seam(k) && is_pocket_or_fjord(clusters.states[k]))
+          gap[k] = 0.;
+      // A point on the seam stays open if its copy at the outlet percolates, to which the
+      // point behind it leads.
+      const std::vector<double> last_row =
+        fetch_rows(gap,
+                   !along_x && has_first ? std::vector<int>{ny - 1} : std::vector<int>{});
+      for (std::size_t k = 0; k < gap.size(); ++k)
+        if (on_seam(k) && is_pocket_or_fjord(clusters.states[k]) &&
+            !((along_x ? gap[k + nx - 1] : last_row[k]) > 0))
+          gap[k] = 0.;
+    }
+
+    /** Close what does not percolate in a region, and what is far from it outside. */
+    void
+    close_the_rest_of_region(SlabField &gap, const Clusters &clusters)
+    {
+      constexpr int       reach  = 2;
+      const SlabLayout   &layout = gap.layout();
+      const int           nx = gap.grid().nx, n_rows = layout.n_rows();
+      std::vector<double> states;
+      for (const NodeState state : clusters.states)
+        states.push_back(static_cast<double>(state));
+      std::vector<int> rows;
+      for (int row = -reach; n_rows > 0 && row < n_rows + reach; ++row)
+        rows.push_back(layout.first_row() + row);
+      const std::vector<double> around = fetch_rows(layout, states.data(), nx, rows);
+      const auto                is_near_percolating = [&](const int ix, const int row) {
+        for (int b = 0; b <= 2 * reach; ++b)
+          for (int a = -reach; a <= reach; ++a)
+            if (around[static_cast<std::size_t>(row + b) * nx + (ix + a + nx) % nx] ==
+                static_cast<double>(NodeState::percolating))
+              return true;
+        return false;
+      };
+      for (int row = 0; row < n_rows; ++row)
+        for (int ix = 0; ix < nx; ++ix)
+          {
+            const NodeState state =
+              clusters.states[static_cast<std::size_t>(row) * nx + ix];
+            if (gap(ix, row) > 0 && state != NodeState::percolating &&
+                !(state == NodeState::outside && is_near_percolating(ix, row)))
+              gap(ix, row) = 0.;
+          }
+    }
+
+    /**
+     * Raise closed values such that the interpolant stays open for half a spacing around
+     * every open point, however deep its neighbours are closed.
+     */
+    void
+    limit_closed_values(SlabField &gap)
+    {
+      const int        nx = gap.grid().nx, n_rows = gap.layout().n_rows();
+      const int        begin = gap.layout().first_row();
+      std::vector<int> beyond;
+      if (n_rows > 0)
+        beyond = {begin - 1, begin + n_rows};
+      const std::vector<double> halo = fetch_rows(gap, beyond);
+      const auto                line = [&](const int row) {
+        return row < 0         ? halo.data()
+                              : row == n_rows ? halo.data() + nx
+                                              : gap.data() + static_cast<std::size_t>(row) * nx;
+      };
+      for (int row = 0; row < n_rows; ++row)
+        for (int ix = 0; ix < nx; ++ix)
+          if (gap(ix, row) < 0)
+            {
+              double smallest = std::numeric_limits<double>::infinity();
+              for (int b = row - 1; b <= row + 1; ++b)
+                for (int a = ix - 1; a <= ix + 1; ++a)
+                  if (const double value = line(b)[(a + nx) % nx]; value > 0)
+                    smallest = std::min(smallest, value);
+              gap(ix, row) = std::max(gap(ix, row), -smallest);
+            }
+    }
+  } // namespace
+
+  SlabField
+  percolating_gap(SlabField open_gap, const Clusters &clusters, const FlowDomain &domain)
+  {
+    if (domain.region != nullptr)
+      close_the_rest_of_region(open_gap, clusters);
+    else
+      close_the_rest(open_gap, clusters, domain.direction);
+    limit_closed_values(open_gap);
+    return open_gap;
+  }
+
+  Channel
+  make_channel(const SlabField   &gap,
+               const double       slip_length,
+               const FlowDomain  &domain,
+               const unsigned int n_paths)
+  {
+    Channel channel;
+    channel.domain   = domain;
+    channel.gap      = open_gap(gap, slip_length);
+    channel.clusters = find_clusters(channel.gap, domain);
+    if (!channel.percolates())
+      {
+        channel.gap = SlabField();
+        return channel;
+      }
+    channel.gap = percolating_gap(std::move(channel.gap), channel.clusters, domain);
+    find_paths(channel, n_paths);
+    if (!channel.paths.empty())
+      channel.throat = measure_throat(gap, slip_length, channel.paths.front().bottleneck);
+    return channel;
+  }
+
+  void
+  find_paths(Channel &channel, const unsigned int n_paths)
+  {
+    if (!channel.percolates() || n_paths <= channel.n_paths_sought)
+      return;
+    channel.paths          = find_flow_paths(channel.gap, channel.domain, n_paths);
+    channel.n_paths_sought = n_paths;
+  }
+} // namespace strait
