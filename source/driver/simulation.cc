@@ -12,7 +12,6 @@
 #include <strait/driver/surface_output.h>
 #include <strait/driver/theory_run.h>
 #include <strait/interface/moment_set.h>
-#include <strait/spectral/fourier_transform.h>
 #include <strait/surface/resolution.h>
 #include <strait/surface/statistics.h>
 #include <strait/surface/surface.h>
@@ -164,8 +163,7 @@ namespace strait
         run_theory(scene, log);
         return {};
       }
-    Timers timers;
-    load_wisdom(MPI_COMM_WORLD);
+    Timers   timers;
     RunState state(scene, MPI_COMM_WORLD, resume);
     if (state.is_finished())
       {
@@ -229,7 +227,6 @@ namespace strait
       });
     summary.thresholds = sweep.known_thresholds();
     output.write(sweep.jumps());
-    save_wisdom(MPI_COMM_WORLD);
     const double bytes =
       sum(MPI_COMM_WORLD, static_cast<double>(sweep.memory_consumption()));
     log.line(timers.summary());

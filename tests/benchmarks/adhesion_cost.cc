@@ -121,12 +121,10 @@ int
 main(int argc, char **argv)
 {
   MPI_Init(&argc, &argv);
-  load_wisdom(MPI_COMM_WORLD);
   if (argc > 3)
     run(std::string(argv[1]) == "rough",
         std::stoi(argv[2]),
         std::stod(argv[3]),
         argc > 4 ? std::stod(argv[4]) : 1e-8);
-  save_wisdom(MPI_COMM_WORLD);
   MPI_Finalize();
 }
