@@ -12,9 +12,9 @@
 #include <strait/driver/surface_output.h>
 #include <strait/driver/theory_run.h>
 #include <strait/interface/moment_set.h>
+#include <strait/surface/make_surface.h>
 #include <strait/surface/resolution.h>
 #include <strait/surface/statistics.h>
-#include <strait/surface/surface.h>
 
 #include <algorithm>
 #include <string>

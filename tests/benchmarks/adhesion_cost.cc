@@ -10,7 +10,7 @@
 // seconds of processor time.
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/contact/adhesive_contact_solver.h>
-#include <strait/surface/surface.h>
+#include <strait/surface/make_surface.h>
 
 #include <algorithm>
 #include <cstdio>

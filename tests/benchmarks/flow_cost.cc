@@ -22,7 +22,7 @@
 #include <strait/percolation/clusters.h>
 #include <strait/percolation/critical_cells.h>
 #include <strait/percolation/percolating_gap.h>
-#include <strait/surface/surface.h>
+#include <strait/surface/make_surface.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
