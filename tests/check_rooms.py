@@ -1,21 +1,26 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Check that the house is in order: check_rooms.py PROJECT_FOLDER
+"""Check that the house is in order: check_rooms.py PROJECT_FOLDER [--one-user]
 
 - A file includes only headers of its own room and of the rooms before it.
 - The rooms that must compile quickly do not include deal.II.
 - Each source has its header and each header with a source has it in the same
   place; every file names its licence in the first line.
-- No header includes itself round a corner.
+- No header with its source includes itself round a corner.
+
+The option --one-user lists the headers that only one other file of the library needs;
+many of them would be better off inside their user.
 """
 import os
 import re
 import sys
 
 ROOMS = ["base", "reference", "spectral", "surface", "contact", "percolation",
-         "interface", "flow", "theory", "coupling", "driver"]
+         "interface", "flow", "theory", "seal", "driver"]
 WITHOUT_DEAL_II = ["base", "reference", "spectral", "surface", "contact", "percolation",
                    "theory"]
+# Rooms whose cycles are still to be untangled: strike them off, add none.
+ENTANGLED = ("base/", "surface/readers/", "percolation/", "flow/", "driver/")
 LICENCE = "// SPDX-License-Identifier: GPL-2.0-or-later"
 INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>")
 
@@ -76,23 +81,61 @@ def check_guard(project):
                 yield f"include/{relative}: the include guard must be {guard}"
 
 
+def units_of(project):
+    """Which units a unit includes; a unit is a header with its source, without ending."""
+    units = {}
+    for folder, ending in (("include/strait", ".h"), ("source", ".cc")):
+        top = os.path.join(project, folder)
+        for path in files_of(top, ending):
+            unit = os.path.relpath(path, top)[:-len(ending)]
+            units.setdefault(unit, set()).update(
+                header[len("strait/"):-len(".h")] for header in includes_of(path)
+                if header.startswith("strait/"))
+            units[unit].discard(unit)
+    return units
+
+
+def cycles_of(graph):
+    """The largest sets of nodes that all reach each other (Tarjan's algorithm)."""
+    order, lowest, stack, cycles = {}, {}, [], []
+
+    def visit(node):
+        order[node] = lowest[node] = len(order)
+        stack.append(node)
+        for other in sorted(graph.get(node, ())):
+            if other not in order:
+                visit(other)
+            if other in stack:
+                lowest[node] = min(lowest[node], lowest[other])
+        if lowest[node] == order[node]:
+            start = stack.index(node)
+            cycles.append(sorted(stack[start:]))
+            del stack[start:]
+
+    for node in sorted(graph):
+        if node not in order:
+            visit(node)
+    return [cycle for cycle in cycles if len(cycle) > 1]
+
+
 def check_cycles(project):
-    folder = os.path.join(project, "include")
-    graph = {os.path.relpath(path, folder): [h for h in includes_of(path)
-                                             if h.startswith("strait/")]
-             for path in files_of(folder, ".h")}
-    finished = set()
+    for cycle in cycles_of(units_of(project)):
+        if not cycle[0].startswith(ENTANGLED):
+            yield (f"{', '.join(cycle)}: each of these includes the others, perhaps "
+                   "round a corner")
 
-    def visit(header, trail):
-        if header in trail:
-            yield " -> ".join(trail[trail.index(header):] + [header]) + ": a cycle"
-        elif header not in finished:
-            for other in graph.get(header, []):
-                yield from visit(other, trail + [header])
-            finished.add(header)
 
-    for header in graph:
-        yield from visit(header, [])
+def headers_with_one_user(project):
+    """Headers that but one file of the library includes, apart from their sources."""
+    users = {}
+    for folder, ending in (("include", ".h"), ("source", ".cc")):
+        for path in files_of(os.path.join(project, folder), ending):
+            own = "strait/" + os.path.relpath(path, os.path.join(project, "source"))[:-3] + ".h"
+            for header in includes_of(path):
+                if header != own:
+                    users.setdefault(header, set()).add(path)
+    return sorted(header for header, paths in users.items()
+                  if header.startswith("strait/") and len(paths) == 1)
 
 
 def main():
@@ -103,7 +146,11 @@ def main():
     problems += [*check_mirror(project), *check_guard(project), *check_cycles(project)]
     for problem in problems:
         print(problem)
-    print(f"{len(sources)} sources and {len(headers)} headers, {len(problems)} problems")
+    lonely = headers_with_one_user(project)
+    if "--one-user" in sys.argv:
+        print("\n".join(lonely))
+    print(f"{len(sources)} sources and {len(headers)} headers, {len(lonely)} of them with "
+          f"one user, {len(problems)} problems")
     return 1 if problems or not sources else 0
 
 

@@ -4,8 +4,7 @@
 
     check_survival.py --program P --mpirun M --folder F [TEST ...]
 
-The scenes are small. Each test has a folder of its own; the plans of FFTW are shared,
-because they decide about the last digits.
+The scenes are small. Each test has a folder of its own.
 """
 import argparse
 import glob
@@ -135,9 +134,7 @@ class Survival(unittest.TestCase):
         command = [OPTIONS.program, "--quiet", scene, "--output", output, *options]
         if ranks > 1:
             command = [OPTIONS.mpirun, "--quiet", "-np", str(ranks)] + command
-        environment = dict(os.environ, XDG_CACHE_HOME=os.path.join(OPTIONS.folder, "cache"))
-        return subprocess.Popen(command, env=environment, text=True,
-                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, **how)
+        return subprocess.Popen(command, text=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, **how)
 
     def run_to_end(self, *arguments, status=0, **how):
         """The message of a run that ends by itself."""

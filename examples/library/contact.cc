@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Contact only: a self-affine surface, the contact area at three loads.
 #include <strait/contact/contact_solver.h>
-#include <strait/surface/surface.h>
+#include <strait/surface/make_surface.h>
 
 #include <deal.II/base/mpi.h>
 

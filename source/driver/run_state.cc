@@ -5,7 +5,6 @@
 #include <strait/driver/checkpoint_reader.h>
 #include <strait/driver/checkpoint_writer.h>
 #include <strait/driver/run_state.h>
-#include <strait/spectral/fourier_transform.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +80,7 @@ namespace strait
     if (!resume)
       return;
     archive = std::make_unique<CheckpointReader>(path, comm);
-    std::string earlier, wisdom;
+    std::string earlier;
     archive->value(earlier);
     check_scene(earlier);
     archive->value(finished);
@@ -90,8 +89,6 @@ namespace strait
         transfer_summary(*archive, left);
         return;
       }
-    archive->value(wisdom);
-    import_wisdom(comm, wisdom);
     archive->value(surface);
     archive->value(adhesion_energy);
     archive->value(searched);
@@ -150,12 +147,11 @@ namespace strait
     if (!scene.output.checkpoint)
       return;
     CheckpointWriter    writer(path, comm);
-    std::string         resolved = scene.resolved, wisdom = export_wisdom(comm);
-    bool                at_end  = false;
-    std::vector<double> heights = surface;
+    std::string         resolved = scene.resolved;
+    bool                at_end   = false;
+    std::vector<double> heights  = surface;
     writer.value(resolved);
     writer.value(at_end);
-    writer.value(wisdom);
     writer.value(heights);
     double energy = adhesion_energy;
     writer.value(energy);

@@ -13,10 +13,9 @@
 #include <strait/driver/theory_run.h>
 #include <strait/flow/seal_mesh.h>
 #include <strait/interface/moment_set.h>
-#include <strait/spectral/fourier_transform.h>
+#include <strait/surface/make_surface.h>
 #include <strait/surface/resolution.h>
 #include <strait/surface/statistics.h>
-#include <strait/surface/surface.h>
 
 #include <algorithm>
 #include <string>
@@ -163,8 +162,7 @@ namespace strait
         run_theory(scene, log);
         return {};
       }
-    Timers timers;
-    load_wisdom(MPI_COMM_WORLD);
+    Timers   timers;
     RunState state(scene, MPI_COMM_WORLD, resume);
     if (state.is_finished())
       {
@@ -228,7 +226,6 @@ namespace strait
       });
     summary.thresholds = sweep.known_thresholds();
     output.write(sweep.jumps());
-    save_wisdom(MPI_COMM_WORLD);
     const double bytes =
       sum(MPI_COMM_WORLD, static_cast<double>(sweep.memory_consumption()));
     log.line(timers.summary());

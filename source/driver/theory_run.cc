@@ -6,8 +6,8 @@
 #include <strait/driver/step_report.h>
 #include <strait/driver/theory_prediction.h>
 #include <strait/driver/theory_run.h>
+#include <strait/surface/make_surface.h>
 #include <strait/surface/resolution.h>
-#include <strait/surface/surface.h>
 
 #include <cmath>
 

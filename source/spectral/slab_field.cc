@@ -2,8 +2,6 @@
 #include <strait/base/collective.h>
 #include <strait/spectral/slab_field.h>
 
-#include <fftw3-mpi.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,19 +12,13 @@ namespace strait
     : periodic_grid(grid)
     , comm(communicator)
   {
-    fftw_mpi_init();
     MPI_Comm_rank(comm, &my_rank);
     int n_ranks = 1;
     MPI_Comm_size(comm, &n_ranks);
 
-    ptrdiff_t n_rows = 0, first = 0;
-    fftw_mpi_local_size_2d(grid.ny, grid.nx / 2 + 1, comm, &n_rows, &first);
-    const int        mine = static_cast<int>(n_rows);
-    std::vector<int> counts(n_ranks);
-    MPI_Allgather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
-    row_starts.assign(n_ranks + 1, 0);
-    for (int r = 0; r < n_ranks; ++r)
-      row_starts[r + 1] = row_starts[r] + counts[r];
+    const int n_most = (grid.ny + n_ranks - 1) / n_ranks;
+    for (int r = 0; r <= n_ranks; ++r)
+      row_starts.push_back(std::min(r * n_most, grid.ny));
   }
 
   int

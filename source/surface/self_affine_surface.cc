@@ -1,16 +1,29 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/self_affine_surface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <vector>
 
 namespace strait
 {
   namespace
   {
     const double two_pi = 2 * std::acos(-1.);
+
+    /** No grid that the flow mesh can number (65535 points) resolves more. */
+    constexpr double most_waves_in_a_box = 32767;
+
+    double
+    square(const double value)
+    {
+      return value * value;
+    }
 
     /** The finaliser of splitmix64 (Steele, Lea, Flood 2014): a bijection. */
     std::uint64_t
@@ -34,6 +47,68 @@ namespace strait
       return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53;
     }
   } // namespace
+
+  SelfAffineSpectrum::SelfAffineSpectrum(const SurfaceParameters &parameters,
+                                         MPI_Comm                 communicator)
+    : size(parameters.size)
+    , hurst_exponent(parameters.hurst_exponent)
+    , roll_off(1 / parameters.roll_off_wavelength)
+    // The cut-off excludes waves on it; the margin makes that safe from rounding.
+    , cut_off((1 - 1e-12) / parameters.short_cut_off_wavelength)
+  {
+    if (std::max(size[0], size[1]) * cut_off > most_waves_in_a_box)
+      throw InputError(
+        "Surface/Short cut-off wavelength is less than 1/32767 of the box, "
+        "which no grid resolves: make it longer or the box smaller.");
+    const double sum = band_sum(parameters.normalisation, communicator);
+    if (!(sum > 0))
+      throw InputError(
+        "Surface/Short cut-off wavelength leaves no wave in the box: make it "
+        "shorter than the longer side of Surface/Size.");
+    scale = square(parameters.rms_value) / sum;
+  }
+
+  double
+  SelfAffineSpectrum::operator()(const int kx, const int ky) const
+  {
+    const double wave_number = std::sqrt(square(kx / size[0]) + square(ky / size[1]));
+    if (wave_number == 0. || wave_number >= cut_off)
+      return 0.;
+    if (wave_number < roll_off)
+      return scale;
+    return scale * std::pow(wave_number / roll_off, -2 * (1 + hurst_exponent));
+  }
+
+  double
+  SelfAffineSpectrum::band_sum(const Normalisation normalisation,
+                               MPI_Comm            communicator) const
+  {
+    int rank = 0, n_ranks = 1;
+    MPI_Comm_rank(communicator, &rank);
+    MPI_Comm_size(communicator, &n_ranks);
+
+    // Lines of constant kx are dealt out to the ranks and added up in the same
+    // order everywhere, so that the sum does not depend on their number. One
+    // quadrant stands for all four.
+    const int           largest_kx = static_cast<int>(size[0] * cut_off) + 1;
+    const int           largest_ky = static_cast<int>(size[1] * cut_off) + 1;
+    std::vector<double> lines(largest_kx + 1, 0.);
+    for (int kx = rank; kx <= largest_kx; kx += n_ranks)
+      for (int ky = 0; ky <= largest_ky; ++ky)
+        {
+          const double q_squared =
+            square(two_pi) * (square(kx / size[0]) + square(ky / size[1]));
+          const double weight = (kx > 0 ? 2. : 1.) * (ky > 0 ? 2. : 1.);
+          lines[kx] += weight * (*this)(kx, ky) *
+                       (normalisation == Normalisation::rms_slope ? q_squared : 1.);
+        }
+    sum_in_place(communicator, lines.data(), static_cast<int>(lines.size()));
+
+    double sum = 0;
+    for (const double line : lines)
+      sum += line;
+    return sum;
+  }
 
   SelfAffineSurface::SelfAffineSurface(const SurfaceParameters &parameters,
                                        MPI_Comm                 communicator)

@@ -13,6 +13,12 @@ namespace strait
   {
     const double pi = std::acos(-1.);
 
+    // Below the smallest, W grows as −γ ln s up to a correction of the order s².
+    constexpr double smallest_s = 1e-5, largest_s = 7.;
+    constexpr int    n_steps      = 4096;
+    const double     log_smallest = std::log(smallest_s);
+    const double     log_step     = (std::log(largest_s) - log_smallest) / n_steps;
+
     /** Probability that |separation + roughness z| < u, z normal. */
     double
     share_below(const GapLayer &layer, const double u)
@@ -22,6 +28,51 @@ namespace strait
                    std::erf((u + layer.separation) * scale));
     }
   } // namespace
+
+  CompressionIntegral::CompressionIntegral(const double gamma_)
+    : gamma(gamma_)
+    , table(n_steps + 1, 0.)
+  {
+    // Simpson's rule, from the far end on.
+    for (int k = n_steps - 1; k >= 0; --k)
+      {
+        const double left = log_smallest + k * log_step;
+        table[k]          = table[k + 1] +
+                   log_step / 6 *
+                     (slope(std::exp(left)) + 4 * slope(std::exp(left + .5 * log_step)) +
+                      slope(std::exp(left + log_step)));
+      }
+  }
+
+  double
+  CompressionIntegral::slope(const double s) const
+  {
+    const double error_function = std::erf(s);
+    return (gamma + 3 * (1 - gamma) * error_function * error_function) * std::exp(-s * s);
+  }
+
+  double
+  CompressionIntegral::operator()(const double s) const
+  {
+    if (s >= largest_s)
+      return 0.;
+    const double position = (std::log(s) - log_smallest) / log_step;
+    if (position < 0)
+      return table.front() - gamma * position * log_step;
+    // Cubic through the four nearest entries.
+    const int    k = std::clamp(static_cast<int>(position) - 1, 0, n_steps - 3);
+    const double x = position - k;
+    return table[k] * (1 - x) * (2 - x) * (3 - x) / 6 +
+           table[k + 1] * x * (2 - x) * (3 - x) / 2 -
+           table[k + 2] * x * (1 - x) * (3 - x) / 2 +
+           table[k + 3] * x * (1 - x) * (2 - x) / 6;
+  }
+
+  double
+  CompressionIntegral::largest()
+  {
+    return largest_s;
+  }
 
   PerssonTheory::PerssonTheory(RadialSpectrum    spectrum,
                                const double      effective_modulus,

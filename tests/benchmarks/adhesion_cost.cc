@@ -10,7 +10,7 @@
 // seconds of processor time.
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/contact/adhesive_contact_solver.h>
-#include <strait/surface/surface.h>
+#include <strait/surface/make_surface.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -122,12 +122,10 @@ int
 main(int argc, char **argv)
 {
   MPI_Init(&argc, &argv);
-  load_wisdom(MPI_COMM_WORLD);
   if (argc > 3)
     run(std::string(argv[1]) == "rough",
         std::stoi(argv[2]),
         std::stod(argv[3]),
         argc > 4 ? std::stod(argv[4]) : 1e-8);
-  save_wisdom(MPI_COMM_WORLD);
   MPI_Finalize();
 }

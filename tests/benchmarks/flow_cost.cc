@@ -21,8 +21,7 @@
 #include <strait/flow/enrichment.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/channel.h>
-#include <strait/spectral/fourier_transform.h>
-#include <strait/surface/surface.h>
+#include <strait/surface/make_surface.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
@@ -200,7 +199,6 @@ main(int argc, char **argv)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const int                                      n = argc > 1 ? std::atoi(argv[1]) : 1024;
   const double accuracy                            = argc > 2 ? std::atof(argv[2]) : 0.01;
-  load_wisdom(MPI_COMM_WORLD);
 
   std::printf("%-22s %-9s %9s %10s %11s %11s %8s %8s %3s  %s\n",
               "gap",
@@ -236,6 +234,5 @@ main(int argc, char **argv)
                                              std::pair("uniform", Refinement::uniform)})
         print(what, name, bracket(gap, fluid, refinement, accuracy), reference);
     }
-  save_wisdom(MPI_COMM_WORLD);
   return 0;
 }

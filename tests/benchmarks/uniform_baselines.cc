@@ -12,8 +12,7 @@
 #include <strait/flow/critical_cells.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/channel.h>
-#include <strait/spectral/fourier_transform.h>
-#include <strait/surface/surface.h>
+#include <strait/surface/make_surface.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
@@ -319,7 +318,6 @@ main(int argc, char **argv)
   const int                                      n = argc > 1 ? std::atoi(argv[1]) : 1024;
   const int finest                                 = argc > 2 ? std::atoi(argv[2]) : 2048;
   HYPRE_Init();
-  load_wisdom(MPI_COMM_WORLD);
   std::printf("%-20s %-22s %9s %12s %10s %8s\n",
               "gap",
               "method",
@@ -345,6 +343,5 @@ main(int argc, char **argv)
       std::snprintf(name, sizeof name, "rough, p = %g E*", pressure);
       compare(name, solver.solve(pressure).gap, finest);
     }
-  save_wisdom(MPI_COMM_WORLD);
   return 0;
 }

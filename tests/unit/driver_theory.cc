@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/driver/theory_prediction.h>
-#include <strait/surface/surface.h>
+#include <strait/surface/make_surface.h>
 
 #include <gtest/gtest.h>
 

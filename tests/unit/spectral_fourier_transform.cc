@@ -2,10 +2,12 @@
 #include <strait/base/collective.h>
 #include <strait/spectral/fourier_transform.h>
 
+#include <fftw3.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -154,6 +156,55 @@ namespace
     EXPECT_LT(maximum(MPI_COMM_WORLD, error), 1e-14);
   }
 
+  /** On larger grids, for which FFTW has the choice of many plans. */
+  class BitsOfFourierTransformOn : public FourierTransformOn
+  {
+  };
+
+  /** The field with its short waves damped, by the ranks of its layout; on rank 0. */
+  std::vector<double>
+  smoothed(const SlabField &in)
+  {
+    FourierTransform transform(in.layout_pointer());
+    SlabField        out(in.layout_pointer());
+    transform.multiply(in.data(), out.data(), [](const int kx, const int ky) {
+      return 1 / (1 + std::hypot(kx, 1.3 * ky));
+    });
+    return gather_on_root(out);
+  }
+
+  TEST_P(BitsOfFourierTransformOn, OnAnyNumberOfRanks)
+  {
+    const std::vector<double> together = smoothed(any_field());
+    const std::vector<double> whole    = gather_on_root(any_field());
+    if (layout->rank() == 0)
+      {
+        EXPECT_EQ(together,
+                  smoothed(
+                    scatter_from_root(make_layout(GetParam(), MPI_COMM_SELF), whole)));
+      }
+  }
+
+  TEST_P(BitsOfFourierTransformOn, WhateverWasMeasuredBefore)
+  {
+    const std::vector<double> before = smoothed(any_field());
+    for (const int n : {GetParam().nx, GetParam().ny})
+      {
+        std::vector<std::complex<double>> in(n), out(n);
+        auto                        *from  = reinterpret_cast<fftw_complex *>(in.data());
+        auto                        *to    = reinterpret_cast<fftw_complex *>(out.data());
+        auto                        *row   = reinterpret_cast<double *>(in.data());
+        const std::vector<fftw_plan> plans = {
+          fftw_plan_dft_1d(n, from, to, FFTW_FORWARD, FFTW_PATIENT),
+          fftw_plan_dft_1d(n, to, from, FFTW_BACKWARD, FFTW_PATIENT),
+          fftw_plan_dft_r2c_1d(n, row, to, FFTW_PATIENT),
+          fftw_plan_dft_c2r_1d(n, to, row, FFTW_PATIENT)};
+        for (const fftw_plan plan : plans)
+          fftw_destroy_plan(plan);
+      }
+    EXPECT_EQ(before, smoothed(any_field()));
+  }
+
   INSTANTIATE_TEST_SUITE_P(Grids,
                            FourierTransformOn,
                            testing::Values(PeriodicGrid{16, 16, 1., 1.},
@@ -164,4 +215,11 @@ namespace
                                            PeriodicGrid{12, 3, 2., 1.},
                                            PeriodicGrid{3, 12, 2., 1.},
                                            PeriodicGrid{5, 4, 1., 1.}));
+
+  INSTANTIATE_TEST_SUITE_P(Grids,
+                           BitsOfFourierTransformOn,
+                           testing::Values(PeriodicGrid{256, 128, 2., 1.},
+                                           PeriodicGrid{90, 100, 1., 1.},
+                                           PeriodicGrid{97, 60, 1., 1.},
+                                           PeriodicGrid{12, 3, 2., 1.}));
 } // namespace

@@ -4,7 +4,7 @@
 
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
-#include <strait/surface/surface.h>
+#include <strait/surface/make_surface.h>
 
 #include <gtest/gtest.h>
 #include <unistd.h>

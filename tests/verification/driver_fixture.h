@@ -4,7 +4,7 @@
 
 #include <strait/driver/load_sweep.h>
 #include <strait/driver/simulation.h>
-#include <strait/surface/surface.h>
+#include <strait/surface/make_surface.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // The bracket itself: its indicator, its price, and the switch that proves it.
 #include <strait/contact/contact_solver.h>
 #include <strait/flow/bracket.h>
-#include <strait/surface/surface.h>
+#include <strait/surface/make_surface.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // program then says must hold: no bracket that is marked as good may miss the leak rate.
 // STRAIT_TRUST_MAPS sets the number of random surfaces; doc/accuracy.md reports 20.
 #include <strait/contact/contact_solver.h>
-#include <strait/surface/surface.h>
+#include <strait/surface/make_surface.h>
 
 #include <gtest/gtest.h>
 

@@ -6,20 +6,29 @@
 
 #include <complex>
 #include <cstddef>
-#include <string>
+#include <memory>
+#include <vector>
 
 namespace strait
 {
   /**
-   * The in-place real-to-complex Fourier transform of slab fields (FFTW-MPI)
-   * and multiplication by a real symbol between the transform and its inverse.
+   * The real-to-complex Fourier transform of slab fields and multiplication by a
+   * real symbol between the transform and its inverse.
    *
    * Convention: f(r) = Σ_q f~(q) exp(i q·r) with q = (2π kx/lx, 2π ky/ly) and
    * integer kx, ky in (-n/2, n/2]. Only kx >= 0 is stored; a mode with
    * 0 < kx < nx/2 stands for itself and its mirror image and has weight 2.
    *
-   * The padded buffer, 8 B a grid point, is lent out as scratch memory between
-   * transforms.
+   * Rows are transformed where they are. Then a few columns at a time are collected
+   * from all ranks, transformed, multiplied, transformed back and returned, so that
+   * the spectrum is never stored as a whole and the field passes through memory three
+   * times. One-dimensional transforms are FFTW's, by the plan that its cost model
+   * prefers: that depends on the length alone, where plans chosen by measurement, and
+   * with them the last digits, would depend on what else the machine is doing. The
+   * spectrum of a field is the same to the last bit on any number of ranks. A
+   * transform makes FFTW forget the wisdom of the process, for the same reason.
+   *
+   * The buffer, 8 B a grid point, is lent out as scratch memory between transforms.
    */
   class FourierTransform
   {
@@ -90,13 +99,21 @@ namespace strait
           before(row);
           load_row(in, row);
         }
-      forward();
       double     product = 0;
       const auto scale   = 1. / static_cast<double>(slab_layout->grid().n_points());
-      for (int line = 0; line < n_lines; ++line)
-        product += multiply_line(line, scale, symbol);
+      for (int block = 0; block < n_blocks; ++block)
+        {
+          fetch_columns(block);
+          for (int k = 0; k < n_columns(block); ++k)
+            {
+              const int kx = first_column(block) + k;
+              product +=
+                weight_of(kx) * multiply_column(forward_column(k), kx, scale, symbol);
+              backward_column(k);
+            }
+          return_columns(block);
+        }
       between(product * scale);
-      backward();
       for (int row = 0; row < slab_layout->n_rows(); ++row)
         {
           store_row(out, row);
@@ -115,13 +132,20 @@ namespace strait
     void
     synthesize(double *out, const Mode &mode)
     {
-      for_each_stored_mode([&](const int kx, const int ky, fftw_number *value) {
-        const std::complex<double> z = mode(kx, ky);
-        value[0]                     = z.real();
-        value[1]                     = z.imag();
-      });
-      backward();
-      store(out);
+      const int ny = slab_layout->grid().ny;
+      for (int block = 0; block < n_blocks; ++block)
+        {
+          for (int k = 0; k < n_columns(block); ++k)
+            {
+              const int kx = first_column(block) + k;
+              for (int i = 0; i < ny; ++i)
+                spectrum[i] = mode(kx, signed_wave_number(i, ny));
+              backward_column(k);
+            }
+          return_columns(block);
+        }
+      for (int row = 0; row < slab_layout->n_rows(); ++row)
+        store_row(out, row);
     }
 
     /**
@@ -132,15 +156,21 @@ namespace strait
     void
     analyze(const double *in, const Visit &visit)
     {
-      load(in);
-      forward();
+      for (int row = slab_layout->n_rows() - 1; row >= 0; --row)
+        load_row(in, row);
+      const int  ny    = slab_layout->grid().ny;
       const auto scale = 1. / static_cast<double>(slab_layout->grid().n_points());
-      for_each_stored_mode([&](const int kx, const int ky, fftw_number *value) {
-        visit(kx,
-              ky,
-              std::complex<double>(value[0] * scale, value[1] * scale),
-              weight_of(kx));
-      });
+      for (int block = 0; block < n_blocks; ++block)
+        {
+          fetch_columns(block);
+          for (int k = 0; k < n_columns(block); ++k)
+            {
+              const int                   kx     = first_column(block) + k;
+              const std::complex<double> *values = forward_column(k);
+              for (int i = 0; i < ny; ++i)
+                visit(kx, signed_wave_number(i, ny), values[i] * scale, weight_of(kx));
+            }
+        }
     }
 
     /** FFT pairs (one forward, one inverse transform) of multiply() so far. */
@@ -150,23 +180,42 @@ namespace strait
       return pairs;
     }
 
-    /** Bytes of the buffer of this rank. */
-    std::size_t
-    memory_consumption() const
-    {
-      return n_allocated * sizeof(double);
-    }
+    /** Bytes of the buffers of this rank. */
+    std::size_t memory_consumption() const;
 
   private:
-    using fftw_number = double;
-    struct Plans;
+    struct Parts;
 
+    /** Transform a row of @p in along x, into the buffer. */
     void load_row(const double *in, int row);
-    void load(const double *in);
-    void forward();
-    void backward();
-    void store_row(double *out, int row) const;
-    void store(double *out) const;
+
+    /** Transform a row of the buffer back along x, into @p out; the buffer's is lost. */
+    void store_row(double *out, int row);
+
+    /** Collect this rank's columns of a block from the rows of all ranks. Collective. */
+    void fetch_columns(int block);
+
+    /** Give them back to the rows of all ranks. Collective. */
+    void return_columns(int block);
+
+    /** Exchange messages between all ranks, if there are others. */
+    void exchange(const std::vector<std::complex<double>> &from,
+                  std::vector<std::complex<double>>       &to) const;
+
+    /** The ny modes of column @p k of the block. */
+    std::complex<double> *forward_column(int k);
+
+    /** Transform those modes back, into column @p k of the block. */
+    void backward_column(int k);
+
+    /** Wave number kx of the first of this rank's columns of a block. */
+    int first_column(int block) const;
+
+    int
+    n_columns(const int block) const
+    {
+      return first_column(block + 1) - first_column(block);
+    }
 
     double
     weight_of(const int kx) const
@@ -181,99 +230,32 @@ namespace strait
       return 2 * i <= n ? i : i - n;
     }
 
-    // With one rank a line of the spectrum is a row (fixed ky, kx running),
-    // with several it is a column (fixed kx), because FFTW-MPI then leaves the
-    // spectrum transposed and saves half of the communication.
-    template <class Visit>
-    void
-    for_each_stored_mode(const Visit &visit)
-    {
-      const PeriodicGrid &g = slab_layout->grid();
-      for (int line = 0; line < n_lines; ++line)
-        {
-          double *values = buffer + 2 * static_cast<std::size_t>(line) * line_length;
-          if (transposed)
-            for (int i = 0; i < line_length; ++i)
-              visit(first_line + line, signed_wave_number(i, g.ny), values + 2 * i);
-          else
-            for (int i = 0; i < line_length; ++i)
-              visit(i, signed_wave_number(first_line + line, g.ny), values + 2 * i);
-        }
-    }
-
+    /** Multiply the modes of column @p kx, and return Σ factor |f~|². */
     template <class Symbol>
     double
-    multiply_line(const int line, const double scale, const Symbol &symbol)
+    multiply_column(std::complex<double> *values,
+                    const int             kx,
+                    const double          scale,
+                    const Symbol         &symbol) const
     {
-      const PeriodicGrid &g = slab_layout->grid();
-      double *values        = buffer + 2 * static_cast<std::size_t>(line) * line_length;
-      double  product       = 0;
-      if (transposed)
+      const int ny      = slab_layout->grid().ny;
+      double    product = 0;
+      for (int i = 0; i < ny; ++i)
         {
-          const int kx = first_line + line;
-          for (int i = 0; i < line_length; ++i)
-            product +=
-              scale_mode(values + 2 * i, scale * symbol(kx, signed_wave_number(i, g.ny)));
-          return product * weight_of(kx);
+          const double factor = scale * symbol(kx, signed_wave_number(i, ny));
+          product += factor * std::norm(values[i]);
+          values[i] *= factor;
         }
-      const int ky = signed_wave_number(first_line + line, g.ny);
-      for (int i = 0; i < line_length; ++i)
-        product += scale_mode(values + 2 * i, scale * symbol(i, ky));
-      product *= 2;
-      // The modes that are not paired were counted twice: take one of each back.
-      product -= unpaired(values, symbol(0, ky) * scale);
-      if (g.nx % 2 == 0)
-        product -=
-          unpaired(values + 2 * (line_length - 1), symbol(line_length - 1, ky) * scale);
       return product;
-    }
-
-    static double
-    scale_mode(double *value, const double factor)
-    {
-      const double product = factor * (value[0] * value[0] + value[1] * value[1]);
-      value[0] *= factor;
-      value[1] *= factor;
-      return product;
-    }
-
-    /** factor |f~|² of a mode that was already multiplied by factor. */
-    static double
-    unpaired(const double *value, const double factor)
-    {
-      return factor == 0. ? 0. : (value[0] * value[0] + value[1] * value[1]) / factor;
     }
 
     SlabLayoutPtr          slab_layout;
-    double                *buffer      = nullptr;
-    std::size_t            n_allocated = 0;
-    bool                   transposed  = false;
-    int                    first_line  = 0;
-    int                    n_lines     = 0;
-    int                    line_length = 0;
-    long                   pairs       = 0;
-    std::unique_ptr<Plans> plans;
+    std::unique_ptr<Parts> parts;
+    int                    n_blocks;
+    double                *buffer;
+    std::complex<double>  *spectrum;
+    long                   pairs = 0;
   };
-
-  /**
-   * Load FFTW's wisdom from the user's cache folder ($XDG_CACHE_HOME or
-   * ~/.cache, strait/), and save it there; planning a large transform by
-   * measurement takes seconds and is done once per machine and size. Failure to
-   * read or write is not an error. Collective.
-   */
-  void load_wisdom(MPI_Comm communicator);
-
-  /** Save what load_wisdom() finds. Collective. */
-  void save_wisdom(MPI_Comm communicator);
-
-  /**
-   * The same as text, that of all ranks on rank 0: which plan was found the fastest
-   * decides about the last digits. Collective.
-   */
-  std::string export_wisdom(MPI_Comm communicator);
-
-  /** Take up what export_wisdom() returned, known to rank 0. Collective. */
-  void import_wisdom(MPI_Comm communicator, const std::string &wisdom);
 } // namespace strait
 
 #endif

@@ -14,8 +14,8 @@ namespace strait
 {
   /**
    * How the rows (constant y) of a periodic grid are dealt out to the ranks:
-   * contiguous blocks that ascend with the rank, as FFTW-MPI wants them. A rank
-   * may own no row.
+   * contiguous blocks that ascend with the rank, all of the same number of rows but
+   * the last ones, which have fewer or none.
    */
   class SlabLayout
   {
@@ -86,7 +86,7 @@ namespace strait
   /** Layouts are shared by the fields that use them. */
   using SlabLayoutPtr = std::shared_ptr<const SlabLayout>;
 
-  /** Rows of @p grid as FFTW distributes them. Collective. */
+  /** The layout of @p grid on the ranks of @p communicator. */
   SlabLayoutPtr make_layout(const PeriodicGrid &grid, MPI_Comm communicator);
 
   /**

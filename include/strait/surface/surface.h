@@ -2,10 +2,8 @@
 #ifndef strait_surface_surface_h
 #define strait_surface_surface_h
 
-#include <strait/base/surface_parameters.h>
 #include <strait/spectral/slab_field.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,15 +37,6 @@ namespace strait
       return {};
     }
   };
-
-  /**
-   * The surface that the section Surface of a scene describes, inverted and
-   * rotated if it says so. Files are read here, on rank 0. Collective.
-   * Throws InputError (on all ranks) for a bad file or expression, a box that
-   * does not fit the kind, or a spectrum without a single wave.
-   */
-  std::unique_ptr<const Surface> make_surface(const SurfaceParameters &parameters,
-                                              MPI_Comm                 communicator);
 } // namespace strait
 
 #endif

@@ -2,7 +2,6 @@
 #ifndef strait_theory_persson_h
 #define strait_theory_persson_h
 
-#include <strait/theory/compression_integral.h>
 #include <strait/theory/gap_distribution.h>
 #include <strait/theory/radial_spectrum.h>
 
@@ -10,6 +9,31 @@
 
 namespace strait
 {
+  /**
+   * W(s) = ∫_s^∞ [γ + 3(1−γ) erf²(t)] exp(−t²) dt/t, the integral over the pressure in
+   * Persson's mean gap, where s is the pressure in units of the stress that flattens
+   * the waves in question (Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355).
+   * Tabulated once, for it is needed a million times.
+   */
+  class CompressionIntegral
+  {
+  public:
+    explicit CompressionIntegral(double gamma);
+
+    /** For s > 0, to a relative 1e-9 where it matters and zero above largest(). */
+    double operator()(double s) const;
+
+    /** Beyond it W is less than 1e-20. */
+    static double largest();
+
+  private:
+    /** −dW/d ln s. */
+    double slope(double s) const;
+
+    double              gamma;
+    std::vector<double> table; // at equal steps of ln s
+  };
+
   /**
    * The part of the area that comes out of contact when waves between two magnifications
    * are switched on. Its gaps are distributed as |separation + roughness z|, z normal.
