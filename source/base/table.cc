@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
-#include <strait/base/run_parameters.h>
 #include <strait/base/table.h>
 #include <strait/base/text.h>
+#include <strait/base/units.h>
 
 #include <cstdio>
 #include <filesystem>

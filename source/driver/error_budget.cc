@@ -21,7 +21,7 @@ namespace strait
       Log       silent(gap.layout().communicator(), true);
       Timers    timers;
       FlowStage flow(fluid, gap.layout_pointer(), silent, timers);
-      return flow.solve(gap, slip_length).result.leak_rate;
+      return flow.solve(gap, slip_length).leakage.rate;
     }
   } // namespace
 

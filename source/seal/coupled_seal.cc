@@ -323,7 +323,7 @@ namespace strait
     // The next round starts from here, so that no more is needed than to come nearer.
     constexpr double reduction = 1e-3;
     seal.extension.extend(
-      start, open_gap, inlet, flow.fluid().outlet_pressure, reduction);
+      start, open, inlet, flow.fluid().outlet_pressure, reduction);
     return start;
   }
 
