@@ -24,7 +24,7 @@ namespace
   }
 
   /** The threshold at a load that is known exactly. */
-  Threshold
+  Transition
   threshold_at(const double load, const double slip_length = 0.)
   {
     Transition threshold;

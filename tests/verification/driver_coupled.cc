@@ -292,7 +292,7 @@ namespace strait
         EXPECT_EQ(step.state.contact->fft_pairs, alone.fft_pairs);
         const StepFlow dry = flow.solve(alone.gap, 0.);
         EXPECT_EQ(step.flow->leakage.unknowns, dry.leakage.unknowns);
-        EXPECT_EQ(step.flow->leakage.rate, dry.leakage.leak_rate);
+        EXPECT_EQ(step.flow->leakage.rate, dry.leakage.rate);
         EXPECT_FALSE(step.state.fluid);
         return true;
       }));

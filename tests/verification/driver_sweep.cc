@@ -80,7 +80,8 @@ namespace strait
     columns(const Scene &scene)
     {
       std::vector<std::string> names;
-      for (const ColumnInfo &column : leakage_table(scene).info().columns)
+      const Table<Step>        table = leakage_table(scene);
+      for (const ColumnInfo &column : table.info().columns)
         if (column.is_written)
           names.push_back(column.name);
       return names;
