@@ -62,7 +62,8 @@ namespace strait
            "critical_load_lower [pressure]: largest load known to leak")
       .add(&Threshold::upper,
            "critical_load_upper [pressure]: smallest load known to seal")
-      .add(&Threshold::contact_area, "contact_area [1]: of the contact at the former")
+      .add(&Threshold::contact_area,
+           "contact_area [1]: fraction in contact at the former")
       .add([=](const Threshold &t) { return t.last_constriction.ix * grid.dx(); },
            "x [length]: place of the last constriction at the former")
       .add([=](const Threshold &t) { return t.last_constriction.iy * grid.dy(); },
@@ -143,7 +144,7 @@ namespace strait
         &BlowOut::upper,
         "blow_out_pressure_upper [pressure]: smallest known to leak; 0 or the outlet's: "
         "it leaks by itself")
-      .add(&BlowOut::contact_area, "contact_area [1]: of the contact at the former")
+      .add(&BlowOut::contact_area, "contact_area [1]: fraction in contact at the former")
       .add([=](const BlowOut &found) { return found.constriction.ix * grid.dx(); },
            "x [length]: the point that opens")
       .add([=](const BlowOut &found) { return found.constriction.iy * grid.dy(); },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
 #include <strait/base/units.h>
+#include <strait/driver/leakage_table.h>
 #include <strait/driver/result_tables.h>
 
 #include <gtest/gtest.h>
