@@ -62,7 +62,8 @@ namespace strait
            "critical_load_lower [pressure]: largest load known to leak")
       .add(&Transition::upper,
            "critical_load_upper [pressure]: smallest load known to seal")
-      .add(&Transition::contact_area, "contact_area [1]: of the contact at the former")
+      .add(&Transition::contact_area,
+           "contact_area [1]: fraction in contact at the former")
       .add([=](const Transition &t) { return t.bottleneck.ix * grid.dx(); },
            "x [length]: place of the last constriction at the former")
       .add([=](const Transition &t) { return t.bottleneck.iy * grid.dy(); },
@@ -149,7 +150,7 @@ namespace strait
         "blow_out_pressure_upper [pressure]: smallest known to leak; 0 or the outlet's: "
         "it leaks by itself")
       .add(of_opening(&Transition::contact_area),
-           "contact_area [1]: of the contact at the former")
+           "contact_area [1]: fraction in contact at the former")
       .add([=](const BlowOut &found) { return found.opening.bottleneck.ix * grid.dx(); },
            "x [length]: the point that opens")
       .add([=](const BlowOut &found) { return found.opening.bottleneck.iy * grid.dy(); },
