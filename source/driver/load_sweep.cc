@@ -81,6 +81,10 @@ namespace strait
     const auto   scope  = timers.scope("threshold");
     thresholds =
       search->find_critical_loads(factor * contact.effective_modulus * rms_slope);
+    // A channel that a fluid has opened is not closed again before the first step; a
+    // path on which contacts alone remember begins without a past.
+    if (scene.fluid.feedback.enabled && !scene.contact.adhesion.enabled)
+      start = search->take_state();
     return thresholds;
   }
 
@@ -145,7 +149,9 @@ namespace strait
     step.flow.reset(); // its mesh was made for another gap
     Arrival arrival = follow(*seal,
                              control,
-                             is_first ? nullptr : &step.state,
+                             !is_first ? &step.state
+                             : start   ? &*start
+                                       : nullptr,
                              flow ? Aim::leak_rate : Aim::verdict,
                              jump_search(scene));
     for (const Jump &jump : arrival.jumps)
@@ -157,6 +163,7 @@ namespace strait
     if (!arrival.state)
       return false;
     step.state = std::move(*arrival.state);
+    start.reset();
     return true;
   }
 
@@ -240,6 +247,8 @@ namespace strait
       end_searches();
     if (search)
       search->transfer(archive);
+    if (transfer_presence(archive, start))
+      strait::transfer(archive, *start, layout);
     if (next_stop > 0 && scene.contact.enabled)
       strait::transfer(archive, step.state, layout);
   }

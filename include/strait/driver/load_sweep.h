@@ -15,6 +15,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace strait
@@ -127,6 +128,7 @@ namespace strait
     std::unique_ptr<ErrorBudget>      error_budget; // if there is a fluid
     std::unique_ptr<SealModel>        seal;
     std::unique_ptr<SealSearch>       search; // as long as there is one to make
+    std::optional<SealState>          start;  // of a path where a fluid presses
     std::vector<Transition>           thresholds;
     std::vector<Jump>                 all_jumps;
     Step                              step; // the last that was done

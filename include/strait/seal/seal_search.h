@@ -90,6 +90,14 @@ namespace strait
      *  if the scene asks for it. Collective. */
     std::vector<BlowOut> find_blow_outs();
 
+    /** Where a path in load begins that is to meet the critical load: the nearest state
+     *  on the side that the scene's path comes from, which is given away. */
+    std::optional<SealState>
+    take_state()
+    {
+      return std::exchange(place_of(side_of_path()), std::nullopt);
+    }
+
     /** The answers so far and the states that the next ones start from. Collective. */
     void transfer(StateArchive &archive);
 
