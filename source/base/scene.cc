@@ -156,10 +156,6 @@ namespace strait
       throw InputError(
         "Fluid/Wall feedback lets a fluid press on an elastic wall; it "
         "needs Contact/Enabled and Fluid/Enabled.");
-    if (fluid.feedback.enabled && contact.adhesion.enabled)
-      throw InputError(
-        "Fluid/Wall feedback and Contact/Adhesion cannot be enabled "
-        "together yet; switch one of them off.");
     const bool has_mesh = fluid.enabled && !fluid.mesh_file.empty();
     if (has_mesh && output.error_budget)
       throw InputError(
