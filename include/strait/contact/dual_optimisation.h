@@ -103,11 +103,10 @@ namespace strait
   };
 
   /** The method of this name. @p problem must outlive it. */
-  std::unique_ptr<DualOptimiser>
-  make_dual_optimiser(ContactMethod            method,
-                      DualProblem             &problem,
-                      const ContactConstraint &constraint,
-                      const ContactTolerance  &tolerance);
+  std::unique_ptr<DualOptimiser> make_dual_optimiser(ContactMethod            method,
+                                                     DualProblem             &problem,
+                                                     const ContactConstraint &constraint,
+                                                     const ContactTolerance  &tolerance);
 } // namespace strait
 
 #endif
