@@ -20,7 +20,10 @@ namespace strait
       bool
       is_reached(const int iteration, const double energy, const double residual)
       {
-        constexpr int    patience = 200;
+        // In iterations. Fewer risk giving up on a slow way to another state, more only
+        // report a failure later.
+        constexpr int patience = 200;
+        // Of the energy: what its sums over the points are exact to.
         constexpr double rounding = 1e-12;
         if (residual < least_residual ||
             energy < least_energy - rounding * std::abs(energy))

@@ -8,11 +8,18 @@ namespace strait
 {
   namespace
   {
-    constexpr int    max_inner_iterations = 60;
-    constexpr int    max_trials           = 30;
-    constexpr double slack                = 3e-13; // of the energy, for rounding
-    constexpr double longest_escape       = 2.; // along negative curvature, in ranges z0
-  }                                             // namespace
+    /** One FFT pair each; a step that is cut off here is still one downhill. */
+    constexpr int max_inner_iterations = 60;
+
+    /** Of a step that is halved: beyond 2^-30 all is rounding. */
+    constexpr int max_trials = 30;
+
+    constexpr double slack = 3e-13; // of the energy, for rounding
+
+    /** Along negative curvature, in ranges z0: over more of them the law has changed too
+     *  much for the model to say anything; the search halves what is too long. */
+    constexpr double longest_escape = 2.;
+  } // namespace
 
   GapDescent::Outcome
   GapNewton::descend(const double residual)

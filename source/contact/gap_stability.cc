@@ -9,9 +9,15 @@ namespace strait
 {
   namespace
   {
-    constexpr int    max_iterations   = 40;
-    constexpr double settled          = .03;  // last relative change of the quotient
-    constexpr double clearly_negative = -.02; // no need to know it better
+    /** One FFT pair each. Fewer leave the quotient too large where it falls slowly. */
+    constexpr int max_iterations = 40;
+
+    /** Last relative change of the quotient. The check takes 4 to 6 pairs; a smaller
+     * value costs more of them in each load and finds shallower ways down. */
+    constexpr double settled = .03;
+
+    /** Here the gap is no minimum, and the direction is good enough to push it off. */
+    constexpr double clearly_negative = -.02;
 
     using Matrix = std::array<std::array<double, 3>, 3>;
     using Vector = std::array<double, 3>;

@@ -28,9 +28,9 @@ namespace strait
     NinePointStencil
     fit_to(const std::function<double(double)> &symbol, const double aspect)
     {
-      // The 0.15 keeps the weight of the longest waves finite, which are corrected later.
-      // Half of it gives them weight that the short waves need, and double that takes the
-      // stencil from waves of 20 to 40 points, of which the corrections are less exact.
+      // 0.15 is the phase of a wave 42 points long: longer ones, which are corrected on
+      // the coarse grid, count no more in the fit. A smaller value fits the long waves at
+      // the expense of the short ones.
       return fit_stencil([&](const double x, const double y) {
         return symbol(std::hypot(phase(x, y, aspect), .15));
       });
