@@ -79,8 +79,9 @@ namespace strait
     std::vector<std::string>
     columns(const Scene &scene)
     {
+      const TableInfo          table = leakage_table(scene).info();
       std::vector<std::string> names;
-      for (const ColumnInfo &column : leakage_table(scene).info().columns)
+      for (const ColumnInfo &column : table.columns)
         if (column.is_written)
           names.push_back(column.name);
       return names;
