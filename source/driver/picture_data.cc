@@ -2,10 +2,8 @@
 #include <strait/base/collective.h>
 #include <strait/driver/disk_space.h>
 #include <strait/driver/picture_data.h>
-#include <strait/flow/grid_points.h>
-#include <strait/flow/mapped_points.h>
-#include <strait/flow/reynolds_solver.h>
-#include <strait/flow/vertex_slopes.h>
+#include <strait/flow/seal_mesh.h>
+#include <strait/flow/solution_on_grid.h>
 
 #include <deal.II/base/hdf5.h>
 
@@ -28,12 +26,6 @@ namespace strait
         , nx((grid.nx + stride - 1) / stride)
         , ny((grid.ny + stride - 1) / stride)
       {
-      }
-
-      std::size_t
-      index(const int ix, const int iy) const
-      {
-        return static_cast<std::size_t>(iy / stride) * nx + ix / stride;
       }
 
       std::size_t
@@ -60,79 +52,6 @@ namespace strait
       for (std::size_t k = 0; k < rows.size(); ++k)
         for (int i = 0; i < raster.nx; ++i)
           result.push_back(static_cast<float>(whole[k * nx + i * raster.stride]));
-      return result;
-    }
-
-    /**
-     * On the raster, summed on rank 0: the pressure (1 … 0), and |∇ψ|, the current
-     * density of a leak of 1. Unlike K∇p that does not carry the grid's fine
-     * structure of K across coarse cells.
-     */
-    struct RasterFlow
-    {
-      std::vector<float> pressure, current;
-    };
-
-    RasterFlow
-    flow_on_raster(const ReynoldsSolver &solver, const Raster &raster, MPI_Comm comm)
-    {
-      RasterFlow  result{std::vector<float>(raster.n_points(), 0.F),
-                        std::vector<float>(raster.n_points(), 0.F)};
-      const auto &dofs  = solver.pressure().dof_handler();
-      const auto  slope = vertex_slopes(solver.stream_function());
-
-      dealii::Vector<double> pressures(dofs.get_fe().n_dofs_per_cell());
-      dealii::Vector<double> slopes(pressures.size());
-      auto of_psi = solver.stream_function().dof_handler().begin_active();
-      for (const auto &cell : dofs.active_cell_iterators())
-        {
-          const auto psi_cell = of_psi++;
-          if (!cell->is_locally_owned())
-            continue;
-          const auto set = [&](const std::size_t k, const double s, const double t) {
-            result.pressure[k] =
-              static_cast<float>(interpolate_bilinearly(pressures, s, t));
-            result.current[k] = static_cast<float>(interpolate_bilinearly(slopes, s, t));
-          };
-          if (solver.mesh().seal() != nullptr)
-            {
-              cell->get_dof_values(solver.pressure().solution(), pressures);
-              psi_cell->get_dof_values(slope, slopes);
-              for (const MappedPoint &p :
-                   mapped_points(solver.mesh(), *cell, raster.stride))
-                if (p.ix < raster.stride * raster.nx && p.iy < raster.stride * raster.ny)
-                  if (const auto k = raster.index(p.ix, p.iy);
-                      p.inside || result.current[k] == 0.F)
-                    set(k, p.s, p.t);
-              continue;
-            }
-          const GridCell     here = solver.mesh().grid_cell(*cell);
-          const PointsOfCell x(here.i, here.exponent, raster.stride);
-          const PointsOfCell y(here.j, here.exponent, raster.stride);
-          if (x.empty() || y.empty())
-            continue;
-          cell->get_dof_values(solver.pressure().solution(), pressures);
-          psi_cell->get_dof_values(slope, slopes);
-          const double size = std::ldexp(1., here.exponent);
-          for (int iy = y.first; iy < y.end; iy += raster.stride)
-            for (int ix = x.first; ix < x.end; ix += raster.stride)
-              {
-                const double s = ix / size - here.i, t = iy / size - here.j;
-                set(raster.index(ix, iy), s, t);
-              }
-        }
-      // Cells of a seal mesh share the points on their edges.
-      const MPI_Op operation = solver.mesh().seal() != nullptr ? MPI_MAX : MPI_SUM;
-      int          rank      = 0;
-      MPI_Comm_rank(comm, &rank);
-      for (std::vector<float> *field : {&result.pressure, &result.current})
-        MPI_Reduce(rank == 0 ? MPI_IN_PLACE : field->data(),
-                   field->data(),
-                   static_cast<int>(field->size()),
-                   MPI_FLOAT,
-                   operation,
-                   0,
-                   comm);
       return result;
     }
 
@@ -176,10 +95,9 @@ namespace strait
       if (!step.flow || !step.flow->solution)
         return fields;
 
-      const RasterFlow flow =
-        flow_on_raster(*step.flow->solution, raster, layout.communicator());
-      const double drop = fluid.inlet_pressure - fluid.outlet_pressure;
-      const double leak = std::abs(step.flow->leakage.rate);
+      const FlowOnRaster flow = flow_on_raster(*step.flow->solution, raster.stride);
+      const double       drop = fluid.inlet_pressure - fluid.outlet_pressure;
+      const double       leak = std::abs(step.flow->leakage.rate);
       for (std::size_t k = 0; k < fields.gap.size(); ++k)
         {
           const bool leaks = fields.open[k] == 2.F;

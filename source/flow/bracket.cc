@@ -21,14 +21,14 @@ namespace strait
 
     // A cell's energies and ∫ ∇p·curl ψ, combined.
     float
-    share_of(const Bracket &bracket,
-             const double   pressure_energy,
-             const double   stream_energy,
-             const double   mixed)
+    contribution_of(const Bracket &bracket,
+                    const double   pressure_energy,
+                    const double   stream_energy,
+                    const double   mixed)
     {
-      const double share =
+      const double contribution =
         pressure_energy + bracket.lower * (bracket.lower * stream_energy + 2. * mixed);
-      return static_cast<float>(std::max(share / bracket.upper, 0.));
+      return static_cast<float>(std::max(contribution / bracket.upper, 0.));
     }
 
     /** Of both problems: energies of the owned cells, of the whole, and with the finer
@@ -80,16 +80,7 @@ namespace strait
     CellEnergies
     energies_of(const PotentialProblem &problem, const GapField &gap)
     {
-      CellEnergies        energies{{}, problem.finer_energies(gap), problem.energy()};
-      std::vector<double> values;
-      for (const auto &cell : problem.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            problem.cell_values(cell, values);
-            energies.standard.push_back(
-              problem.cell_energy(energies.standard.size(), values));
-          }
-      return energies;
+      return {problem.cell_energies(), problem.finer_energies(gap), problem.energy()};
     }
   } // namespace
 
@@ -99,7 +90,7 @@ namespace strait
                 const PotentialProblem &stream_function)
   {
     Bracket bracket = bracket_of(pressure.energy(), stream_function.energy());
-    bracket.shares.reinit(mesh.triangulation().n_active_cells());
+    bracket.contributions.reinit(mesh.triangulation().n_active_cells());
     std::vector<double> p, psi;
     std::size_t         c           = 0;
     auto                cell_of_psi = stream_function.dof_handler().begin_active();
@@ -110,11 +101,12 @@ namespace strait
             pressure.cell_values(cell, p);
             stream_function.cell_values(cell_of_psi, psi);
             const bool open = pressure.is_active(c);
-            bracket.shares(cell->active_cell_index()) =
-              share_of(bracket,
-                       open ? pressure.cell_energy(c, p) : 0.,
-                       stream_function.cell_energy(c, psi),
-                       open ? pressure.element_matrix().gradient_times_curl(p, psi) : 0.);
+            bracket.contributions(cell->active_cell_index()) =
+              contribution_of(bracket,
+                              open ? pressure.cell_energy(c, p) : 0.,
+                              stream_function.cell_energy(c, psi),
+                              open ? pressure.element_matrix().gradient_times_curl(p, psi)
+                                   : 0.);
             ++c;
           }
         ++cell_of_psi;
@@ -123,39 +115,42 @@ namespace strait
   }
 
   Bracket
-  enriched_bracket(const FlowMesh         &mesh,
-                   const GapField         &gap,
-                   const PotentialProblem &pressure,
-                   const PotentialProblem &stream_function,
-                   Enrichment             &enrichment)
+  corrected_bracket(const FlowMesh         &mesh,
+                    const GapField         &gap,
+                    const PotentialProblem &pressure,
+                    const PotentialProblem &stream_function,
+                    HierarchicalCorrection &correction)
   {
+    // Fewer steps leave a wider bracket and hence more cells, more of them cost more than
+    // the cells that they save; each costs about as much as the one before.
     constexpr unsigned int n_steps = 4;
-    enrichment.set_up();
-    const EnrichedSolution p       = enrichment.relax(pressure, gap, n_steps);
-    const EnrichedSolution psi     = enrichment.relax(stream_function, gap, n_steps);
-    Bracket                bracket = bracket_of(p.energy, psi.energy);
-    bracket.shares.reinit(mesh.triangulation().n_active_cells());
+    correction.set_up();
+    const CorrectedSolution p       = correction.relax(pressure, gap, n_steps);
+    const CorrectedSolution psi     = correction.relax(stream_function, gap, n_steps);
+    Bracket                 bracket = bracket_of(p.energy, psi.energy);
+    bracket.contributions.reinit(mesh.triangulation().n_active_cells());
     std::size_t c = 0;
     for (const auto &cell : pressure.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           const bool open = pressure.is_active(c);
-          bracket.shares(cell->active_cell_index()) =
-            share_of(bracket,
-                     p.cell_energies[c],
-                     psi.cell_energies[c],
-                     open ? enrichment.gradient_times_curl(p.values[c], psi.values[c])
-                          : 0.);
+          bracket.contributions(cell->active_cell_index()) =
+            contribution_of(bracket,
+                            p.cell_energies[c],
+                            psi.cell_energies[c],
+                            open
+                              ? correction.gradient_times_curl(p.values[c], psi.values[c])
+                              : 0.);
           ++c;
         }
     if (!gap.is_rigorous())
       set_safe_bounds(bracket,
                       mesh,
                       CellEnergies{p.cell_energies,
-                                   enrichment.finer_energies(pressure, p, gap),
+                                   correction.finer_energies(pressure, p, gap),
                                    p.energy},
                       CellEnergies{psi.cell_energies,
-                                   enrichment.finer_energies(stream_function, psi, gap),
+                                   correction.finer_energies(stream_function, psi, gap),
                                    psi.energy});
     return bracket;
   }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/constrictions.h>
 #include <strait/flow/grid_points.h>
-#include <strait/flow/mapped_points.h>
 #include <strait/flow/reynolds_solver.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <utility>
@@ -16,8 +14,10 @@ namespace strait
 {
   namespace
   {
+    /** The fluid's pressure, 1 at the inlet and 0 at the outlet, at the points of
+     *  @p path, the same on all ranks. Collective. */
     std::vector<double>
-    pressure_in_seal(const ReynoldsSolver &solver, const FlowPath &path)
+    pressure_along(const ReynoldsSolver &solver, const FlowPath &path)
     {
       constexpr double                           unknown = -1.;
       std::map<std::pair<int, int>, std::size_t> wanted;
@@ -30,12 +30,11 @@ namespace strait
       dealii::Vector<double> corners(dofs.get_fe().n_dofs_per_cell());
       for (const auto &cell : dofs.active_cell_iterators())
         if (cell->is_locally_owned())
-          for (const MappedPoint &p : mapped_points(solver.mesh(), *cell))
+          for (const PointInCell &p : points_in_cell(solver.mesh(), *cell))
             if (const auto point = wanted.find({p.ix, p.iy}); point != wanted.end())
               {
                 cell->get_dof_values(solver.pressure().solution(), corners);
-                (p.inside ? result : beside)[point->second] =
-                  interpolate_bilinearly(corners, p.s, p.t);
+                (p.inside ? result : beside)[point->second] = p.interpolate(corners);
               }
       for (std::vector<double> *values : {&result, &beside})
         dealii::Utilities::MPI::max(*values,
@@ -44,60 +43,12 @@ namespace strait
       for (std::size_t k = 0; k < result.size(); ++k)
         if (result[k] == unknown)
           result[k] = beside[k];
-      // The path may end beyond the outline, in the reservoirs.
+      // The path may end beyond the outline of a mesh, in the reservoirs, and ends beyond
+      // the last grid point of the box, at the outlet.
       if (result.front() == unknown)
         result.front() = 1.;
       for (double &value : result)
         value = std::max(value, 0.);
-      return result;
-    }
-
-    /** The fluid's pressure, 1 at the inlet and 0 at the outlet, at the points of
-     *  @p path, the same on all ranks. Collective. */
-    std::vector<double>
-    pressure_along(const ReynoldsSolver &solver, const FlowPath &path)
-    {
-      const FlowMesh     &mesh = solver.mesh();
-      const PeriodicGrid &grid = mesh.grid();
-      if (mesh.seal() != nullptr)
-        return pressure_in_seal(solver, path);
-
-      // Points by row and column; the outlet's copies keep their pressure, zero.
-      std::map<std::pair<int, int>, std::size_t> wanted;
-      for (std::size_t k = 0; k < path.points.size(); ++k)
-        if (const GridPoint &p = path.points[k]; p.ix < grid.nx && p.iy < grid.ny)
-          wanted[{p.iy, p.ix}] = k;
-
-      std::vector<double>    result(path.points.size(), 0.);
-      dealii::Vector<double> corners(
-        solver.pressure().dof_handler().get_fe().n_dofs_per_cell());
-      for (const auto &cell : solver.pressure().dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            const GridCell     here = mesh.grid_cell(*cell);
-            const PointsOfCell rows(here.j, here.exponent),
-              columns(here.i, here.exponent);
-            if (rows.empty() || columns.empty())
-              continue;
-            bool has_values = false;
-            for (auto point = wanted.lower_bound({rows.first, 0});
-                 point != wanted.end() && point->first.first < rows.end;
-                 ++point)
-              {
-                const auto [iy, ix] = point->first;
-                if (ix < columns.first || ix >= columns.end)
-                  continue;
-                if (!has_values)
-                  cell->get_dof_values(solver.pressure().solution(), corners);
-                has_values        = true;
-                const double size = std::ldexp(1., here.exponent);
-                result[point->second] =
-                  interpolate_bilinearly(corners, ix / size - here.i, iy / size - here.j);
-              }
-          }
-      dealii::Utilities::MPI::sum(result,
-                                  mesh.triangulation().get_communicator(),
-                                  result);
       return result;
     }
   } // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/flow/critical_cells.h>
-#include <strait/flow/pressure_estimate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -122,14 +121,6 @@ namespace strait
       return std::isfinite(best) ? best : otherwise;
     }
 
-    /** What the path would let through on its own, in units of Δp/(12 η). */
-    double
-    conductance_of(const FlowLattice &gap, const FlowPath &path, const double otherwise)
-    {
-      return width_of_bottleneck(gap, path, otherwise) *
-             std::min(gap.spacing_along(), gap.spacing_across()) / path.resistance();
-    }
-
     /** The search proper, from coarse cells to fine ones. */
     class CellSearch
     {
@@ -160,12 +151,14 @@ namespace strait
           for (int b = 0; b < levels[e - 1].n_across; ++b)
             for (int a = 0; a < levels[e - 1].n_along; ++a)
               levels[e].at(a >> 1, b >> 1).add_child(levels[e - 1].at(a, b));
-        // If the first path is in no channel, the flow is as wide as the box; another
-        // one may run beside the first in the same channel, and counts for little.
+        // What each path would let through on its own. If the first is in no channel, the
+        // flow is as wide as the box; another one may run beside the first in the same
+        // channel, and counts for little.
+        const double spacing = std::min(gap.spacing_along(), gap.spacing_across());
         for (const FlowPath &path : paths)
           conductances.push_back(
-            conductance_of(gap, path, conductances.empty() ? n_across : 1.) /
-            std::pow(bottleneck, 3));
+            width_of_bottleneck(gap, path, conductances.empty() ? n_across : 1.) *
+            spacing / path.resistance() / std::pow(bottleneck, 3));
       }
 
       /** The cells of each exponent, from 1, that are too coarse. */
@@ -219,8 +212,8 @@ namespace strait
               const int         b = std::min(gap.across_of(k) >> e, level.n_across - 1);
               if (!(level.at(a, b).mean_inverse * conductances[p] > blocking_fraction))
                 continue;
-              for (int i = std::max(a - 1, 0); i <= std::min(a + 1, level.n_along - 1);
-                   ++i)
+              const int last = std::min(a + 1, level.n_along - 1);
+              for (int i = std::max(a - 1, 0); i <= last; ++i)
                 for (int j = b - 1; j <= b + 1; ++j)
                   if (gap.is_periodic() || (j >= 0 && j < level.n_across))
                     result.emplace(i, (j + level.n_across) % level.n_across);
@@ -230,7 +223,7 @@ namespace strait
       const FlowLattice           &gap;
       const std::vector<FlowPath> &paths;
       std::vector<Level>           levels; // levels[e − 1] has cells of exponent e
-      std::vector<double>          conductances; // of the paths
+      std::vector<double> conductances;    // of the paths, in units of g0³Δp/(12 η)
     };
 
     /** Sorted. */

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace strait
 {
@@ -97,14 +98,12 @@ namespace strait
   void
   PotentialProblem::pin_one_value()
   {
-    auto first = std::numeric_limits<unsigned int>::max();
-    for (const auto k : owned)
-      if (!constraints.is_constrained(k))
-        {
-          first = static_cast<unsigned int>(k);
-          break;
-        }
-    first = Utilities::MPI::min(first, mesh.triangulation().get_communicator());
+    auto k = owned.begin();
+    while (k != owned.end() && constraints.is_constrained(*k))
+      ++k;
+    auto first = k != owned.end() ? static_cast<unsigned int>(*k)
+                                  : std::numeric_limits<unsigned int>::max();
+    first      = Utilities::MPI::min(first, mesh.triangulation().get_communicator());
     if (relevant.is_element(first))
       constraints.add_line(first);
   }
@@ -269,35 +268,35 @@ namespace strait
   }
 
   std::vector<double>
-  PotentialProblem::finer_energies(const GapField &gap) const
+  PotentialProblem::cell_energies(const CellCoefficient &others) const
   {
-    const auto finer = make_cell_coefficient();
-    finer->update(gap, GapField::Quadrature::finer);
     std::vector<double> energies, values;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
+          const std::size_t c = energies.size();
+          energies.push_back(0.);
+          if (!(others.mean(c) > 0))
+            continue;
           cell_values(cell, values);
-          energies.push_back(cell_energy(energies.size(), values, *finer));
+          energies.back() = cell_energy(c, values, others);
         }
     return energies;
+  }
+
+  std::vector<double>
+  PotentialProblem::finer_energies(const GapField &gap) const
+  {
+    const auto finer = make_cell_coefficient();
+    finer->update(gap, GapField::Quadrature::finer);
+    return cell_energies(*finer);
   }
 
   double
   PotentialProblem::energy() const
   {
-    double              sum = 0;
-    std::size_t         c   = 0;
-    std::vector<double> values;
-    for (const auto &cell : dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const std::size_t here = c++;
-          if (!is_active(here))
-            continue;
-          cell_values(cell, values);
-          sum += cell_energy(here, values);
-        }
-    return Utilities::MPI::sum(sum, mesh.triangulation().get_communicator());
+    const std::vector<double> energies = cell_energies();
+    return Utilities::MPI::sum(std::accumulate(energies.begin(), energies.end(), 0.),
+                               mesh.triangulation().get_communicator());
   }
 } // namespace strait

@@ -12,11 +12,6 @@ namespace strait
 {
   namespace
   {
-    // A cell is refined if it contributes more to the width of the bracket than this
-    // fraction of the mean. Half of it refines more cells a mesh, and leaves more
-    // unknowns than it takes; double of it takes more meshes.
-    constexpr double marking_level = .7;
-
     // How much smaller than the target accuracy the linear solver's error is. Double of
     // it saves a fraction of an iteration, as half of it costs one; the bounds feel
     // neither.
@@ -24,6 +19,54 @@ namespace strait
 
     // What rounding may do to bounds of the same quantity, relative.
     constexpr double rounding = 1e-6;
+
+    /**
+     * Mark the cells to refine, at most @p affordable of all. Returns false, with none
+     * marked, if there are none or if so few could be that another mesh does not pay.
+     * Collective.
+     */
+    bool
+    mark(FlowMesh::Triangulation     &tria,
+         const dealii::Vector<float> &contributions,
+         const double                 affordable)
+    {
+      // A cell is refined if it contributes more to the width of the bracket than this
+      // fraction of the mean. Half of it refines more cells on each mesh and ends with
+      // more unknowns than it takes; double of it takes more meshes.
+      constexpr double marking_level = .7;
+      // Where most cells matter alike, adaptivity saves nothing and costs hanging nodes
+      // and meshes. Half of it refines cells that matter little, double of it none more
+      // than are marked.
+      constexpr double most_cells = .5;
+      // A mesh that can grow by three times this fraction at most narrows the bracket by
+      // a few per cent: half of it buys such a mesh, double of it stops short of it.
+      constexpr double least_growth = .02;
+
+      using dealii::Utilities::MPI::sum;
+      MPI_Comm     comm    = tria.get_communicator();
+      const auto   n_cells = static_cast<double>(tria.n_global_active_cells());
+      const double level   = marking_level * sum(contributions.l1_norm(), comm) / n_cells;
+      unsigned long long n_marked = 0;
+      for (const auto &cell : tria.active_cell_iterators())
+        if (cell->is_locally_owned() && contributions(cell->active_cell_index()) > level)
+          {
+            cell->set_refine_flag();
+            ++n_marked;
+          }
+      n_marked = sum(n_marked, comm);
+      if (n_marked == 0 || affordable < least_growth)
+        return false;
+      if (n_marked > most_cells * n_cells && affordable > 1.)
+        tria.set_all_refine_flags();
+      else if (n_marked > affordable * n_cells)
+        {
+          for (const auto &cell : tria.active_cell_iterators())
+            cell->clear_refine_flag();
+          dealii::parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
+            tria, contributions, affordable, 0.);
+        }
+      return true;
+    }
   } // namespace
 
   ReynoldsSolver::ReynoldsSolver(const FluidParameters       &fluid,
@@ -37,9 +80,11 @@ namespace strait
     , pressure_problem(PotentialProblem::Kind::pressure, flow_mesh, gap.moment_set())
     , stream_problem(PotentialProblem::Kind::stream_function, flow_mesh, gap.moment_set())
   {
+    // Uniform refinement, which is there for comparison, starts with cells of 16
+    // spacings.
     constexpr int start_exponent = 4;
     if (fluid.element_degree == 1)
-      enrichment = std::make_unique<Enrichment>(flow_mesh);
+      correction = std::make_unique<HierarchicalCorrection>(flow_mesh);
     if (fluid.refinement == Refinement::adaptive)
       flow_mesh.refine_initially(largest_start_exponent(flow_mesh.grid()),
                                  critical_cells);
@@ -94,6 +139,8 @@ namespace strait
   bool
   ReynoldsSolver::is_enough(const Leakage &leakage) const
   {
+    // Of the unknowns over those that the target took. Half of it ends the search for a
+    // narrower bracket earlier, double of it makes it up to twice as expensive.
     constexpr unsigned long long most_growth = 8;
     return leakage.relative_width() <= parameters.target_accuracy &&
            leakage.unknowns > most_growth * unknowns_needed;
@@ -127,9 +174,9 @@ namespace strait
       }
     plain = plain_bracket(flow_mesh, pressure_problem, stream_problem);
     Bracket closest;
-    if (enrichment)
-      closest = enriched_bracket(
-        flow_mesh, gap_field, pressure_problem, stream_problem, *enrichment);
+    if (correction)
+      closest = corrected_bracket(
+        flow_mesh, gap_field, pressure_problem, stream_problem, *correction);
     else
       {
         closest = plain;
@@ -138,7 +185,7 @@ namespace strait
       }
     // Where the coefficients are not integrated well enough cells must be smaller.
     if (closest.quadrature_errors.size() > 0)
-      plain.shares += closest.quadrature_errors;
+      plain.contributions += closest.quadrature_errors;
 
     const double drop  = std::abs(pressure_drop);
     leakage.mesh_upper = closest.safe_upper * drop;
@@ -168,12 +215,17 @@ namespace strait
   std::string
   ReynoldsSolver::obstacle(const Leakage &leakage)
   {
+    // By then cells are as small as 2⁻³⁴ grid spacings: it only ends what would go on for
+    // ever.
     constexpr unsigned int max_refinements = 40;
     // While a barrier or a channel is being resolved the bracket may rest for a mesh
-    // or two before it narrows again.
+    // or two before it narrows again. Half of the patience gives up while it rests;
+    // double of it, or a progress closer to one, makes more meshes in vain where the grid
+    // is too coarse.
     constexpr std::size_t patience = 4;
     constexpr double      progress = .97;
-    // Below this the next meshes cost next to nothing, and may yet find the channel.
+    // Below this the next meshes cost next to nothing, and may yet find the channel: half
+    // and double of it matter only where there is none to be found.
     constexpr unsigned long long many_unknowns = 50000;
     widths.push_back(leakage.relative_width());
     if (leakage.refinements == max_refinements)
@@ -188,47 +240,15 @@ namespace strait
   bool
   ReynoldsSolver::refine(const Leakage &leakage)
   {
-    namespace refinement = dealii::parallel::distributed::GridRefinement;
     // Each marked cell adds three; a few more come from balancing the mesh.
-    constexpr double least_share = .02;
-    const double     affordable =
+    const double affordable =
       (static_cast<double>(parameters.maximum_unknowns) / leakage.unknowns - 1.) / 3.;
     auto &tria = flow_mesh.triangulation();
-    if (parameters.refinement == Refinement::uniform)
-      {
-        if (affordable < 1.)
-          return false;
-        tria.set_all_refine_flags();
-      }
-    else
-      {
-        const double total =
-          dealii::Utilities::MPI::sum(plain.shares.l1_norm(), tria.get_communicator());
-        const double level = marking_level * total / static_cast<double>(leakage.cells);
-        for (const auto &cell : tria.active_cell_iterators())
-          if (cell->is_locally_owned() && plain.shares(cell->active_cell_index()) > level)
-            cell->set_refine_flag();
-        unsigned long long n_marked = 0;
-        for (const auto &cell : tria.active_cell_iterators())
-          n_marked += cell->is_locally_owned() && cell->refine_flag_set() ? 1 : 0;
-        n_marked = dealii::Utilities::MPI::sum(n_marked, tria.get_communicator());
-        if (n_marked == 0 || affordable < least_share)
-          return false;
-        // Where most cells matter alike, adaptivity saves nothing and costs hanging
-        // nodes and meshes.
-        constexpr double most_cells = .5;
-        if (n_marked > most_cells * static_cast<double>(leakage.cells) && affordable > 1.)
-          tria.set_all_refine_flags();
-        else if (n_marked > affordable * leakage.cells)
-          {
-            for (const auto &cell : tria.active_cell_iterators())
-              cell->clear_refine_flag();
-            refinement::refine_and_coarsen_fixed_number(tria,
-                                                        plain.shares,
-                                                        affordable,
-                                                        0.);
-          }
-      }
+    if (parameters.refinement == Refinement::uniform && affordable >= 1.)
+      tria.set_all_refine_flags();
+    else if (parameters.refinement == Refinement::uniform ||
+             !mark(tria, plain.contributions, affordable))
+      return false;
     tria.prepare_coarsening_and_refinement();
     pressure_problem.prepare_for_refinement();
     stream_problem.prepare_for_refinement();

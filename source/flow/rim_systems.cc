@@ -8,7 +8,7 @@ namespace strait
     constexpr unsigned int n_vertices = 4, n_rim = 8, centre = 8;
   } // namespace
 
-  RimSystems::RimSystems(const EnrichmentNodes &nodes_)
+  RimSystems::RimSystems(const CorrectionNodes &nodes_)
     : nodes(nodes_)
   {
     first_entry.reserve(nodes.cells.size() + 1);
@@ -23,7 +23,7 @@ namespace strait
                      Vector                      &r,
                      Vector                      &d)
   {
-    const EnrichmentNodes::Cell &here = nodes.cells[first_entry.size() - 1];
+    const CorrectionNodes::Cell &here = nodes.cells[first_entry.size() - 1];
     const unsigned int           m    = here.n_indices;
     first_entry.push_back(first_entry.back() + m * m);
     entries.resize(first_entry.back(), 0.);
@@ -36,14 +36,14 @@ namespace strait
       at_centre -= matrix[centre][j] * base[j];
     for (unsigned int i = 0; i < n_rim; ++i)
       {
-        const double share = matrix[i][centre] / matrix[centre][centre];
-        residual[i]        = -share * at_centre;
+        const double ratio = matrix[i][centre] / matrix[centre][centre];
+        residual[i]        = -ratio * at_centre;
         for (unsigned int j = 0; j < base.size(); ++j)
           residual[i] -= matrix[i][j] * base[j];
         for (unsigned int j = 0; j < n_rim; ++j)
-          rim[i][j] = matrix[i][j] - share * matrix[centre][j];
+          rim[i][j] = matrix[i][j] - ratio * matrix[centre][j];
       }
-    const EnrichmentNodes::Dependence *first =
+    const CorrectionNodes::Dependence *first =
       nodes.dependences.data() + here.first_dependence;
     double             *entry    = entries.data() + first_entry[first_entry.size() - 2];
     const unsigned int *index    = nodes.indices.data() + here.first_index;
@@ -52,7 +52,7 @@ namespace strait
     };
     for (unsigned int k = 0; k < here.n_dependences; ++k)
       {
-        const EnrichmentNodes::Dependence &row = first[k];
+        const CorrectionNodes::Dependence &row = first[k];
         if (is_fixed(row.node))
           continue;
         r.local_element(index[row.column]) += row.weight * residual[row.node];
@@ -70,7 +70,7 @@ namespace strait
   {
     for (std::size_t c = 0; c + 1 < first_entry.size(); ++c)
       {
-        const EnrichmentNodes::Cell &here  = nodes.cells[c];
+        const CorrectionNodes::Cell &here  = nodes.cells[c];
         const unsigned int           m     = here.n_indices;
         const unsigned int          *index = nodes.indices.data() + here.first_index;
         const double                *entry = entries.data() + first_entry[c];

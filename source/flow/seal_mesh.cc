@@ -2,7 +2,6 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
-#include <strait/flow/circle_fit.h>
 #include <strait/flow/seal_mesh.h>
 #include <strait/flow/seal_shape.h>
 

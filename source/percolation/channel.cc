@@ -10,7 +10,7 @@ namespace strait
   namespace
   {
     bool
-    is_pocket_or_fjord(const NodeState state)
+    is_dead_end(const NodeState state)
     {
       return state != NodeState::percolating && state != NodeState::closed;
     }
@@ -29,7 +29,7 @@ namespace strait
         return along_x ? k % nx == 0 : has_first && k < static_cast<std::size_t>(nx);
       };
       for (std::size_t k = 0; k < gap.size(); ++k)
-        if (!on_seam(k) && is_pocket_or_fjord(clusters.states[k]))
+        if (!on_seam(k) && is_dead_end(clusters.states[k]))
           gap[k] = 0.;
       // A point on the seam stays open if its copy at the outlet percolates, to which the
       // point behind it leads.
@@ -37,7 +37,7 @@ namespace strait
         fetch_rows(gap,
                    !along_x && has_first ? std::vector<int>{ny - 1} : std::vector<int>{});
       for (std::size_t k = 0; k < gap.size(); ++k)
-        if (on_seam(k) && is_pocket_or_fjord(clusters.states[k]) &&
+        if (on_seam(k) && is_dead_end(clusters.states[k]) &&
             !((along_x ? gap[k + nx - 1] : last_row[k]) > 0))
           gap[k] = 0.;
     }

@@ -261,7 +261,7 @@ namespace strait
           clusters.states[k] = in && out ? NodeState::percolating
                                : in      ? NodeState::inlet_side
                                : out     ? NodeState::outlet_side
-                                         : NodeState::pocket;
+                                         : NodeState::trapped;
           ++n_open;
           n_percolating += in && out;
         }

@@ -58,7 +58,7 @@ namespace strait
                                       ? NodeState::percolating
                                     : from_inlet[k]  ? NodeState::inlet_side
                                     : from_outlet[k] ? NodeState::outlet_side
-                                                     : NodeState::pocket;
+                                                     : NodeState::trapped;
             double         &here =
               states[static_cast<std::size_t>(gap.across_of(k) % grid.ny) * grid.nx +
                      gap.along(k) % grid.nx];

@@ -20,7 +20,7 @@ namespace strait
     n_changes.resize(now.size());
     for (std::size_t k = 0; k < now.size(); ++k)
       {
-        const std::uint8_t is_pool = now[k] == NodeState::pocket ? 1 : 0;
+        const std::uint8_t is_pool = now[k] == NodeState::trapped ? 1 : 0;
         if (!is_first && is_pool != was_pool[k] && n_changes[k] <= changes_allowed)
           ++n_changes[k];
         was_pool[k] = is_pool;

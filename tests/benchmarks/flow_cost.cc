@@ -8,7 +8,7 @@
 // that load, and that of the square saddle near closing. All meshes use the same solver.
 //
 //   adaptive, uniform   lower and upper bound, until the bracket is as narrow as asked
-//   primal              the pressure alone: meshes marked by the energy that enrichment
+//   primal              the pressure alone: meshes marked by the energy that correction
 //                       gains, until the upper bound is as close to the reference as
 //                       asked. It is told the answer to stop at, so no program for the
 //                       value alone would be cheaper by its stopping test.
@@ -18,7 +18,7 @@
 // alone: preparing the gap costs the same for all.
 #include <strait/contact/contact_solver.h>
 #include <strait/flow/critical_cells.h>
-#include <strait/flow/enrichment.h>
+#include <strait/flow/hierarchical_correction.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/channel.h>
 #include <strait/surface/make_surface.h>
@@ -106,11 +106,11 @@ namespace
     return cost;
   }
 
-  /** Marks the cells where enrichment gains more than 0.7 of what a mean one gains. */
+  /** Marks the cells where correction gains more than 0.7 of what a mean one gains. */
   void
-  refine_where_energy_falls(FlowMesh               &mesh,
-                            PotentialProblem       &pressure,
-                            const EnrichedSolution &enriched)
+  refine_where_energy_falls(FlowMesh                &mesh,
+                            PotentialProblem        &pressure,
+                            const CorrectedSolution &corrected)
   {
     std::vector<double> values, gains;
     double              total = 0.;
@@ -120,7 +120,7 @@ namespace
         pressure.cell_values(cell, values);
         const double before =
           pressure.is_active(c) ? pressure.cell_energy(c, values) : 0.;
-        gains.push_back(std::abs(before - enriched.cell_energies[c]));
+        gains.push_back(std::abs(before - corrected.cell_energies[c]));
         total += gains.back();
       }
     std::size_t c = 0;
@@ -146,20 +146,20 @@ namespace
     const double ready = timer.wall_time();
     FlowMesh     mesh(prepared.field, fluid.direction);
     mesh.refine_initially(largest_start_exponent(mesh.grid()), prepared.cells);
-    PotentialProblem pressure(PotentialProblem::Kind::pressure,
+    PotentialProblem       pressure(PotentialProblem::Kind::pressure,
                               mesh,
                               prepared.field.moment_set());
-    Enrichment       enrichment(mesh);
+    HierarchicalCorrection correction(mesh);
     while (true)
       {
         pressure.set_up();
         pressure.assemble(prepared.field);
         pressure.solve(fluid.preconditioner, 1e-12 * accuracy);
-        enrichment.set_up();
-        const EnrichedSolution enriched = enrichment.relax(pressure, prepared.field, 4);
-        cost.flow.upper = cost.flow.rate = enriched.energy;
+        correction.set_up();
+        const CorrectedSolution corrected = correction.relax(pressure, prepared.field, 4);
+        cost.flow.upper = cost.flow.rate = corrected.energy;
         cost.flow.unknowns               = pressure.n_unknowns();
-        if (std::abs(enriched.energy / reference - 1) <= accuracy)
+        if (std::abs(corrected.energy / reference - 1) <= accuracy)
           break;
         if (cost.flow.unknowns > fluid.maximum_unknowns / 2 ||
             cost.flow.refinements == 40)
@@ -167,7 +167,7 @@ namespace
             cost.flow.status = "flow-accuracy";
             break;
           }
-        refine_where_energy_falls(mesh, pressure, enriched);
+        refine_where_energy_falls(mesh, pressure, corrected);
         ++cost.flow.refinements;
       }
     cost.seconds = timer.wall_time();

@@ -208,6 +208,32 @@ namespace strait
       EXPECT_DOUBLE_EQ(mean(kept) * 64, 8 * .5 - 55 * .25);
     }
 
+    TEST(Channel, LiesBetweenImmobileLayersOfFluid)
+    {
+      const SlabField gap     = fill(8, 8, [](const int ix, const int iy) {
+        return iy == 2 ? (ix == 5 ? .5 : 1.) : ix == 3 && iy == 5 ? 2. : 0.;
+      });
+      const Channel   channel = make_channel(gap, -.2, FlowDirection::x, 1);
+      ASSERT_TRUE(channel.percolates());
+      ASSERT_EQ(channel.paths.size(), 1U);
+      const FlowPath &path = channel.paths.front();
+      EXPECT_EQ(path.bottleneck.ix, 5);
+      EXPECT_NEAR(path.bottleneck_gap, .1, 1e-15);
+      EXPECT_NEAR(channel.throat.gap, .1, 1e-15);
+      EXPECT_DOUBLE_EQ(path.resistances.front(), 0.);
+      // Half a spacing of a gap of 0.1 to both sides of it, 7 spacings of 0.6.
+      EXPECT_NEAR(path.resistance(), (1e3 + 7. / .216) / 8, 1e-9);
+      EXPECT_NEAR(min_value(channel.gap), -.4, 1e-15);
+      EXPECT_NEAR(max_value(channel.gap), .6, 1e-15); // trapped fluid is left out
+
+      // No paths where none are sought, nothing where the layers meet.
+      EXPECT_TRUE(make_channel(gap, -.2, FlowDirection::x, 0).paths.empty());
+      const Channel sealed = make_channel(gap, -.25, FlowDirection::x, 1);
+      EXPECT_FALSE(sealed.percolates());
+      EXPECT_TRUE(sealed.gap.empty());
+      EXPECT_TRUE(sealed.paths.empty());
+    }
+
     TEST(FlowPath, TakesTheWideDetourAndFindsItsBottleneck)
     {
       // A straight slit of gap 0.1 and a bent one of gap 1, with a neck of 0.5.

@@ -7,13 +7,13 @@ using namespace strait;
 
 TEST(UnsettledPools, AreThoseThatComeAndGo)
 {
-  const std::vector<NodeState> wet  = {NodeState::pocket,
+  const std::vector<NodeState> wet  = {NodeState::trapped,
                                        NodeState::closed,
                                        NodeState::percolating,
                                        NodeState::inlet_side};
-  const std::vector<NodeState> trap = {NodeState::pocket,
-                                       NodeState::pocket,
-                                       NodeState::pocket,
+  const std::vector<NodeState> trap = {NodeState::trapped,
+                                       NodeState::trapped,
+                                       NodeState::trapped,
                                        NodeState::percolating};
   UnsettledPools               pools;
   for (int round = 0; round < 3; ++round)

@@ -61,20 +61,20 @@ namespace strait
     }
 
     // Shares are kept in single precision. That the sum is the width shows as well
-    // that the enriched functions are conforming across hanging and periodic edges.
+    // that the corrected functions are conforming across hanging and periodic edges.
     TEST(FlowBracket, SharesSumToTheWidthParallel)
     {
       const FluidParameters fluid = plain_fluid();
       Solved                solved(fluid);
       const Bracket plain = plain_bracket(solved.mesh, solved.pressure, solved.stream);
-      Enrichment    enrichment(solved.mesh);
-      const Bracket enriched = enriched_bracket(
-        solved.mesh, solved.given.field, solved.pressure, solved.stream, enrichment);
+      HierarchicalCorrection correction(solved.mesh);
+      const Bracket          corrected = corrected_bracket(
+        solved.mesh, solved.given.field, solved.pressure, solved.stream, correction);
       expect_shares_sum_to_width(plain, 1e-6);
-      expect_shares_sum_to_width(enriched, 1e-6);
+      expect_shares_sum_to_width(corrected, 1e-6);
       // On cells of two spacings or more the coefficient is the same for both.
-      EXPECT_LT(enriched.upper, plain.upper);
-      EXPECT_GT(enriched.lower, plain.lower);
+      EXPECT_LT(corrected.upper, plain.upper);
+      EXPECT_GT(corrected.lower, plain.lower);
     }
 
     SlabField

@@ -132,11 +132,11 @@ namespace strait
           problem->assemble(given.field);
           EXPECT_TRUE(problem->solve(fluid.preconditioner, 1e-13).converged);
         }
-      const Bracket plain = plain_bracket(mesh, pressure, stream);
-      Enrichment    enrichment(mesh);
-      const Bracket enriched =
-        enriched_bracket(mesh, given.field, pressure, stream, enrichment);
-      for (const Bracket &bracket : {plain, enriched})
+      const Bracket          plain = plain_bracket(mesh, pressure, stream);
+      HierarchicalCorrection correction(mesh);
+      const Bracket          corrected =
+        corrected_bracket(mesh, given.field, pressure, stream, correction);
+      for (const Bracket &bracket : {plain, corrected})
         {
           EXPECT_GT(bracket.upper, exact);
           EXPECT_LT(bracket.lower, exact);
@@ -144,8 +144,8 @@ namespace strait
             dealii::Utilities::MPI::sum(bracket.shares.l1_norm(), MPI_COMM_WORLD);
           EXPECT_NEAR(sum * bracket.upper / (bracket.upper - bracket.lower), 1., 1e-3);
         }
-      EXPECT_LT(enriched.upper, plain.upper);
-      EXPECT_GT(enriched.lower, plain.lower);
+      EXPECT_LT(corrected.upper, plain.upper);
+      EXPECT_GT(corrected.lower, plain.lower);
     }
 
     TEST(FlowSealMesh, PlatesAreExactInStripAndBoxParallel)

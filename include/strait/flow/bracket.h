@@ -2,7 +2,7 @@
 #ifndef strait_flow_bracket_h
 #define strait_flow_bracket_h
 
-#include <strait/flow/enrichment.h>
+#include <strait/flow/hierarchical_correction.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -14,8 +14,8 @@ namespace strait
     double lower = 0.;
     double upper = 0.;
 
-    /** Of each active cell: its share of upper − lower, over upper. */
-    dealii::Vector<float> shares;
+    /** Of each active cell: what it contributes to upper − lower, over upper. */
+    dealii::Vector<float> contributions;
 
     /**
      * The bounds, further apart by what the quadrature of the coefficients may be
@@ -32,7 +32,7 @@ namespace strait
   };
 
   /**
-   * The bracket of a pressure p and a stream function ψ. A cell's share of it is
+   * The bracket of a pressure p and a stream function ψ. A cell contributes
    * ∫ K |∇p + Q_lower/Δp K⁻¹ curl ψ|², which is zero where the flux of both agrees.
    */
   Bracket plain_bracket(const FlowMesh         &mesh,
@@ -40,18 +40,18 @@ namespace strait
                         const PotentialProblem &stream_function);
 
   /**
-   * The same after enrichment of both solutions, which must be of degree 1: closer
-   * bounds, to stop on. Its shares are no guide for refinement: enrichment stops a
+   * The same after correction of both solutions, which must be of degree 1: closer
+   * bounds, to stop on. Its contributions are no guide for refinement: correction stops a
    * short cut through a coarse cell after the fact, when the pressure around has
-   * already adjusted to it. @p enrichment is set up anew. Collective.
+   * already adjusted to it. @p correction is set up anew. Collective.
    */
-  Bracket enriched_bracket(const FlowMesh         &mesh,
-                           const GapField         &gap,
-                           const PotentialProblem &pressure,
-                           const PotentialProblem &stream_function,
-                           Enrichment             &enrichment);
+  Bracket corrected_bracket(const FlowMesh         &mesh,
+                            const GapField         &gap,
+                            const PotentialProblem &pressure,
+                            const PotentialProblem &stream_function,
+                            HierarchicalCorrection &correction);
 
-  /** Find safe bounds and quadrature_errors of plain_bracket(); enriched_bracket() has
+  /** Find safe bounds and quadrature_errors of plain_bracket(); corrected_bracket() has
    *  them. Nothing to find where the bounds are rigorous. Collective. */
   void allow_for_quadrature(Bracket                &bracket,
                             const FlowMesh         &mesh,

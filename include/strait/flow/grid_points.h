@@ -2,51 +2,43 @@
 #ifndef strait_flow_grid_points_h
 #define strait_flow_grid_points_h
 
+#include <strait/flow/flow_mesh.h>
+
+#include <vector>
+
 namespace strait
 {
-  /**
-   * The grid points, along one axis, of a cell of the quadtree: those that lie in it
-   * or on its lower edge, from `first` to before `end` in steps of @p stride that
-   * are counted from 0. Integers decide, so every point belongs to one cell.
-   */
-  struct PointsOfCell
+  /** A grid point and the unit coordinates (s, t) that it has in a cell. */
+  struct PointInCell
   {
-    PointsOfCell(const int cell_index, const int exponent, const int stride = 1)
-    {
-      const auto raise = [stride](const int k) {
-        return (k + stride - 1) / stride * stride;
-      };
-      if (exponent >= 0)
-        {
-          first = raise(cell_index << exponent);
-          end   = (cell_index + 1) << exponent;
-        }
-      else
-        {
-          const int n = 1 << -exponent;
-          first       = raise((cell_index + n - 1) / n);
-          end         = cell_index % n == 0 ? cell_index / n + 1 : 0;
-        }
-    }
+    int    ix     = 0;
+    int    iy     = 0;
+    double s      = 0.;
+    double t      = 0.;
+    bool   inside = true; // or beside the cell, at the outline
 
-    bool
-    empty() const
+    /** The bilinear function that has the first four of @p corners, in deal.II's order,
+     *  at the corners of the cell. */
+    template <class Values>
+    double
+    interpolate(const Values &corners) const
     {
-      return first >= end;
+      return (1 - t) * ((1 - s) * corners[0] + s * corners[1]) +
+             t * ((1 - s) * corners[2] + s * corners[3]);
     }
-
-    int first, end;
   };
 
-  /** The bilinear function of the unit coordinates (s, t) of a cell that has the
-   *  first four of @p corners, in deal.II's order, at the corners. */
-  template <class Values>
-  double
-  interpolate_bilinearly(const Values &corners, const double s, const double t)
-  {
-    return (1 - t) * ((1 - s) * corners[0] + s * corners[1]) +
-           t * ((1 - s) * corners[2] + s * corners[3]);
-  }
+  /**
+   * The grid points of a cell, in steps of @p stride that are counted from 0.
+   *
+   * Of the box those that lie in the cell or on its lower edges, so that every point
+   * belongs to one cell. Of a seal mesh those in the cell or on any edge, with edges
+   * taken as straight; hence along the outline those as well that lie beside the cell by
+   * less than a third of it, at the nearest unit coordinates.
+   */
+  std::vector<PointInCell> points_in_cell(const FlowMesh                &mesh,
+                                          const dealii::CellAccessor<2> &cell,
+                                          int                            stride = 1);
 } // namespace strait
 
 #endif

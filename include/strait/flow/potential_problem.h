@@ -5,7 +5,7 @@
 #include <strait/flow/cell_coefficient.h>
 #include <strait/flow/element_matrix.h>
 #include <strait/flow/flow_mesh.h>
-#include <strait/flow/linear_solver.h>
+#include <strait/flow/multigrid.h>
 #include <strait/flow/ring_background.h>
 
 #include <deal.II/base/index_set.h>
@@ -81,13 +81,14 @@ namespace strait
       return cell_energy(owned_cell, values, *coefficient);
     }
 
-    /** The same with the coefficient @p others. */
-    double cell_energy(std::size_t                owned_cell,
-                       const std::vector<double> &values,
-                       const CellCoefficient     &others) const;
+    /** Energies of all owned cells. */
+    std::vector<double>
+    cell_energies() const
+    {
+      return cell_energies(*coefficient);
+    }
 
-    /** Energies of all owned cells with the coefficient that the finer quadrature
-     *  finds. Collective. */
+    /** The same with the coefficient that the finer quadrature finds. Collective. */
     std::vector<double> finer_energies(const GapField &gap) const;
 
     /** Mean of the coefficient over the owned cell number @p owned_cell. */
@@ -150,6 +151,11 @@ namespace strait
     void                             pin_one_value();
     void                             pin_unreached_rows();
     std::unique_ptr<CellCoefficient> make_cell_coefficient() const;
+
+    double              cell_energy(std::size_t                owned_cell,
+                                    const std::vector<double> &values,
+                                    const CellCoefficient     &others) const;
+    std::vector<double> cell_energies(const CellCoefficient &others) const;
 
     void background(const Iterator &cell, std::vector<double> &values) const;
     void add_source(const Iterator         &cell,

@@ -88,18 +88,18 @@ namespace strait
     /** @return why another mesh would not pay; empty if it would. */
     std::string obstacle(const Leakage &leakage);
 
-    /** @return false, without refining, if the unknowns would become too many. */
+    /** @return false, without refining, if another mesh would not pay or not fit. */
     bool refine(const Leakage &leakage);
 
-    const FluidParameters      &parameters;
-    const GapField             &gap_field;
-    double                      pressure_drop;
-    FlowMesh                    flow_mesh;
-    PotentialProblem            pressure_problem;
-    PotentialProblem            stream_problem;
-    std::unique_ptr<Enrichment> enrichment; // of solutions of degree 1
-    std::vector<double>         widths;     // of the bracket, on all meshes
-    Bracket                     plain;      // without enrichment; says where to refine
+    const FluidParameters                  &parameters;
+    const GapField                         &gap_field;
+    double                                  pressure_drop;
+    FlowMesh                                flow_mesh;
+    PotentialProblem                        pressure_problem;
+    PotentialProblem                        stream_problem;
+    std::unique_ptr<HierarchicalCorrection> correction; // of solutions of degree 1
+    std::vector<double>                     widths;     // of the bracket, on all meshes
+    Bracket            plain;               // without correction; says where to refine
     unsigned long long unknowns_needed = 0; // for the target accuracy; 0: not known
   };
 } // namespace strait

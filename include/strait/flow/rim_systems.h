@@ -10,8 +10,8 @@
 
 namespace strait
 {
-  /** The nodes that an enrichment frees, as the owned cells see them. */
-  struct EnrichmentNodes
+  /** The nodes that a correction frees, as the owned cells see them. */
+  struct CorrectionNodes
   {
     /** A node on the rim of a cell depends on this freed one. */
     struct Dependence
@@ -48,11 +48,11 @@ namespace strait
     using Matrix = std::array<std::array<double, 9>, 9>;
     using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-    explicit RimSystems(const EnrichmentNodes &nodes);
+    explicit RimSystems(const CorrectionNodes &nodes);
 
     /**
-     * Append the next cell, and add its share to residual and diagonal. @p base are
-     * the values before enrichment; a closed cell has no share. The nodes of
+     * Append the next cell, and add what it contributes to residual and diagonal. @p base
+     * are the values before correction; a closed cell contributes nothing. The nodes of
      * @p fixed_faces, bit f for face f, are kept.
      */
     void append(const Matrix                &matrix,
@@ -73,7 +73,7 @@ namespace strait
     /** image += A x, for the cells of this rank. */
     void apply(const Vector &x, Vector &image) const;
 
-    const EnrichmentNodes   &nodes;
+    const CorrectionNodes   &nodes;
     std::vector<std::size_t> first_entry;
     std::vector<double>      entries;
   };

@@ -4,7 +4,9 @@
 
 #include <strait/flow/seal_mesh.h>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace strait
 {
@@ -15,6 +17,17 @@ namespace strait
    * neither; @p name stands for the mesh in the message.
    */
   void recognise_shape(SealMesh &mesh, const std::string &name);
+
+  /** The circle through all of @p points, to a millionth of its radius; none if there is
+   *  none, or if they lie on a straight line or are fewer than three. */
+  std::optional<SealMesh::Circle> fit_circle(const std::vector<dealii::Point<2>> &points);
+
+  /** A chain of points on the arc of @p circle between two points on it, the shorter way,
+   *  in steps of at most @p longest; @p from is included, @p to is not. */
+  std::vector<dealii::Point<2>> divide_arc(const SealMesh::Circle &circle,
+                                           const dealii::Point<2> &from,
+                                           const dealii::Point<2> &to,
+                                           double                  longest);
 } // namespace strait
 
 #endif

@@ -4,7 +4,6 @@
 
 #include <strait/base/fluid_parameters.h>
 #include <strait/interface/gap_interpolant.h>
-#include <strait/interface/gap_window.h>
 #include <strait/interface/moment_pyramid.h>
 #include <strait/interface/moment_set.h>
 #include <strait/spectral/slab_field.h>

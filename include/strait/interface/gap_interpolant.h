@@ -3,8 +3,10 @@
 #define strait_interface_gap_interpolant_h
 
 #include <strait/base/fluid_parameters.h>
+#include <strait/spectral/periodic_grid.h>
 
 #include <array>
+#include <vector>
 
 namespace strait
 {
@@ -63,6 +65,29 @@ namespace strait
   private:
     GapInterpolation kind;
     FlowDirection    direction;
+  };
+
+  /** The gap between some rows of the grid, for cells that are not the grid's own. */
+  class GapWindow
+  {
+  public:
+    /**
+     * @p rows holds the grid rows that follow each other from @p first_row on, one
+     * before and two after those that points may lie above.
+     */
+    GapWindow(const PeriodicGrid   &grid,
+              const GapInterpolant &interpolant,
+              int                   first_row,
+              std::vector<double>   rows);
+
+    /** The gap at a point of the box, not below zero. */
+    double operator()(double x, double y) const;
+
+  private:
+    PeriodicGrid        grid;
+    GapInterpolant      interpolant;
+    int                 first_row;
+    std::vector<double> rows;
   };
 } // namespace strait
 

@@ -2,7 +2,7 @@
 #ifndef strait_interface_grid_deposit_h
 #define strait_interface_grid_deposit_h
 
-#include <strait/interface/moment_pyramid.h>
+#include <strait/spectral/grid_cell.h>
 #include <strait/spectral/slab_field.h>
 
 #include <map>

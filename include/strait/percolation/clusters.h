@@ -28,7 +28,7 @@ namespace strait
   enum class NodeState : std::uint8_t
   {
     closed,      // no gap that the fluid can enter
-    pocket,      // open, joined to neither reservoir
+    trapped,     // open, joined to neither reservoir
     inlet_side,  // open, joined to the inlet only
     outlet_side, // open, joined to the outlet only
     percolating, // open, joined to both

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/flow/mapped_points.h>
+#include <strait/flow/grid_points.h>
 
 #include <algorithm>
 #include <array>
@@ -33,13 +33,52 @@ namespace strait
         }
       return {{s, t}};
     }
+
+    /** From the first to before the last of the points, along one axis of the box. */
+    struct Range
+    {
+      Range(const int cell_index, const int exponent, const int stride)
+      {
+        const auto raise = [stride](const int k) {
+          return (k + stride - 1) / stride * stride;
+        };
+        if (exponent >= 0)
+          {
+            first = raise(cell_index << exponent);
+            end   = (cell_index + 1) << exponent;
+          }
+        else
+          {
+            const int n = 1 << -exponent;
+            first       = raise((cell_index + n - 1) / n);
+            end         = cell_index % n == 0 ? cell_index / n + 1 : 0;
+          }
+      }
+
+      int first, end;
+    };
+
+    std::vector<PointInCell>
+    points_in_cell_of_box(const GridCell &cell, const int stride)
+    {
+      const Range              x(cell.i, cell.exponent, stride);
+      const Range              y(cell.j, cell.exponent, stride);
+      const double             size = std::ldexp(1., cell.exponent);
+      std::vector<PointInCell> points;
+      for (int iy = y.first; iy < y.end; iy += stride)
+        for (int ix = x.first; ix < x.end; ix += stride)
+          points.push_back({ix, iy, ix / size - cell.i, iy / size - cell.j});
+      return points;
+    }
   } // namespace
 
-  std::vector<MappedPoint>
-  mapped_points(const FlowMesh                &mesh,
-                const dealii::CellAccessor<2> &cell,
-                const int                      stride)
+  std::vector<PointInCell>
+  points_in_cell(const FlowMesh                &mesh,
+                 const dealii::CellAccessor<2> &cell,
+                 const int                      stride)
   {
+    if (mesh.seal() == nullptr)
+      return points_in_cell_of_box(mesh.grid_cell(cell), stride);
     constexpr double    rounding = 1e-9, beside = 1. / 3;
     const PeriodicGrid &grid        = mesh.grid();
     const double        slack       = cell.at_boundary() ? beside : rounding;
@@ -59,7 +98,7 @@ namespace strait
         last[d]  = std::min(static_cast<int>(std::floor((high + margin) / spacing[d])),
                            n_points[d]);
       }
-    std::vector<MappedPoint> points;
+    std::vector<PointInCell> points;
     for (int j = first[1]; j <= last[1]; ++j)
       for (int i = first[0]; i <= last[0]; ++i)
         {

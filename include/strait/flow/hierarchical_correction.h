@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_flow_enrichment_h
-#define strait_flow_enrichment_h
+#ifndef strait_flow_hierarchical_correction_h
+#define strait_flow_hierarchical_correction_h
 
 #include <strait/flow/potential_problem.h>
 #include <strait/flow/rim_systems.h>
@@ -18,7 +18,7 @@ namespace strait
    * FE_Q(2), up to a constant for each cell. Between them the potential is bilinear
    * on the four children of the cell.
    */
-  struct EnrichedSolution
+  struct CorrectedSolution
   {
     using Nodes = std::array<double, 9>;
 
@@ -35,33 +35,33 @@ namespace strait
    * coefficient. The centre of a cell is eliminated, which leaves one unknown for
    * each edge of the mesh and four of them in a cell.
    */
-  class Enrichment
+  class HierarchicalCorrection
   {
   public:
-    explicit Enrichment(const FlowMesh &mesh);
+    explicit HierarchicalCorrection(const FlowMesh &mesh);
 
     /** Number the new nodes of the current mesh, for both problems. Collective. */
     void set_up();
 
     /** Relax the solution of @p problem, with its coefficient taken anew from @p gap.
      *  Collective. */
-    EnrichedSolution relax(const PotentialProblem &problem,
-                           const GapField         &gap,
-                           unsigned int            n_steps) const;
+    CorrectedSolution relax(const PotentialProblem &problem,
+                            const GapField         &gap,
+                            unsigned int            n_steps) const;
 
     /** Energies of all owned cells with the coefficient that the finer quadrature
      *  finds. Collective. */
-    std::vector<double> finer_energies(const PotentialProblem &problem,
-                                       const EnrichedSolution &solution,
-                                       const GapField         &gap) const;
+    std::vector<double> finer_energies(const PotentialProblem  &problem,
+                                       const CorrectedSolution &solution,
+                                       const GapField          &gap) const;
 
-    /** ∫ ∇u·curl v over an owned cell of two enriched solutions. */
-    double gradient_times_curl(const EnrichedSolution::Nodes &u,
-                               const EnrichedSolution::Nodes &v) const;
+    /** ∫ ∇u·curl v over an owned cell of two corrected solutions. */
+    double gradient_times_curl(const CorrectedSolution::Nodes &u,
+                               const CorrectedSolution::Nodes &v) const;
 
   private:
     using Vector = RimSystems::Vector;
-    using Nodes  = EnrichedSolution::Nodes;
+    using Nodes  = CorrectedSolution::Nodes;
 
     void                             list_nodes();
     std::unique_ptr<CellCoefficient> make_coefficient(const PotentialProblem &) const;
@@ -72,7 +72,7 @@ namespace strait
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
     Vector                            layout;
-    EnrichmentNodes                   nodes;
+    CorrectionNodes                   nodes;
   };
 } // namespace strait
 

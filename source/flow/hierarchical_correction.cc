@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/flow/enrichment.h>
+#include <strait/flow/hierarchical_correction.h>
 
 #include <deal.II/dofs/dof_tools.h>
 
@@ -14,7 +14,7 @@ namespace strait
     constexpr unsigned int n_vertices = 4, n_rim = 8, centre = 8;
 
     std::vector<double>
-    child_values(const EnrichedSolution::Nodes &nodes, const unsigned int child)
+    child_values(const CorrectedSolution::Nodes &nodes, const unsigned int child)
     {
       std::vector<double> values(n_vertices);
       for (unsigned int v = 0; v < n_vertices; ++v)
@@ -23,7 +23,7 @@ namespace strait
     }
 
     /** The bilinear function with the given values at the vertices, less the first. */
-    EnrichedSolution::Nodes
+    CorrectedSolution::Nodes
     interpolate(const std::vector<double> &vertices)
     {
       const double a = vertices[1] - vertices[0], b = vertices[2] - vertices[0],
@@ -46,7 +46,7 @@ namespace strait
     }
 
     double
-    energy_of(const RimSystems::Matrix &matrix, const EnrichedSolution::Nodes &values)
+    energy_of(const RimSystems::Matrix &matrix, const CorrectedSolution::Nodes &values)
     {
       double energy = 0;
       for (unsigned int i = 0; i < values.size(); ++i)
@@ -56,7 +56,7 @@ namespace strait
     }
   } // namespace
 
-  Enrichment::Enrichment(const FlowMesh &mesh_)
+  HierarchicalCorrection::HierarchicalCorrection(const FlowMesh &mesh_)
     : mesh(mesh_)
     , element(MomentSet(1))
     , fe(2)
@@ -65,7 +65,7 @@ namespace strait
   }
 
   void
-  Enrichment::set_up()
+  HierarchicalCorrection::set_up()
   {
     dofs.distribute_dofs(fe);
     IndexSet relevant;
@@ -93,7 +93,7 @@ namespace strait
   }
 
   void
-  Enrichment::list_nodes()
+  HierarchicalCorrection::list_nodes()
   {
     nodes                                            = {};
     const auto                          &partitioner = *layout.get_partitioner();
@@ -101,7 +101,7 @@ namespace strait
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          EnrichmentNodes::Cell here;
+          CorrectionNodes::Cell here;
           here.first_index      = nodes.indices.size();
           here.first_dependence = nodes.dependences.size();
           for (const unsigned int f : cell->face_indices())
@@ -138,15 +138,15 @@ namespace strait
         }
   }
 
-  EnrichedSolution
-  Enrichment::relax(const PotentialProblem &problem,
-                    const GapField         &gap,
-                    const unsigned int      n_steps) const
+  CorrectedSolution
+  HierarchicalCorrection::relax(const PotentialProblem &problem,
+                                const GapField         &gap,
+                                const unsigned int      n_steps) const
   {
     const bool is_pressure = problem.kind() == PotentialProblem::Kind::pressure;
     const auto coefficient = make_coefficient(problem);
     coefficient->update(gap);
-    EnrichedSolution    result;
+    CorrectedSolution   result;
     Vector              x(layout), r(layout), diagonal(layout);
     RimSystems          systems(nodes);
     std::vector<double> vertices;
@@ -200,15 +200,15 @@ namespace strait
   }
 
   std::unique_ptr<CellCoefficient>
-  Enrichment::make_coefficient(const PotentialProblem &problem) const
+  HierarchicalCorrection::make_coefficient(const PotentialProblem &problem) const
   {
     return make_child_coefficient(mesh, fe, problem.coefficient_kind());
   }
 
   std::vector<double>
-  Enrichment::finer_energies(const PotentialProblem &problem,
-                             const EnrichedSolution &solution,
-                             const GapField         &gap) const
+  HierarchicalCorrection::finer_energies(const PotentialProblem  &problem,
+                                         const CorrectedSolution &solution,
+                                         const GapField          &gap) const
   {
     const auto finer = make_coefficient(problem);
     finer->update(gap, GapField::Quadrature::finer);
@@ -219,7 +219,7 @@ namespace strait
   }
 
   double
-  Enrichment::gradient_times_curl(const Nodes &u, const Nodes &v) const
+  HierarchicalCorrection::gradient_times_curl(const Nodes &u, const Nodes &v) const
   {
     double sum = 0;
     for (unsigned int child = 0; child < 4; ++child)

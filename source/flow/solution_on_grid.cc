@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/flow/grid_points.h>
+#include <strait/flow/reynolds_solver.h>
+#include <strait/flow/solution_on_grid.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_tools.h>
+
+#include <cmath>
+
+namespace strait
+{
+  using namespace dealii;
+
+  namespace
+  {
+    double
+    slope_at_vertex(const PotentialProblem::Iterator &cell,
+                    const unsigned int                vertex,
+                    const std::vector<double>        &values)
+    {
+      // The two edges that meet at the vertex, which is at (vertex % 2, vertex / 2).
+      const unsigned int right = vertex | 1U, left = vertex & 2U;
+      const unsigned int upper = vertex | 2U, lower = vertex & 1U;
+      const Tensor<1, 2> a       = cell->vertex(right) - cell->vertex(left);
+      const Tensor<1, 2> b       = cell->vertex(upper) - cell->vertex(lower);
+      const double       along_a = values[right] - values[left];
+      const double       along_b = values[upper] - values[lower];
+      // The gradient that rises by these along the edges.
+      return (along_a * b - along_b * a).norm() / std::abs(a[0] * b[1] - a[1] * b[0]);
+    }
+
+    /**
+     * |∇| of the potential at the vertices [1/length], the mean over the cells that meet
+     * there, at the unknowns of the vertices, with ghost values. Collective.
+     */
+    PotentialProblem::Vector
+    vertex_slopes(const PotentialProblem &problem)
+    {
+      constexpr unsigned int n_vertices = 4;
+      const DoFHandler<2>   &dofs       = problem.dof_handler();
+      const IndexSet        &owned      = dofs.locally_owned_dofs();
+      MPI_Comm               comm       = dofs.get_communicator();
+      IndexSet               relevant;
+      DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+      PotentialProblem::Vector sums, counts;
+      sums.reinit(owned, relevant, comm, true);
+      counts.reinit(owned, relevant, comm, true);
+      std::vector<double>                  values;
+      std::vector<types::global_dof_index> indices(dofs.get_fe().n_dofs_per_cell());
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            problem.cell_values(cell, values);
+            cell->get_dof_indices(indices);
+            for (unsigned int v = 0; v < n_vertices; ++v)
+              {
+                sums(indices[v]) += slope_at_vertex(cell, v, values);
+                counts(indices[v]) += 1.;
+              }
+          }
+      sums.compress(VectorOperation::add);
+      counts.compress(VectorOperation::add);
+      PotentialProblem::Vector result(owned, comm);
+      for (const auto k : owned)
+        if (counts(k) > 0)
+          result(k) = sums(k) / counts(k);
+      result.compress(VectorOperation::insert);
+      PotentialProblem::Vector with_ghosts(owned, relevant, comm);
+      with_ghosts = result;
+      return with_ghosts;
+    }
+  } // namespace
+
+  GridDeposit::Sums
+  pressure_on_grid(const ReynoldsSolver &solver, const SlabLayoutPtr &layout)
+  {
+    const PotentialProblem         &pressure = solver.pressure();
+    const FiniteElement<2>         &fe       = pressure.dof_handler().get_fe();
+    const std::vector<unsigned int> row_by_row =
+      FETools::lexicographic_to_hierarchic_numbering<2>(fe.degree);
+
+    GridDeposit         deposit(layout, fe.degree);
+    std::vector<double> values, sorted(fe.n_dofs_per_cell());
+    std::size_t         owned = 0;
+    for (const auto &cell : pressure.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && pressure.is_active(owned++))
+        {
+          pressure.cell_values(cell, values);
+          for (unsigned int i = 0; i < sorted.size(); ++i)
+            sorted[i] = values[row_by_row[i]];
+          deposit.add(solver.mesh().grid_cell(*cell), sorted);
+        }
+    return deposit.collect();
+  }
+
+  FlowOnRaster
+  flow_on_raster(const ReynoldsSolver &solver, const int stride)
+  {
+    const FlowMesh    &mesh = solver.mesh();
+    const auto        &dofs = solver.pressure().dof_handler();
+    const int          nx   = (mesh.grid().nx + stride - 1) / stride;
+    const int          ny   = (mesh.grid().ny + stride - 1) / stride;
+    std::vector<float> nothing(static_cast<std::size_t>(nx) * ny, 0.F);
+    FlowOnRaster       result{nothing, nothing};
+    const auto         slope = vertex_slopes(solver.stream_function());
+    Vector<double>     pressures(dofs.get_fe().n_dofs_per_cell());
+    Vector<double>     slopes(pressures.size());
+    auto               psi_cell = solver.stream_function().dof_handler().begin_active();
+    for (const auto &cell : dofs.active_cell_iterators())
+      {
+        if (cell->is_locally_owned())
+          if (const auto points = points_in_cell(mesh, *cell, stride); !points.empty())
+            {
+              cell->get_dof_values(solver.pressure().solution(), pressures);
+              psi_cell->get_dof_values(slope, slopes);
+              for (const PointInCell &p : points)
+                {
+                  const int         i = p.ix / stride, j = p.iy / stride;
+                  const std::size_t k = static_cast<std::size_t>(j) * nx + i;
+                  if (i < nx && j < ny && (p.inside || result.current[k] == 0.F))
+                    {
+                      result.pressure[k] = static_cast<float>(p.interpolate(pressures));
+                      result.current[k]  = static_cast<float>(p.interpolate(slopes));
+                    }
+                }
+            }
+        ++psi_cell;
+      }
+    // Cells of a seal mesh share the points on their edges.
+    const MPI_Op operation = mesh.seal() != nullptr ? MPI_MAX : MPI_SUM;
+    MPI_Comm     comm      = mesh.triangulation().get_communicator();
+    const bool   is_root   = Utilities::MPI::this_mpi_process(comm) == 0;
+    for (std::vector<float> *field : {&result.pressure, &result.current})
+      MPI_Reduce(is_root ? MPI_IN_PLACE : field->data(),
+                 field->data(),
+                 static_cast<int>(field->size()),
+                 MPI_FLOAT,
+                 operation,
+                 0,
+                 comm);
+    return result;
+  }
+} // namespace strait
