@@ -6,9 +6,9 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/signals.h>
-#include <strait/driver/ensemble.h>
-#include <strait/driver/result_tables.h>
-#include <strait/driver/simulation.h>
+#include <strait/run/ensemble.h>
+#include <strait/run/result_tables.h>
+#include <strait/run/simulation.h>
 
 #include <deal.II/base/mpi.h>
 

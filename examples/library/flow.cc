@@ -2,7 +2,7 @@
 // Flow only: the bracketed leak rate through a given gap, g = 1 + cos(2πx)/2 between
 // wavy plates. Exact for flow along x: g0³ (1 − ε²)^(5/2)/(1 + ε²/2)/(12 η), ε = 1/2.
 #include <strait/base/timers.h>
-#include <strait/driver/load_sweep.h>
+#include <strait/run/load_sweep.h>
 #include <strait/surface/sample.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
-#include <strait/flow/pressure_on_grid.h>
+#include <strait/flow/solution_on_grid.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/seal/coupled_seal.h>
 #include <strait/seal/unsettled_pools.h>
@@ -309,7 +309,7 @@ namespace strait
           case NodeState::outlet_side:
             start[k] = flow.fluid().outlet_pressure;
             break;
-          case NodeState::pocket:
+          case NodeState::trapped:
           case NodeState::outside: // there is none of them in the box
             start[k] = seal.scene.fluid.feedback.pool_pressure;
             break;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/driver/exponent_fit.h>
+#include <strait/run/exponent_fit.h>
 #include <strait/percolation/bottleneck.h>
 #include <strait/percolation/throat.h>
 

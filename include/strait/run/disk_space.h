@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_disk_space_h
+#define strait_run_disk_space_h
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <string>
+
+namespace strait
+{
+  /** More than an HDF5 file of ours holds beside its fields. */
+  constexpr std::uintmax_t hdf5_overhead = 1 << 16;
+
+  /**
+   * Make sure that a file of @p bytes can be written at @p path: the HDF5 library does
+   * not survive a disk that is full. Collective. Throws ComputationError on all ranks
+   * if it cannot.
+   */
+  void require_space(const std::string &path, std::uintmax_t bytes, MPI_Comm comm);
+
+  /** Throws ComputationError on all ranks unless the file @p path ends with @p end, but
+   *  for blanks: a library may leave half of it without a word. Collective. */
+  void require_end(const std::string &path, const std::string &end, MPI_Comm comm);
+} // namespace strait
+
+#endif

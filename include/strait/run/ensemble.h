@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_ensemble_h
+#define strait_run_ensemble_h
+
+#include <strait/base/log.h>
+#include <strait/base/scene.h>
+
+#include <string>
+
+namespace strait
+{
+  /** One surface of several, and what came of it: a row of ensemble.csv. What is not
+   *  known is not a number. */
+  struct RealisationRow
+  {
+    int                number = 0; // from 1
+    unsigned long long seed   = 0;
+    std::string        orientation;
+    double             lower, upper, contact_area; // of the first slip length's threshold
+    double             crossover_load, crossover_reduced_load, theory_crossover_load;
+    double             exponent, exponent_error; // of the leak rate
+    std::string        status;                   // ok, not-converged or failed
+  };
+
+  /** How a quantity scatters over the realisations: a row of ensemble_summary.csv. */
+  struct ScatterRow
+  {
+    std::string quantity;
+    double      mean               = 0.;
+    double      standard_deviation = 0.;
+    std::size_t n_samples          = 0; // realisations for which it is a finite number
+  };
+
+  /**
+   * Run the scene file @p path with @p overrides, which @p scene is made of, for each
+   * of its realisations, or once if it has no section Realisations.
+   *
+   * Realisation k leaves its results in the folder realisation-k of the output
+   * directory, together with a parameters.prm that repeats it alone. The table
+   * ensemble.csv gets one row for each, at once when it is done, and
+   * ensemble_summary.csv the mean and the scatter. A realisation whose threshold is
+   * not found says so in its row and does not stop the others. Collective.
+   *
+   * With @p resume, realisations that are done are not run again, and one that was
+   * interrupted is continued.
+   *
+   * @return whether all steps of all realisations converged. Throws Interruption if a
+   * signal stopped them.
+   */
+  bool run_all_realisations(const std::string &path,
+                            const Overrides   &overrides,
+                            const Scene       &scene,
+                            Log               &log,
+                            bool               resume = false);
+} // namespace strait
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_error_budget_h
+#define strait_run_error_budget_h
+
+#include <strait/base/json.h>
+#include <strait/base/scene.h>
+#include <strait/contact/contact_solver.h>
+#include <strait/run/step.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * What each stage of the method adds to the uncertainty of a step's leak rate, and
+   * the parameter that would reduce it.
+   *
+   * - mesh: half the width of the bracket;
+   * - linear solver: the share of the energy at which it stops;
+   * - contact tolerance: the gap is known to the residual times the rms height, the
+   *   leak rate to three times that over the narrowest gap.
+   *
+   * With `Output/Error budget` two more contact and three more flow problems are
+   * solved for each step, which about doubles its time:
+   * - contact grid: the same step on every second and every fourth point. Where both
+   *   leak and the differences shrink, the observed order extrapolates to a spacing
+   *   of zero, and the distance to there is the error; else it is the difference;
+   * - gap interpolation: bilinear in place of monotone cubic, or the reverse.
+   */
+  class ErrorBudget
+  {
+  public:
+    /** @p heights on the grid of the contact. Collective. @p scene must outlive this
+     *  object. */
+    ErrorBudget(const Scene &scene, const SlabField &heights);
+
+    /** The errors of a step that leaks. Collective. */
+    StepErrors assess(const Step &step);
+
+  private:
+    /** The leak rate of the step on a coarser grid; 0 if that seals. */
+    double leak_on(int halvings, const Step &step);
+
+    void add_contact_grid(const Step &step, StepErrors &errors);
+
+    const Scene                                &scene;
+    double                                      rms_height;
+    std::vector<std::unique_ptr<ContactSolver>> coarser; // N/2, N/4
+  };
+
+  /** The errors for run.json. */
+  Json to_json(const Step &step);
+
+  /** One line for the log: the largest error, and what would reduce it. */
+  std::string describe_errors(const StepErrors &errors);
+} // namespace strait
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_exponent_fit_h
+#define strait_run_exponent_fit_h
+
+#include <strait/base/log.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  class StateArchive;
+  struct Step;
+
+  /** A quantity at one distance from the threshold. */
+  struct ScalingPoint
+  {
+    double reduced_load = 0.; // ε = 1 − L/L_c > 0
+    double value        = 0.; // > 0
+  };
+
+  /** The exponent β of value ∝ ε^β over a window of ε. */
+  struct ExponentFit
+  {
+    double from     = 0.; // smallest ε of the window
+    double to       = 0.; // largest
+    double exponent = 0.;
+    double error    = 0.; // standard error of the fit; 0 for two points
+    int    n_points = 0;
+  };
+
+  /** A row of fit.csv. */
+  struct FitRow : ExponentFit
+  {
+    std::string quantity;
+    double      slip_length = 0.;
+    std::string kind; // local or fit
+  };
+
+  /** log–log slopes between neighbouring points, in the order of falling ε. */
+  std::vector<ExponentFit> local_slopes(std::vector<ScalingPoint> points);
+
+  /**
+   * Least squares on log value against log ε over the points with ε <= @p largest.
+   * Fewer than two points give a result with n_points < 2.
+   */
+  ExponentFit fit_exponent(const std::vector<ScalingPoint> &points, double largest);
+
+  /**
+   * The reduced load ε_x at which the exponential decay far from the threshold turns
+   * into the power law ε^β near it. Far away value ∝ exp(s ε) with s from least
+   * squares over 0.3 <= ε <= 0.7; the local exponent s ε reaches β = 69/20 at
+   * ε_x = β/s. Not a number with fewer than two points in that range.
+   */
+  double crossover_reduced_load(const std::vector<ScalingPoint> &points);
+
+  /**
+   * Exponents of leak rate and throat against 1 − L/L_c. Collects the steps that
+   * converged; those in doubt (Step::doubts) are left out of the fits.
+   */
+  class Scaling
+  {
+  public:
+    /** Fits use reduced loads up to @p largest_reduced_load. */
+    explicit Scaling(const double largest_reduced_load)
+      : largest(largest_reduced_load)
+    {
+    }
+
+    /** Add a step, if it has a reduced load. */
+    void collect(const Step &step);
+
+    /** All that was collected. Collective. */
+    void transfer(StateArchive &archive);
+
+    /** The fit of the leak rate at the smallest slip. */
+    ExponentFit leak_rate_fit() const;
+
+    /** The crossover of the leak rate at the smallest slip, and of what the theory says
+     *  at the same steps; not numbers where too little is known. */
+    double crossover() const;
+    double theory_crossover() const;
+
+    /** The local slopes of each quantity, and its fit over all steps that are trusted,
+     *  which goes to @p log as well. Collective. */
+    std::vector<FitRow> fits(Log &log) const;
+
+  private:
+    enum Quantity
+    {
+      leak_rate,
+      throat_gap,
+      throat_length,
+      throat_width,
+      theory_leak_rate,
+      n_quantities
+    };
+
+    /** What a step contributes. Values that are not positive are not known. */
+    struct Sample
+    {
+      double                           slip_length  = 0.;
+      double                           reduced_load = 0.;
+      bool                             is_trusted   = false;
+      std::array<double, n_quantities> values       = {};
+    };
+
+    /** The known values of a quantity at one slip length, in the order of the steps. */
+    std::vector<ScalingPoint>
+    series(Quantity quantity, double slip_length, bool only_trusted = false) const;
+
+    /** The smallest slip at which a quantity is known; not a number if it never is. */
+    double smallest_slip(Quantity quantity) const;
+
+    double              largest;
+    std::vector<Sample> samples;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_field_output_h
+#define strait_run_field_output_h
+
+#include <strait/base/scene.h>
+#include <strait/run/step.h>
+
+#include <string>
+
+namespace strait
+{
+  /**
+   * Write fields-STEP.h5 to @p directory: the datasets gap, pressure (of the
+   * contact) and labels (the values of NodeState) of shape (ny, nx), row 0 at
+   * y = 0, with attributes lx, ly, dx, dy and the step's load. A dataset of an
+   * effect that is off is absent. Beside it fields-STEP.xmf, which tells ParaView
+   * where the points are. Collective.
+   */
+  void write_grid_fields(const std::string &directory, const Step &step);
+
+  /**
+   * Write flow-STEP.vtu and flow-STEP.pvtu to @p directory for ParaView: the
+   * fluid's pressure, and per cell its mean conductivity, refinement level and
+   * whether it leaks; where it does not, the pressure has no meaning.
+   * Nothing where nothing percolates. Collective.
+   */
+  void write_flow_fields(const std::string     &directory,
+                         const Step            &step,
+                         const FluidParameters &fluid);
+} // namespace strait
+
+#endif

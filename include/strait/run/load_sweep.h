@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_load_sweep_h
+#define strait_run_load_sweep_h
+
+#include <strait/base/log.h>
+#include <strait/base/scene.h>
+#include <strait/base/timers.h>
+#include <strait/run/error_budget.h>
+#include <strait/run/load_stops.h>
+#include <strait/run/step.h>
+#include <strait/run/theory_prediction.h>
+#include <strait/seal/flow_stage.h>
+#include <strait/seal/path.h>
+#include <strait/seal/seal_search.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * The method in one place: for each load of the programme, press the surface
+   * against the elastic half-space, ask whether a channel percolates through the
+   * gap, and solve for the flow through it. If the scene asks for the critical load or
+   * the blow-out pressure, that is found first.
+   */
+  class LoadSweep
+  {
+  public:
+    /** Receives each step as soon as it is done. Says whether to go on. */
+    using Consumer = std::function<bool(const Step &)>;
+
+    /** @p scene, @p log and @p timers must outlive the sweep. @p surface_energy is that
+     *  of an earlier part of the run; with 0 it is the scene's, or sought. Collective. */
+    LoadSweep(const Scene &scene,
+              SlabField    heights,
+              Log         &log,
+              Timers      &timers,
+              double       surface_energy = 0.);
+
+    /** Of the adhesion: the scene's, or what was found to match an area. */
+    double
+    surface_energy() const
+    {
+      return contact.adhesion.surface_energy;
+    }
+
+    /**
+     * Enclose the critical load of every slip length. The steps that follow know
+     * their reduced load, and those at `Reduced loads` are added. Collective.
+     */
+    const std::vector<Transition> &find_thresholds();
+
+    /** Enclose the blow-out pressure of every load of the programme. Collective. */
+    std::vector<BlowOut> find_blow_outs();
+
+    const std::vector<Transition> &
+    known_thresholds() const
+    {
+      return thresholds;
+    }
+
+    /** Number of steps that run() will make. */
+    int
+    n_steps() const
+    {
+      return static_cast<int>(plan_stops(scene, thresholds).size());
+    }
+
+    /**
+     * Run all steps that are not done, or those before the surfaces part under tension.
+     * Collective.
+     * @return whether all of them converged.
+     */
+    bool run(const Consumer &consume);
+
+    /**
+     * Call @p action after every solve of a search, when the state may be saved; it may
+     * throw to stop. Only before the searches.
+     */
+    void after_probe(SealSearch::AfterProbe action);
+
+    /** How many solves were made in searches that are not done; 0 if there is none. */
+    std::size_t n_probes() const;
+
+    /** The searches are over; what only they need is freed. */
+    void end_searches();
+
+    /** All that is to come depends on: the last state, the answers of a search, and what
+     *  was found. May be called by the consumer and after a probe. Collective. */
+    void transfer(StateArchive &archive);
+
+    /** How many steps are done. */
+    int
+    n_done() const
+    {
+      return static_cast<int>(next_stop);
+    }
+
+    /** Where the state of an adhesive contact jumped, so far. */
+    const std::vector<Jump> &
+    jumps() const
+    {
+      return all_jumps;
+    }
+
+    /** Bytes that contact and bridge hold on this rank. */
+    std::size_t memory_consumption() const;
+
+  private:
+    bool              press(Step &step, const LoadStop &stop);
+    void              leak(Step &step);
+    void              judge(Step &step);
+    void              compare_with_threshold(Step &step) const;
+    void              compare_with_theory(Step &step);
+    const Transition *threshold_of(double slip_length) const;
+
+    const Scene                      &scene;
+    Log                              &log;
+    Timers                           &timers;
+    const SlabLayoutPtr               layout;
+    double                            rms_slope; // of the surface
+    ContactParameters                 contact;
+    std::unique_ptr<FlowStage>        flow; // unless the fluid is off
+    std::unique_ptr<TheoryPrediction> theory;
+    std::unique_ptr<ErrorBudget>      error_budget; // if there is a fluid
+    std::unique_ptr<SealModel>        seal;
+    std::unique_ptr<SealSearch>       search; // as long as there is one to make
+    std::optional<SealState>          start;  // of a path where a fluid presses
+    std::vector<Transition>           thresholds;
+    std::vector<Jump>                 all_jumps;
+    Step                              step; // the last that was done
+    std::size_t                       next_stop = 0;
+    bool                              converged = true; // so far
+  };
+} // namespace strait
+
+#endif

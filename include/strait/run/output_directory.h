@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_output_directory_h
+#define strait_run_output_directory_h
+
+#include <strait/base/log.h>
+#include <strait/base/scene.h>
+#include <strait/base/timers.h>
+#include <strait/run/leakage_table.h>
+#include <strait/run/result_tables.h>
+#include <strait/run/step.h>
+
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * Make the folder @p path and remove the results of an earlier run from it, and
+   * only those, so that a folder never mixes two runs. Collective. Throws InputError
+   * on all ranks if the folder cannot be made or written to.
+   */
+  void prepare_directory(const std::string &path, MPI_Comm comm);
+
+  /** Write a whole file in the place of the one before. Throws ComputationError if that
+   *  fails; then the one before stays. */
+  void write_text(const std::string &path, const std::string &text);
+
+  /** Let the plotting script draw the results in @p path; a failure is a warning.
+   *  For rank 0 only. */
+  void draw_pictures(const std::string &path, Log &log);
+
+  /**
+   * The folder of one run: tables, fields, pictures, log and record.
+   */
+  class OutputDirectory
+  {
+  public:
+    /** Collective. Throws InputError on all ranks if the folder cannot be made or
+     *  written to. With @p resumed the folder stays as it is until transfer() restores
+     *  the tables. @p scene must outlive this object. */
+    OutputDirectory(const Scene &scene, MPI_Comm comm, Log &log, bool resumed = false);
+
+    /** The tables so far; those on the disk may have rows of steps that were not
+     *  completed. Collective. */
+    void transfer(StateArchive &archive);
+
+    /** Write threshold.csv. Collective. */
+    void write(const std::vector<Transition> &thresholds);
+
+    /** Write blow_out.csv. Collective. */
+    void write(const std::vector<BlowOut> &blow_outs);
+
+    /** Write jumps.csv if there are new ones. Collective. */
+    void write(const std::vector<Jump> &jumps);
+
+    /** Write a row, and fields and picture data as the scene asks. Collective. */
+    void write(const Step &step, bool is_last);
+
+    /**
+     * Write run.json and draw the pictures. Collective. @p bytes_per_point is what
+     * contact and bridge hold per grid point.
+     */
+    void finish(const Timers &timers, double bytes_per_point);
+
+    /** What is known of exponents so far. */
+    const Scaling &
+    exponents() const
+    {
+      return scaling;
+    }
+
+  private:
+    void write_record(const Timers &timers, double bytes_per_point) const;
+
+    const Scene &scene;
+    MPI_Comm     comm;
+    Log         &log;
+    std::string  path;
+    Table<Step>  table, constrictions;
+    Scaling      scaling;
+    std::size_t  n_jumps = 0; // written
+
+    std::vector<std::string> error_budget; // JSON, of the steps so far
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_result_tables_h
+#define strait_run_result_tables_h
+
+#include <strait/base/scene.h>
+#include <strait/base/table.h>
+#include <strait/run/ensemble.h>
+#include <strait/run/exponent_fit.h>
+#include <strait/run/step.h>
+#include <strait/run/surface_output.h>
+#include <strait/seal/path.h>
+#include <strait/seal/seal_search.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+/** The tables of a run besides leakage.csv: what files and columns there are, in what
+ *  units, and what they mean, is said here and nowhere else. */
+namespace strait
+{
+  Table<Transition>     threshold_table(const Scene &scene);
+  Table<Step>           constriction_table(const Scene &scene); // of steps that leak
+  Table<FitRow>         fit_table(const Scene &scene);
+  Table<BlowOut>        blow_out_table(const Scene &scene);
+  Table<Jump>           jump_table(const Scene &scene);
+  Table<RelaxationStep> relaxation_table(const Scene &scene);
+  Table<RealisationRow> ensemble_table(const Scene &scene);
+  Table<ScatterRow>     ensemble_summary_table(const Scene &scene);
+  Table<SpectrumRow>    spectrum_table(const Scene &scene);
+
+  /** What all tables hold, leakage.csv first. */
+  std::vector<TableInfo> all_tables(const Scene &scene);
+
+  /** Print the reference of all tables. Throws InputError if @p format is not "md". */
+  void print_columns(std::ostream &out, const std::string &format);
+} // namespace strait
+
+#endif

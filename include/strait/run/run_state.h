@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_run_state_h
+#define strait_run_run_state_h
+
+#include <strait/base/log.h>
+#include <strait/base/scene.h>
+#include <strait/run/load_sweep.h>
+#include <strait/run/output_directory.h>
+#include <strait/run/simulation.h>
+#include <strait/spectral/state_archive.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * The checkpoint of one run: saved after every step, and taken up by a later run of
+   * the same scene in the same folder. Without Output/Checkpoint nothing is saved.
+   */
+  class RunState
+  {
+  public:
+    /**
+     * With @p resume the checkpoint in the output directory is opened. Collective.
+     * Throws InputError if there is none, or one of another scene; nothing is written
+     * then. @p scene must outlive this object.
+     */
+    RunState(const Scene &scene, MPI_Comm comm, bool resume);
+
+    /** Whether the run that is resumed had come to its end, and what it left. */
+    bool
+    is_finished() const
+    {
+      return finished;
+    }
+    const RunSummary &
+    summary() const
+    {
+      return left;
+    }
+
+    /** Whether the searches that precede the steps are done. */
+    bool
+    has_searched() const
+    {
+      return searched;
+    }
+    void
+    note_searched()
+    {
+      searched = true;
+    }
+
+    /** Of the adhesion in the run that is resumed; 0 if it is not known yet. */
+    double
+    surface_energy() const
+    {
+      return adhesion_energy;
+    }
+    /** Note what the run uses, for later parts of it. */
+    void
+    note_surface_energy(const double energy)
+    {
+      adhesion_energy = energy;
+    }
+
+    /** Note the surface. Throws InputError if it is not that of the run that is
+     *  resumed. Collective. */
+    void check_surface(const SlabField &heights);
+
+    /** Put @p sweep, @p output and @p log where the run stopped. Collective. */
+    void restore(LoadSweep &sweep, OutputDirectory &output, Log &log);
+
+    /** Collective. Throws ComputationError if the disk is full. */
+    void save(LoadSweep &sweep, OutputDirectory &output, Log &log) const;
+
+    /** Replace the checkpoint by a mark that all is done. Collective. */
+    void save_end(const RunSummary &summary) const;
+
+  private:
+    void check_scene(const std::string &earlier) const;
+
+    const Scene                  &scene;
+    MPI_Comm                      comm;
+    std::string                   path;
+    std::unique_ptr<StateArchive> archive; // of the run that is resumed
+    bool                          finished = false, searched = false;
+    RunSummary                    left;
+    std::vector<double>           surface; // smallest, largest and rms height
+    double                        adhesion_energy = 0.;
+  };
+} // namespace strait
+
+#endif

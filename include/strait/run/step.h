@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_step_h
+#define strait_run_step_h
+
+#include <strait/base/text.h>
+#include <strait/run/theory_prediction.h>
+#include <strait/seal/seal_state.h>
+#include <strait/seal/step_flow.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  /** One source of error of a leak rate. */
+  struct ErrorItem
+  {
+    std::string source;
+    double      relative = 0.;
+    std::string parameter; // that would reduce it
+  };
+
+  /** The errors of a step's leak rate, the largest first (error_budget.h). */
+  struct StepErrors
+  {
+    std::vector<ErrorItem> items;
+    std::optional<double>  grid_order;   // observed from contact grid to contact grid
+    std::optional<double>  extrapolated; // leak rate at a grid spacing of zero
+  };
+
+  /** One step of the load programme, with all that its output may need. */
+  struct Step
+  {
+    int         number = 0; // counts from 1
+    std::string branch;     // loading or unloading
+    SealState   state;
+    double dissipated_energy = 0.; // by jumps of the contact on the way [energy/area]
+
+    std::optional<StepFlow>     flow;         // unless the fluid is off
+    std::optional<TheoryResult> theory;       // if the scene asks for it
+    std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
+    StepErrors                  errors;       // of the leak rate, if there is one
+    std::vector<std::string>    doubts;       // about a result that may have converged
+    double                      flow_seconds = 0.;
+
+    /** Whether all solvers reached what was asked of them. */
+    bool
+    converged() const
+    {
+      return state.converged() && (!flow || flow->leakage.status == "ok");
+    }
+
+    /** "ok", or a short word for each thing that failed or is in doubt, joined by +. */
+    std::string
+    status() const
+    {
+      std::vector<std::string> words;
+      if (state.contact && !state.contact->converged)
+        words.emplace_back("contact-not-converged");
+      if (flow && flow->leakage.status != "ok")
+        words.push_back(flow->leakage.status);
+      if (state.fluid && !state.fluid->converged)
+        words.emplace_back(state.fluid->lifted_off  ? "lifted-off"
+                           : state.fluid->undecided ? "feedback-undecided"
+                                                    : "feedback-not-converged");
+      words.insert(words.end(), doubts.begin(), doubts.end());
+      return words.empty() ? "ok" : join(words, "+");
+    }
+  };
+} // namespace strait
+
+#endif

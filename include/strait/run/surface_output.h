@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_surface_output_h
+#define strait_run_surface_output_h
+
+#include <strait/base/log.h>
+#include <strait/base/scene.h>
+#include <strait/spectral/slab_field.h>
+#include <strait/surface/spectrum.h>
+
+namespace strait
+{
+  /** A row of spectrum.csv. */
+  struct SpectrumRow : SpectrumBin
+  {
+    double wavelength = 0.;
+    double law        = 0.; // density of the self-affine law that fits best
+  };
+
+  /**
+   * Say what the surface on the grid is like: rms values, and of a measured one or
+   * where the scene asks for the spectrum, Hurst exponent and roll-off. Collective.
+   */
+  void report_surface(const Scene &scene, const SlabField &heights, Log &log);
+
+  /**
+   * Write surface.nc and spectrum.csv to the output directory as far as the scene
+   * asks for them. Collective.
+   */
+  void write_surface(const Scene &scene, const SlabField &heights);
+} // namespace strait
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/run/disk_space.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace strait
+{
+  void
+  require_space(const std::string &path, const std::uintmax_t bytes, MPI_Comm comm)
+  {
+    run_on_root(comm, [&]() {
+      const std::string probe = path + ".new";
+      const int         file  = open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+      const int         error =
+        file < 0 ? errno : posix_fallocate(file, 0, static_cast<off_t>(bytes));
+      if (file >= 0)
+        close(file);
+      unlink(probe.c_str());
+      if (error != 0)
+        throw ComputationError("The file '" + path + "' of " +
+                               std::to_string(bytes / 1000) +
+                               " kB could not be written: " + std::strerror(error) + ".");
+    });
+  }
+
+  void
+  require_end(const std::string &path, const std::string &end, MPI_Comm comm)
+  {
+    run_on_root(comm, [&]() {
+      constexpr std::size_t blanks = 16;
+      std::ifstream         file(path, std::ios::binary | std::ios::ate);
+      const auto            size = file ? static_cast<std::size_t>(file.tellg()) : 0;
+      std::string           tail(std::min(size, end.size() + blanks), ' ');
+      file.seekg(static_cast<std::streamoff>(size - tail.size()));
+      file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+      if (!file || tail.find(end) == std::string::npos)
+        throw ComputationError("The file '" + path +
+                               "' could not be written; is the disk full?");
+    });
+  }
+} // namespace strait

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/run/disk_space.h>
+#include <strait/run/field_output.h>
+#include <strait/run/grid_description.h>
+#include <strait/run/output_directory.h>
+#include <strait/flow/reynolds_solver.h>
+
+#include <deal.II/base/hdf5.h>
+#include <deal.II/numerics/data_out.h>
+
+#include <fstream>
+
+namespace strait
+{
+  namespace
+  {
+    std::string
+    numbered(const std::string &directory, const std::string &name, const int number)
+    {
+      return directory + "/" + name + "-" + std::to_string(number);
+    }
+
+    template <typename Number>
+    void
+    write_slabs(dealii::HDF5::File        &file,
+                const std::string         &name,
+                const SlabLayout          &layout,
+                const std::vector<Number> &values)
+    {
+      const auto nx      = static_cast<hsize_t>(layout.grid().nx);
+      const auto ny      = static_cast<hsize_t>(layout.grid().ny);
+      auto       dataset = file.create_dataset<Number>(name, {ny, nx});
+      if (layout.n_rows() == 0)
+        dataset.template write_none<Number>();
+      else
+        dataset.write_hyperslab(values,
+                                {static_cast<hsize_t>(layout.first_row()), 0},
+                                {static_cast<hsize_t>(layout.n_rows()), nx});
+    }
+
+    std::vector<double>
+    local_values(const SlabField &field)
+    {
+      return {field.begin(), field.end()};
+    }
+  } // namespace
+
+  void
+  write_grid_fields(const std::string &directory, const Step &step)
+  {
+    const SlabLayout   &layout = step.state.gap().layout();
+    const PeriodicGrid &grid   = layout.grid();
+    const std::string   name   = numbered(directory, "fields", step.number) + ".h5";
+    require_space(name,
+                  hdf5_overhead + static_cast<std::uintmax_t>(grid.n_points()) *
+                                    (2 * sizeof(double) + sizeof(int)),
+                  layout.communicator());
+    dealii::HDF5::File       file(name,
+                            dealii::HDF5::File::FileAccessMode::create,
+                            layout.communicator());
+    std::vector<GridDataset> datasets = {{"gap", false}};
+    write_slabs(file, "gap", layout, local_values(step.state.gap()));
+    if (step.state.contact)
+      {
+        write_slabs(file, "pressure", layout, local_values(step.state.contact->pressure));
+        datasets.push_back({"pressure", false});
+        file.set_attribute("nominal_pressure", step.state.contact->nominal_pressure);
+      }
+    if (step.flow)
+      {
+        std::vector<int> labels;
+        for (const NodeState state : step.flow->channel.clusters.states)
+          labels.push_back(static_cast<int>(state));
+        write_slabs(file, "labels", layout, labels);
+        datasets.push_back({"labels", true});
+        file.set_attribute("leak_rate", step.flow->leakage.rate);
+      }
+    file.set_attribute("lx", grid.lx);
+    file.set_attribute("ly", grid.ly);
+    file.set_attribute("dx", grid.dx());
+    file.set_attribute("dy", grid.dy());
+    file.set_attribute("units", std::string("those of the scene"));
+    run_on_root(layout.communicator(), [&]() {
+      const std::string base = "fields-" + std::to_string(step.number);
+      write_text(directory + "/" + base + ".xmf",
+                 grid_description(base + ".h5", grid, datasets));
+    });
+  }
+
+  void
+  write_flow_fields(const std::string     &directory,
+                    const Step            &step,
+                    const FluidParameters &fluid)
+  {
+    if (!step.flow || !step.flow->solution)
+      return;
+    const PotentialProblem &problem = step.flow->solution->pressure();
+    const auto             &dofs    = problem.dof_handler();
+    const auto             &tria    = dofs.get_triangulation();
+
+    PotentialProblem::Vector owned_pressure(dofs.locally_owned_dofs(),
+                                            step.state.gap().layout().communicator());
+    owned_pressure = problem.solution();
+    owned_pressure *= fluid.inlet_pressure - fluid.outlet_pressure;
+    owned_pressure.add(fluid.outlet_pressure);
+    PotentialProblem::Vector pressure(problem.solution());
+    pressure = owned_pressure;
+
+    dealii::Vector<float> conductivity(tria.n_active_cells());
+    dealii::Vector<float> level(tria.n_active_cells());
+    dealii::Vector<float> leaks(tria.n_active_cells());
+    std::size_t           owned = 0;
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const auto k    = cell->active_cell_index();
+          leaks(k)        = problem.is_active(owned) ? 1.F : 0.F;
+          conductivity(k) = static_cast<float>(problem.mean_coefficient(owned++));
+          level(k)        = static_cast<float>(cell->level());
+        }
+
+    dealii::DataOut<2> out;
+    out.attach_dof_handler(dofs);
+    out.add_data_vector(pressure, "fluid_pressure");
+    out.add_data_vector(conductivity, "mean_conductivity");
+    out.add_data_vector(level, "level");
+    out.add_data_vector(leaks, "leaks");
+    out.build_patches(step.flow->solution->mesh().mapping(), dofs.get_fe().degree);
+    const std::string name = numbered(directory, "flow", step.number);
+    MPI_Comm          comm = step.state.gap().layout().communicator();
+    // About what it takes, compressed; the library would print errors of its own.
+    const std::uintmax_t bytes_per_cell =
+      30 * dofs.get_fe().degree * dofs.get_fe().degree;
+    require_space(name + ".vtu", bytes_per_cell * tria.n_global_active_cells(), comm);
+    out.write_vtu_in_parallel(name + ".vtu", comm);
+    require_end(name + ".vtu", "</VTKFile>", comm);
+    run_on_root(comm, [&]() {
+      std::ofstream record(name + ".pvtu");
+      out.write_pvtu_record(record, {"flow-" + std::to_string(step.number) + ".vtu"});
+    });
+    require_end(name + ".pvtu", "</VTKFile>", comm);
+  }
+} // namespace strait

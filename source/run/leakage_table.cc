@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/run/leakage_table.h>
+#include <strait/run/simulation.h>
+#include <strait/run/theory_run.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+    /** Getters of members of the contact. */
+    const auto of_contact = [](auto member) {
+      return
+        [member](const Step &step) { return std::invoke(member, *step.state.contact); };
+    };
+
+    /** The same of the fluid that presses on the walls. */
+    const auto of_fluid = [](auto member) {
+      return
+        [member](const Step &step) { return std::invoke(member, *step.state.fluid); };
+    };
+
+    /** The same of the theory. */
+    const auto of_theory = [](auto member) {
+      return [member](const Step &step) { return std::invoke(member, *step.theory); };
+    };
+
+    /** The same of a leak rate. */
+    const auto of_leakage = [](auto member) {
+      return
+        [member](const Step &step) { return std::invoke(member, step.flow->leakage); };
+    };
+
+    /** The same of the path of least resistance, where there is one. */
+    const auto of_path = [](auto value) {
+      return [value](const Step &step) -> double {
+        return step.flow->channel.paths.empty()
+                 ? not_a_number
+                 : std::invoke(value, step.flow->channel.paths.front());
+      };
+    };
+
+    void
+    add_leak_rates(Table<Step> &table, const Scene &scene, const Condition &with_flow)
+    {
+      const FluidParameters fluid = scene.fluid;
+      const PeriodicGrid    grid  = grid_of(scene);
+      table.when(with_flow)
+        .add(
+          of_leakage(&Leakage::rate),
+          "leak_rate [length³/time]: Q, volume per time from inlet to outlet: geometric "
+          "mean of its bounds, or the upper one if they differ by more than a factor of "
+          "two; 0 if nothing percolates; negative if the outlet has the higher pressure")
+        .add(of_leakage(&Leakage::lower),
+             "leak_rate_lower [length³/time]: lower bound of its magnitude, the best of "
+             "all meshes; with `Wall feedback` bounds are widened by what the last mesh "
+             "changed of it through the gap")
+        .add(of_leakage(&Leakage::upper),
+             "leak_rate_upper [length³/time]: upper bound, likewise");
+      table.when({"with `Output/Leak rate units`", scene.fluid.enabled});
+      for (const std::string &name : scene.output.leak_rate_units)
+        {
+          const LeakRateUnit  *unit  = find_leak_rate_unit(name);
+          const UnitParameters units = scene.units;
+          table.add(
+            [=](const Step &step) {
+              const double rate = step.flow->leakage.rate;
+              return in_trade_unit(rate, *unit, units, fluid);
+            },
+            std::string(unit->column) + " [" + unit->name + "]: " +
+              (unit->is_throughput ? "throughput of a gas, Q (p_in + p_out)/2"
+                                   : "`leak_rate` in this unit"));
+        }
+      table.when(with_flow)
+        .add(
+          [=](const Step &step) { return effective_gap(step.flow->leakage, fluid); },
+          "effective_gap [length]: (12 η K_eff)^(1/3) with K_eff = Q L/(W Δp), or in a "
+          "mesh ([meshes](meshes.md)) Q/(S Δp) with Q = S K Δp at a uniform K: smooth "
+          "plates with this gap leak as much")
+        .add(of_path([grid](const FlowPath &p) { return p.bottleneck.ix * grid.dx(); }),
+             "worst_constriction_x [length]: narrowest grid point of the path of least "
+             "resistance ∫ds/g³; at the outlet, the copy of x = 0 at x = Lx; `nan` if "
+             "nothing percolates")
+        .add(of_path([grid](const FlowPath &p) { return p.bottleneck.iy * grid.dy(); }),
+             "worst_constriction_y [length]: its y, likewise")
+        .add(of_path(&FlowPath::bottleneck_gap),
+             "worst_constriction_gap [length]: the gap that the fluid sees there");
+    }
+  } // namespace
+
+  double
+  in_trade_unit(const double           leak_rate,
+                const LeakRateUnit    &unit,
+                const UnitParameters  &units,
+                const FluidParameters &fluid)
+  {
+    double in_si = leak_rate * std::pow(metres_in(units.length).value_or(1.), 3) /
+                   seconds_in(units.time).value_or(1.);
+    if (unit.is_throughput)
+      in_si *= 0.5 * (fluid.inlet_pressure + fluid.outlet_pressure) *
+               pascals_in(units.pressure).value_or(1.);
+    return in_si / unit.in_si;
+  }
+
+  Table<Step>
+  leakage_table(const Scene &scene)
+  {
+    const bool      theory_alone = is_theory_only(scene);
+    const Condition with_contact = {"", scene.contact.enabled};
+    const Condition with_flow    = {"", scene.fluid.enabled};
+    const Condition with_adhesion{"with adhesion",
+                                  scene.contact.enabled &&
+                                    scene.contact.adhesion.enabled};
+    const Condition with_feedback{"with `Wall feedback`", scene.fluid.feedback.enabled};
+    const Condition with_theory{"with `Theory/Enabled`", scene.theory.enabled};
+
+    Table<Step> table(
+      "leakage.csv",
+      {},
+      "One row a step, written as soon as the step is done. Columns of an "
+      "effect that is off (`Contact/Enabled = false`, `Fluid/Enabled = "
+      "false`) are absent.");
+    table.add(&Step::number, "step [1]: number of the load, from 1")
+      .when(with_contact)
+      .add(&Step::branch,
+           "branch: the load path, `loading` or `unloading`; with adhesion and in a "
+           "cycle the direction of the last change of the load")
+      .when({"", scene.contact.enabled || theory_alone})
+      .add(
+        [](const Step &step) {
+          return step.state.contact ? step.state.contact->nominal_pressure
+                                    : step.theory->pressure;
+        },
+        "pressure [pressure]: nominal pressure: external load over the area of the "
+        "box; tension is negative")
+      .when({"", !theory_alone})
+      .add([](const Step &step) { return step.state.mean_gap; },
+           "mean_gap [length]: mean of the gap over the box; points in contact count as "
+           "zero")
+      .when(with_contact)
+      .add(of_contact(&ContactState::contact_area),
+           "contact_area [1]: fraction of grid points in contact, where the hard wall "
+           "pushes back")
+      .add(of_contact(&ContactState::contact_area_corrected),
+           "contact_area_corrected [1]: the same for the continuum: A − 0.118 S a, with "
+           "the lattice perimeter S of the contact and the grid spacing a")
+      .when({"if some slip length is not zero",
+             scene.fluid.has_slip() && (scene.fluid.enabled || theory_alone)})
+      .add([](const Step &step) { return step.state.control.slip_length; },
+           "slip_length [length]: d0")
+      .when(with_flow)
+      .add([](const Step &step) { return step.flow->channel.percolates(); },
+           "percolates [1]: 1 if an open channel connects inlet and outlet, 0 if not")
+      .when(
+        {"with `Find threshold`", scene.fluid.enabled && scene.programme.find_threshold})
+      .add([](const Step &step) { return step.reduced_load.value_or(not_a_number); },
+           "reduced_load [1]: 1 − L/L_c with the middle of the bracket of L_c");
+    add_leak_rates(table, scene, with_flow);
+    table.when(with_contact)
+      .add(of_contact(&ContactState::residual),
+           "contact_residual [1]: max( max over contact of \\|g\\|, max elsewhere of −g "
+           ") / rms height, at exact force balance; with adhesion the largest traction "
+           "that is not balanced, over E* × rms slope / 2")
+      .add(of_contact(&ContactState::iterations),
+           "contact_iterations [1]: on the finest grid; with adhesion those of all loads "
+           "since the last step, and of the check of the minimum")
+      .add(of_contact(&ContactState::fft_pairs),
+           "fft_pairs [1]: transforms there and back, counted likewise")
+      .when(with_flow)
+      .add(of_leakage(&Leakage::cells), "cells [1]: active cells of the last mesh")
+      .add(of_leakage(&Leakage::unknowns),
+           "unknowns [1]: of pressure and stream function together, on the last mesh")
+      .add(of_leakage(&Leakage::refinements), "refinements [1]: meshes after the first")
+      .add(of_leakage(&Leakage::iterations),
+           "flow_iterations [1]: of the linear solver, all meshes, both problems")
+      .when(with_adhesion)
+      .add([](const Step &step) { return step.state.contact->adhesion->adhesive_energy; },
+           "adhesive_energy [pressure length]: mean of −γ0 exp(−g/z0) over the box, "
+           "energy per area")
+      .add(&Step::dissipated_energy,
+           "dissipated_energy [pressure length]: by the jumps since the last step, see "
+           "[jumps.csv](#jumpscsv)")
+      .when(with_contact)
+      .add([](const Step &step) { return step.state.contact_seconds; },
+           "contact_seconds [s]: wall-clock time of the contact")
+      .when(with_flow)
+      .add(&Step::flow_seconds, "flow_seconds [s]: wall-clock time of the flow")
+      .when(with_feedback)
+      .add(of_fluid(&FluidState::load),
+           "fluid_load [pressure]: mean fluid pressure over the nominal area, part of "
+           "`pressure`")
+      .add(of_fluid(&FluidState::rounds),
+           "feedback_iterations [1]: rounds of contact and flow")
+      .when({"with `Theory/Enabled`, and not where the gap is given",
+             scene.theory.enabled && (scene.contact.enabled || theory_alone)})
+      .add(of_theory(&TheoryResult::contact_area),
+           "theory_contact_area [1]: of Persson's theory")
+      .add(of_theory(&TheoryResult::mean_gap), "theory_mean_gap [length]: likewise")
+      .when(with_theory)
+      .add(of_theory(&TheoryResult::leak_rate),
+           "theory_leak_rate [length³/time]: Q of the effective medium in the same box; "
+           "0 where it seals; see [theory.md](theory.md)")
+      .add(of_theory(&TheoryResult::error),
+           "theory_error [1]: of mean gap and leak rate by the theory's quadrature, "
+           "relative")
+      .when()
+      .add(&Step::status, "status: `ok`, or words joined by `+`, see below");
+    return table;
+  }
+} // namespace strait

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/run/load_sweep.h>
+#include <strait/run/step_report.h>
+#include <strait/run/threshold_doubts.h>
+#include <strait/seal/coupled_seal.h>
+#include <strait/seal/make_seal.h>
+#include <strait/surface/statistics.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    /** Of walls that the fluid has parted: nothing limits the leak. */
+    StepFlow
+    unlimited_flow(const std::size_t n_points)
+    {
+      StepFlow flow;
+      flow.channel.clusters.percolates = true;
+      flow.channel.clusters.states.assign(n_points, NodeState::percolating);
+      flow.leakage.rate = flow.leakage.upper = std::numeric_limits<double>::infinity();
+      return flow;
+    }
+  } // namespace
+
+  LoadSweep::LoadSweep(const Scene &scene_,
+                       SlabField    heights,
+                       Log         &log_,
+                       Timers      &timers_,
+                       const double surface_energy)
+    : scene(scene_)
+    , log(log_)
+    , timers(timers_)
+    , layout(heights.layout_pointer())
+    , rms_slope(scene.programme.find_threshold ? statistics(heights).rms_slope : 0.)
+    , contact(complete_contact(scene, heights, surface_energy, log))
+  {
+    if (scene.fluid.enabled)
+      {
+        flow = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
+        if (scene.programme.find_threshold)
+          flow->watch_constrictions();
+        error_budget = std::make_unique<ErrorBudget>(scene, heights);
+      }
+    if (scene.theory.enabled)
+      theory = std::make_unique<TheoryPrediction>(scene, &heights);
+    seal = make_seal(scene, contact, std::move(heights), flow.get(), log);
+    if (scene.programme.find_threshold || scene.programme.find_blow_out)
+      search = std::make_unique<SealSearch>(scene, *seal, layout, flow->domain(), log);
+  }
+
+  void
+  LoadSweep::after_probe(SealSearch::AfterProbe action)
+  {
+    if (search)
+      search->after_probe(std::move(action));
+  }
+
+  std::size_t
+  LoadSweep::n_probes() const
+  {
+    return search ? search->n_probes() : 0;
+  }
+
+  void
+  LoadSweep::end_searches()
+  {
+    search.reset();
+  }
+
+  const std::vector<Transition> &
+  LoadSweep::find_thresholds()
+  {
+    // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
+    // saddle at 0.229: start a little to the side that the scene names.
+    const double factor = scene.programme.path == LoadPath::unloading ? .28 : .2;
+    const auto   scope  = timers.scope("threshold");
+    thresholds =
+      search->find_critical_loads(factor * contact.effective_modulus * rms_slope);
+    // A channel that a fluid has opened is not closed again before the first step; a
+    // path on which contacts alone remember begins without a past.
+    if (scene.fluid.feedback.enabled && !scene.contact.adhesion.enabled)
+      start = search->take_state();
+    return thresholds;
+  }
+
+  std::vector<BlowOut>
+  LoadSweep::find_blow_outs()
+  {
+    const auto scope = timers.scope("blow-out");
+    return search->find_blow_outs();
+  }
+
+  const Transition *
+  LoadSweep::threshold_of(const double slip_length) const
+  {
+    for (const Transition &threshold : thresholds)
+      if (threshold.slip_length == slip_length)
+        return &threshold;
+    return nullptr;
+  }
+
+  bool
+  LoadSweep::run(const Consumer &consume)
+  {
+    const std::vector<LoadStop> stops = plan_stops(scene, thresholds);
+    while (next_stop < stops.size())
+      {
+        step.number = static_cast<int>(next_stop) + 1;
+        step.branch = branch_of(scene, stops, next_stop);
+        if (!press(step, stops[next_stop]))
+          {
+            log.warn(
+              format("the surfaces part under tension before the pressure %.6g: "
+                     "%zu steps are left out",
+                     stops[next_stop].target,
+                     stops.size() - next_stop));
+            break;
+          }
+        leak(step);
+        judge(step);
+        report_step(step, static_cast<int>(stops.size()), timers.total(), log);
+        ++next_stop;
+        if (!consume(step))
+          break;
+      }
+    return converged;
+  }
+
+  /** Follow the path to the next stop. Returns whether the surfaces are still together.
+   */
+  bool
+  LoadSweep::press(Step &step, const LoadStop &stop)
+  {
+    const Control control{stop.target, scene.fluid.inlet_pressure, stop.slip_length};
+    const bool is_first = next_stop == 0 || stop.begins_anew || step.state.gap().empty();
+    step.dissipated_energy = 0.;
+    if (!is_first && seal->are_alike(step.state.control, control))
+      {
+        step.state.control         = control; // another slip length
+        step.state.contact_seconds = 0.;
+        return true;
+      }
+    const auto scope = timers.scope("contact");
+    step.flow.reset(); // its mesh was made for another gap
+    Arrival arrival = follow(*seal,
+                             control,
+                             !is_first ? &step.state
+                             : start   ? &*start
+                                       : nullptr,
+                             flow ? Aim::leak_rate : Aim::verdict,
+                             jump_search(scene));
+    for (const Jump &jump : arrival.jumps)
+      {
+        log.line(describe(jump));
+        step.dissipated_energy += jump.dissipated;
+        all_jumps.push_back(jump);
+      }
+    if (!arrival.state)
+      return false;
+    step.state = std::move(*arrival.state);
+    start.reset();
+    return true;
+  }
+
+  /** Find the channel that percolates and solve the flow in it. */
+  void
+  LoadSweep::leak(Step &step)
+  {
+    if (!flow)
+      return;
+    const auto   scope    = timers.scope("flow");
+    const auto   start    = Timers::Clock::now();
+    const double accuracy = scene.fluid.target_accuracy;
+    if (step.state.fluid && step.state.fluid->lifted_off)
+      step.flow = unlimited_flow(step.state.gap().size());
+    else
+      step.flow = flow->solve(step.state.gap(),
+                              step.state.control.slip_length,
+                              share_of_bracket(step.state, accuracy));
+    if (step.state.fluid && step.flow->solution)
+      allow_for_feedback(step.flow->leakage, *step.state.fluid, accuracy);
+    flow->warn_of_width(step.flow->leakage);
+    step.flow_seconds = Timers::seconds_since(start);
+  }
+
+  /** Say how sure the step is, and what theory makes of it. */
+  void
+  LoadSweep::judge(Step &step)
+  {
+    compare_with_threshold(step);
+    compare_with_theory(step);
+    step.errors =
+      step.flow && step.flow->solution ? error_budget->assess(step) : StepErrors();
+    converged = converged && step.converged();
+  }
+
+  void
+  LoadSweep::compare_with_threshold(Step &step) const
+  {
+    step.doubts.clear();
+    const Transition *threshold = threshold_of(step.state.control.slip_length);
+    if (threshold == nullptr)
+      return;
+    const double reduced =
+      1. - step.state.contact->nominal_pressure / threshold->middle();
+    step.reduced_load = reduced;
+    if (reduced > 0 && step.flow->constrictions)
+      step.doubts = doubts_near_threshold({reduced,
+                                           .5 * threshold->relative_width(),
+                                           step.flow->constrictions->points_along},
+                                          log);
+  }
+
+  void
+  LoadSweep::compare_with_theory(Step &step)
+  {
+    if (!theory)
+      return;
+    const auto   scope = timers.scope("theory");
+    const double slip  = step.state.control.slip_length;
+    step.theory =
+      theory->predict(step.state.contact ? step.state.contact->nominal_pressure : 0.,
+                      slip,
+                      &step.state.gap(),
+                      threshold_of(slip));
+  }
+
+  void
+  LoadSweep::transfer(StateArchive &archive)
+  {
+    strait::transfer(archive, thresholds);
+    auto n_steps_done = static_cast<long>(next_stop);
+    archive.value(n_steps_done);
+    next_stop = n_steps_done;
+    archive.value(converged);
+    transfer_all(archive, all_jumps, [&](Jump &jump) {
+      strait::transfer(archive, jump);
+    });
+    bool searches = search != nullptr;
+    archive.value(searches);
+    if (!searches)
+      end_searches();
+    if (search)
+      search->transfer(archive);
+    if (transfer_presence(archive, start))
+      strait::transfer(archive, *start, layout);
+    if (next_stop > 0 && scene.contact.enabled)
+      strait::transfer(archive, step.state, layout);
+  }
+
+  std::size_t
+  LoadSweep::memory_consumption() const
+  {
+    return seal->memory_consumption() + (flow ? flow->memory_consumption() : 0);
+  }
+} // namespace strait

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/build_info.h>
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/base/json.h>
+#include <strait/run/error_budget.h>
+#include <strait/run/field_output.h>
+#include <strait/run/gap_output.h>
+#include <strait/run/output_directory.h>
+#include <strait/run/picture_data.h>
+#include <strait/run/simulation.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+namespace strait
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** Whether an earlier run of this program may have written a file. */
+    bool
+    is_result(const std::string &name)
+    {
+      static const std::regex number("-[0-9]+\\.");
+      for (const TableInfo &table : all_tables({}))
+        if (std::regex_replace(name, number, "-STEP.") == table.file)
+          return true;
+      for (const char *exact : {"leakage.png",
+                                "gaps.png",
+                                "ensemble.png",
+                                "surface.nc",
+                                "spectrum.png",
+                                "run.json",
+                                "checkpoint",
+                                "checkpoint.new",
+                                "log.txt",
+                                "parameters.prm"})
+        if (name == exact)
+          return true;
+      static const std::regex numbered_file(
+        "(fields|flow|picture)-[0-9]+\\.(h5|xmf|vtu|pvtu|png)");
+      return std::regex_match(name, numbered_file);
+    }
+
+    /** What is in a file; nothing if there is none. */
+    std::string
+    text_of(const std::string &path)
+    {
+      std::ifstream      file(path, std::ios::binary);
+      std::ostringstream text;
+      if (file.peek() != std::ifstream::traits_type::eof())
+        text << file.rdbuf();
+      return text.str();
+    }
+
+    /** The quantities whose unit the plotting scripts ask for. */
+    Json
+    units_of_plots(const UnitParameters &units)
+    {
+      Json result = Json::object();
+      result.set("length", units.length)
+        .set("pressure", units.pressure)
+        .set("time", units.time)
+        .set("leak_rate", in_units_of("length³/time", units))
+        .set("current", in_units_of("length²/time", units));
+      return result;
+    }
+
+    /** Those of all tables of a run; a name has the same unit wherever it stands. */
+    Json
+    units_of_columns(const Scene &scene)
+    {
+      Json result = Json::object();
+      for (const TableInfo &table : all_tables(scene))
+        for (const ColumnInfo &column : table.columns)
+          if (column.is_written)
+            result.set(column.name, in_units_of(column.unit, scene.units));
+      return result;
+    }
+
+    /** @p text in single quotes for the shell. */
+    std::string
+    quoted(const std::string &text)
+    {
+      std::string result = "'";
+      for (const char c : text)
+        result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+      return result + "'";
+    }
+  } // namespace
+
+  void
+  write_text(const std::string &path, const std::string &text)
+  {
+    const std::string fresh = path + ".new";
+    std::ofstream     file(fresh);
+    file << text << std::flush;
+    std::error_code error;
+    if (file)
+      fs::rename(fresh, path, error);
+    if (file && !error)
+      return;
+    fs::remove(fresh, error);
+    throw ComputationError("The file '" + path +
+                           "' could not be written; is the disk full?");
+  }
+
+  void
+  prepare_directory(const std::string &path, MPI_Comm comm)
+  {
+    run_on_root(comm, [&path]() {
+      std::error_code error;
+      fs::create_directories(path, error);
+      const fs::path probe = fs::path(path) / "log.txt";
+      if (error || !std::ofstream(probe, std::ios::app))
+        throw InputError("The output directory '" + path +
+                         "' cannot be written; choose another with Output/Directory or "
+                         "--output.");
+      std::vector<fs::path> earlier;
+      for (const auto &entry : fs::directory_iterator(path))
+        if (entry.is_regular_file() && is_result(entry.path().filename().string()))
+          earlier.push_back(entry.path());
+      for (const fs::path &file : earlier)
+        fs::remove(file, error);
+    });
+  }
+
+  void
+  draw_pictures(const std::string &path, Log &log)
+  {
+    const std::string script = find_script("plot.py");
+    if (script.empty())
+      {
+        log.warn("no pictures were drawn because the script plot.py was not found");
+        return;
+      }
+    // An interpreter that inherits MPI's variables may believe it is a rank.
+    const std::string command = "env -u OMPI_COMM_WORLD_SIZE " +
+                                quoted(python_interpreter()) + " " + quoted(script) +
+                                " " + quoted(path);
+    if (std::system(command.c_str()) != 0) // NOLINT(cert-env33-c,concurrency-mt-unsafe)
+      log.warn("the pictures could not be drawn; try again with: " + script + " " + path);
+  }
+
+  OutputDirectory::OutputDirectory(const Scene &scene_,
+                                   MPI_Comm     comm_,
+                                   Log         &log_,
+                                   const bool   resumed)
+    : scene(scene_)
+    , comm(comm_)
+    , log(log_)
+    , path(scene.output.directory)
+    , table(leakage_table(scene))
+    , constrictions(constriction_table(scene))
+    , scaling(scene.programme.largest_fitted)
+  {
+    if (!resumed)
+      prepare_directory(path, comm);
+    log.attach_file(path + "/log.txt", resumed);
+    run_on_root(comm, [&]() {
+      write_text(path + "/parameters.prm", scene.resolved);
+      if (resumed)
+        return;
+      table.open(path + "/leakage.csv");
+      if (scene.programme.find_threshold)
+        constrictions.open(path + "/constrictions.csv");
+    });
+  }
+
+  void
+  OutputDirectory::transfer(StateArchive &archive)
+  {
+    for (const char *name : {"leakage.csv",
+                             "constrictions.csv",
+                             "threshold.csv",
+                             "blow_out.csv",
+                             "jumps.csv"})
+      {
+        std::string text;
+        if (!archive.is_reading())
+          run_on_root(comm, [&]() { text = text_of(path + "/" + name); });
+        archive.value(text);
+        if (archive.is_reading() && !text.empty())
+          run_on_root(comm, [&]() { write_text(path + "/" + name, text); });
+      }
+    scaling.transfer(archive);
+    archive.value(error_budget);
+    auto n_jumps_written = static_cast<long>(n_jumps);
+    archive.value(n_jumps_written);
+    n_jumps = n_jumps_written;
+    if (archive.is_reading())
+      run_on_root(comm, [&]() {
+        table.reopen(path + "/leakage.csv");
+        if (scene.programme.find_threshold)
+          constrictions.reopen(path + "/constrictions.csv");
+      });
+  }
+
+  void
+  OutputDirectory::write(const std::vector<Transition> &thresholds)
+  {
+    run_on_root(comm, [&]() {
+      threshold_table(scene).write_rows(path + "/threshold.csv", thresholds);
+    });
+  }
+
+  void
+  OutputDirectory::write(const std::vector<BlowOut> &blow_outs)
+  {
+    run_on_root(comm, [&]() {
+      blow_out_table(scene).write_rows(path + "/blow_out.csv", blow_outs);
+    });
+  }
+
+  void
+  OutputDirectory::write(const std::vector<Jump> &jumps)
+  {
+    if (jumps.size() > n_jumps)
+      run_on_root(comm,
+                  [&]() { jump_table(scene).write_rows(path + "/jumps.csv", jumps); });
+    n_jumps = jumps.size();
+  }
+
+  void
+  OutputDirectory::write(const Step &step, const bool is_last)
+  {
+    if (!step.errors.items.empty())
+      error_budget.push_back(to_json(step).text());
+    run_on_root(comm, [&]() {
+      table.append(step);
+      if (step.state.contact && step.state.contact->adhesion &&
+          !step.state.contact->adhesion->relaxation.empty())
+        relaxation_table(scene).write_rows(path + "/relaxation-" +
+                                             std::to_string(step.number) + ".csv",
+                                           step.state.contact->adhesion->relaxation);
+      if (step.flow && step.flow->constrictions)
+        constrictions.append(step);
+    });
+    if (scene.programme.find_threshold)
+      scaling.collect(step);
+    if (step.state.fluid && step.state.fluid->lifted_off)
+      return; // there is no state to show
+    const bool wanted = scene.output.fields == FieldOutput::all ||
+                        (scene.output.fields == FieldOutput::last && is_last);
+    if (wanted)
+      {
+        if (!step.state.gap().empty())
+          write_grid_fields(path, step);
+        write_flow_fields(path, step, scene.fluid);
+        write_gap_distributions(path, step, comm);
+      }
+    if (scene.output.pictures && !step.state.gap().empty())
+      write_picture_data(path, step, scene.fluid);
+  }
+
+  void
+  OutputDirectory::finish(const Timers &timers, const double bytes_per_point)
+  {
+    if (scene.programme.find_threshold)
+      {
+        const std::vector<FitRow> fits = scaling.fits(log);
+        run_on_root(comm,
+                    [&]() { fit_table(scene).write_rows(path + "/fit.csv", fits); });
+      }
+    run_on_root(comm, [&]() {
+      write_record(timers, bytes_per_point);
+      if (scene.output.pictures)
+        draw_pictures(path, log);
+    });
+  }
+
+  void
+  OutputDirectory::write_record(const Timers &timers, const double bytes_per_point) const
+  {
+    int n_ranks = 1;
+    MPI_Comm_size(comm, &n_ranks);
+    Json seconds = Json::object();
+    for (const Timers::Part &part : timers.table())
+      seconds.set(part.path, part.seconds);
+    Json grid = Json::object();
+    grid.set("nx", scene.contact.grid_points[0]).set("ny", scene.contact.grid_points[1]);
+    grid.set("lx", scene.surface.size[0]).set("ly", scene.surface.size[1]);
+    Json errors = Json::array(); // of the steps
+    for (const std::string &text : error_budget)
+      errors.append(Json::verbatim(text));
+    Json record = Json::object();
+    record.set("program", "strait")
+      .set("version", version())
+      .set("ranks", n_ranks)
+      .set("grid", grid)
+      .set("bytes_per_grid_point", bytes_per_point)
+      .set("seconds", seconds)
+      .set("error_budget", errors)
+      .set("warnings", Json(log.warnings()))
+      .set("parameters", scene.resolved);
+    if (scene.units.are_complete())
+      record.set("units", units_of_plots(scene.units))
+        .set("column_units", units_of_columns(scene));
+    write_text(path + "/run.json", record.text());
+  }
+} // namespace strait

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/run/disk_space.h>
+#include <strait/run/picture_data.h>
+#include <strait/flow/seal_mesh.h>
+#include <strait/flow/solution_on_grid.h>
+
+#include <deal.II/base/hdf5.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr int most_points = 1024;
+
+    /** Every stride-th grid point in both directions, from (0, 0) on. */
+    struct Raster
+    {
+      explicit Raster(const PeriodicGrid &grid)
+        : stride((std::max(grid.nx, grid.ny) + most_points - 1) / most_points)
+        , nx((grid.nx + stride - 1) / stride)
+        , ny((grid.ny + stride - 1) / stride)
+      {
+      }
+
+      std::size_t
+      n_points() const
+      {
+        return static_cast<std::size_t>(nx) * ny;
+      }
+
+      int stride, nx, ny;
+    };
+
+    /** @p local, one value a local grid point, on the raster of rank 0. */
+    std::vector<float>
+    thin_out(const SlabLayout &layout, const double *local, const Raster &raster)
+    {
+      std::vector<int> rows;
+      if (layout.rank() == 0)
+        for (int k = 0; k < raster.ny; ++k)
+          rows.push_back(k * raster.stride);
+      const int  nx    = layout.grid().nx;
+      const auto whole = fetch_rows(layout, local, nx, rows);
+
+      std::vector<float> result;
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        for (int i = 0; i < raster.nx; ++i)
+          result.push_back(static_cast<float>(whole[k * nx + i * raster.stride]));
+      return result;
+    }
+
+    /** 0 closed, 1 open but not leaking, 2 percolating, 3 where the fluid has no place.
+     */
+    std::vector<double>
+    openness(const Step &step)
+    {
+      std::vector<double> result(step.state.gap().size());
+      for (std::size_t k = 0; k < result.size(); ++k)
+        if (!step.flow)
+          result[k] = step.state.gap()[k] > 0 ? 1 : 0;
+        else
+          {
+            const NodeState state = step.flow->channel.clusters.states[k];
+            result[k]             = state == NodeState::closed        ? 0
+                                    : state == NodeState::percolating ? 2
+                                    : state == NodeState::outside     ? 3
+                                                                      : 1;
+          }
+      return result;
+    }
+
+    struct PictureFields
+    {
+      std::vector<float> gap, open, contact_pressure, fluid_pressure, current;
+    };
+
+    /** Collective; the result is complete on rank 0. */
+    PictureFields
+    collect(const Step &step, const FluidParameters &fluid, const Raster &raster)
+    {
+      constexpr float   none   = std::numeric_limits<float>::quiet_NaN();
+      const SlabLayout &layout = step.state.gap().layout();
+      PictureFields     fields;
+      fields.gap  = thin_out(layout, step.state.gap().data(), raster);
+      fields.open = thin_out(layout, openness(step).data(), raster);
+      if (step.state.contact)
+        fields.contact_pressure =
+          thin_out(layout, step.state.contact->pressure.data(), raster);
+      if (!step.flow || !step.flow->solution)
+        return fields;
+
+      const FlowOnRaster flow = flow_on_raster(*step.flow->solution, raster.stride);
+      const double       drop = fluid.inlet_pressure - fluid.outlet_pressure;
+      const double       leak = std::abs(step.flow->leakage.rate);
+      for (std::size_t k = 0; k < fields.gap.size(); ++k)
+        {
+          const bool leaks = fields.open[k] == 2.F;
+          fields.fluid_pressure.push_back(
+            leaks ? static_cast<float>(fluid.outlet_pressure + drop * flow.pressure[k])
+                  : none);
+          fields.current.push_back(leaks ? static_cast<float>(leak * flow.current[k])
+                                         : none);
+        }
+      return fields;
+    }
+
+    void
+    write_dataset(dealii::HDF5::File       &file,
+                  const std::string        &name,
+                  const Raster             &raster,
+                  const std::vector<float> &values)
+    {
+      if (values.empty())
+        return;
+      file
+        .create_dataset<float>(name,
+                               {static_cast<hsize_t>(raster.ny),
+                                static_cast<hsize_t>(raster.nx)})
+        .write(values);
+    }
+
+    /** Pieces of the outline of a seal mesh: both ends, and the OutlineKind. */
+    void
+    write_outline(dealii::HDF5::File &file, const Step &step)
+    {
+      if (!step.flow || step.flow->seal == nullptr)
+        return;
+      const PeriodicGrid &grid = step.state.gap().grid();
+      std::vector<float>  values;
+      for (const OutlineEdge &e :
+           step.flow->seal->outline(std::min(grid.dx(), grid.dy())))
+        for (const double value :
+             {e.x0, e.y0, e.x1, e.y1, static_cast<double>(static_cast<int>(e.kind))})
+          values.push_back(static_cast<float>(value));
+      constexpr hsize_t n_columns = 5;
+      file.create_dataset<float>("outline", {values.size() / n_columns, n_columns})
+        .write(values);
+    }
+
+    void
+    write_attributes(dealii::HDF5::File    &file,
+                     const Step            &step,
+                     const FluidParameters &fluid)
+    {
+      file.set_attribute("lx", step.state.gap().grid().lx);
+      file.set_attribute("ly", step.state.gap().grid().ly);
+      file.set_attribute("inlet_pressure", fluid.inlet_pressure);
+      file.set_attribute("outlet_pressure", fluid.outlet_pressure);
+      file.set_attribute("direction",
+                         std::string(!fluid.mesh_file.empty()              ? "mesh"
+                                     : fluid.direction == FlowDirection::x ? "x"
+                                                                           : "y"));
+      if (step.state.contact)
+        {
+          file.set_attribute("nominal_pressure", step.state.contact->nominal_pressure);
+          file.set_attribute("contact_area", step.state.contact->contact_area);
+        }
+      if (!step.flow)
+        return;
+      file.set_attribute("leak_rate", step.flow->leakage.rate);
+      file.set_attribute("percolates", step.flow->channel.percolates() ? 1. : 0.);
+      if (!step.flow->channel.paths.empty())
+        {
+          const FlowPath &path = step.flow->channel.paths.front();
+          file.set_attribute("worst_x",
+                             path.bottleneck.ix * step.state.gap().grid().dx());
+          file.set_attribute("worst_y",
+                             path.bottleneck.iy * step.state.gap().grid().dy());
+        }
+    }
+  } // namespace
+
+  void
+  write_picture_data(const std::string     &directory,
+                     const Step            &step,
+                     const FluidParameters &fluid)
+  {
+    const Raster        raster(step.state.gap().grid());
+    const PictureFields fields = collect(step, fluid, raster);
+    MPI_Comm            comm   = step.state.gap().layout().communicator();
+    const std::string   path =
+      directory + "/picture-" + std::to_string(step.number) + ".h5";
+    constexpr std::size_t n_fields = 5;
+    require_space(path,
+                  hdf5_overhead + n_fields * raster.n_points() * sizeof(float),
+                  comm);
+    run_on_root(comm, [&]() {
+      dealii::HDF5::File file(path, dealii::HDF5::File::FileAccessMode::create);
+      write_dataset(file, "gap", raster, fields.gap);
+      write_dataset(file, "open", raster, fields.open);
+      write_dataset(file, "pressure", raster, fields.contact_pressure);
+      write_dataset(file, "fluid_pressure", raster, fields.fluid_pressure);
+      write_dataset(file, "current", raster, fields.current);
+      write_outline(file, step);
+      write_attributes(file, step, fluid);
+    });
+  }
+} // namespace strait

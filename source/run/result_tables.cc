@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/base/text.h>
+#include <strait/base/units.h>
+#include <strait/run/leakage_table.h>
+#include <strait/run/result_tables.h>
+#include <strait/run/simulation.h>
+
+#include <cmath>
+#include <ostream>
+
+namespace strait
+{
+  namespace
+  {
+    Condition
+    with_threshold(const Scene &scene)
+    {
+      return {"with `Load programme/Find threshold`", scene.programme.find_threshold};
+    }
+
+    Condition
+    with_adhesion(const Scene &scene)
+    {
+      return {"with adhesion", scene.contact.enabled && scene.contact.adhesion.enabled};
+    }
+
+    Condition
+    with_realisations(const Scene &scene)
+    {
+      return {"with the section `Realisations`", scene.realisations.enabled()};
+    }
+
+    GridPoint
+    bottleneck_of(const Step &step)
+    {
+      return step.flow->channel.paths.front().bottleneck;
+    }
+
+    /** Entries of the report on a step's constrictions, and of the throat in it. */
+    const auto of_report = [](auto member) {
+      return [member](const Step &step) {
+        return std::invoke(member, *step.flow->constrictions);
+      };
+    };
+    const auto of_throat = [](auto member) {
+      return [member](const Step &step) {
+        return std::invoke(member, step.flow->constrictions->throat);
+      };
+    };
+  } // namespace
+
+  Table<Transition>
+  threshold_table(const Scene &scene)
+  {
+    const PeriodicGrid grid = grid_of(scene);
+    Table<Transition>  table("threshold.csv",
+                            with_threshold(scene),
+                            "One row for each slip length; loads are nominal pressures.");
+    table
+      .add(&Transition::lower,
+           "critical_load_lower [pressure]: largest load known to leak")
+      .add(&Transition::upper,
+           "critical_load_upper [pressure]: smallest load known to seal")
+      .add(&Transition::contact_area,
+           "contact_area [1]: fraction in contact at the former")
+      .add([=](const Transition &t) { return t.bottleneck.ix * grid.dx(); },
+           "x [length]: place of the last constriction at the former")
+      .add([=](const Transition &t) { return t.bottleneck.iy * grid.dy(); },
+           "y [length]: likewise")
+      .add(&Transition::slip_length, "slip_length [length]: d0")
+      .add(&Transition::n_solves, "contact_solves [1]: loads that were tried")
+      .add(&Transition::fft_pairs, "fft_pairs [1]: of these solves");
+    return table;
+  }
+
+  Table<Step>
+  constriction_table(const Scene &scene)
+  {
+    const PeriodicGrid grid = grid_of(scene);
+    Table<Step>        table("constrictions.csv",
+                      with_threshold(scene),
+                      "One row for each step that leaks: where the pressure drops.");
+    table.add(&Step::number, "step [1]: as in leakage.csv")
+      .add([](const Step &step) { return step.state.contact->nominal_pressure; },
+           "pressure [pressure]: nominal pressure")
+      .add([](const Step &step) { return step.state.control.slip_length; },
+           "slip_length [length]: d0")
+      .add([](const Step &step) { return step.reduced_load.value_or(std::nan("")); },
+           "reduced_load [1]: 1 − L/L_c")
+      .add([=](const Step &step) { return bottleneck_of(step).ix * grid.dx(); },
+           "x [length]: narrowest point of the path of least resistance")
+      .add([=](const Step &step) { return bottleneck_of(step).iy * grid.dy(); },
+           "y [length]: likewise")
+      .add(of_throat(&Throat::gap), "gap [length]: g0 of the throat there")
+      .add(of_throat(&Throat::length),
+           "length [length]: along the channel, within which the gap doubles")
+      .add(of_throat(&Throat::width),
+           "width [length]: across it, at which the gap would vanish")
+      .add(of_report(&ConstrictionReport::points_along),
+           "points_along [1]: the length in grid spacings")
+      .add(of_report(&ConstrictionReport::fraction_at_worst),
+           "share_of_worst [1]: largest part of the pressure drop at one of them")
+      .add(of_report(&ConstrictionReport::n_constrictions),
+           "constrictions [1]: how many there are along the path")
+      .add(of_report(&ConstrictionReport::n_for_90_percent),
+           "constrictions_for_90_percent [1]: how many carry 90 % of the pressure drop");
+    return table;
+  }
+
+  Table<FitRow>
+  fit_table(const Scene &scene)
+  {
+    Table<FitRow> table("fit.csv",
+                        with_threshold(scene),
+                        "Exponents of leak rate and throat against ε = 1 − L/L_c.");
+    table
+      .add(&FitRow::quantity,
+           "quantity: `leak_rate`, `throat_gap`, `throat_length` or `throat_width`")
+      .add(&FitRow::slip_length, "slip_length [length]: d0")
+      .add(&FitRow::kind,
+           "kind: `local`: the slope between neighbouring steps; `fit`: least squares "
+           "over the steps with `status` ok up to `Largest reduced load of fits`")
+      .add(&FitRow::from, "from [1]: smallest ε of the steps")
+      .add(&FitRow::to, "to [1]: largest ε")
+      .add(&FitRow::exponent, "exponent [1]: β of quantity ∝ ε^β")
+      .add(&FitRow::error, "error [1]: standard error of the fit; 0 for two steps")
+      .add(&FitRow::n_points, "points [1]: number of steps");
+    return table;
+  }
+
+  Table<BlowOut>
+  blow_out_table(const Scene &scene)
+  {
+    const PeriodicGrid grid = grid_of(scene);
+    Table<BlowOut>     table("blow_out.csv",
+                         {"with `Load programme/Find blow-out`",
+                              scene.programme.find_blow_out},
+                         "One row for each of `Pressures`.");
+    const auto         of_opening = [](auto member) {
+      return
+        [member](const BlowOut &found) { return std::invoke(member, found.opening); };
+    };
+    table.add(&BlowOut::load, "pressure [pressure]: nominal pressure, the load")
+      .add(of_opening(&Transition::lower),
+           "blow_out_pressure_lower [pressure]: largest inlet pressure known to be held "
+           "when it is raised at this load")
+      .add(
+        of_opening(&Transition::upper),
+        "blow_out_pressure_upper [pressure]: smallest known to leak; 0 or the outlet's: "
+        "it leaks by itself")
+      .add(of_opening(&Transition::contact_area),
+           "contact_area [1]: fraction in contact at the former")
+      .add([=](const BlowOut &found) { return found.opening.bottleneck.ix * grid.dx(); },
+           "x [length]: the point that opens")
+      .add([=](const BlowOut &found) { return found.opening.bottleneck.iy * grid.dy(); },
+           "y [length]: likewise")
+      .add(of_opening(&Transition::n_solves), "solves [1]: of contact and flow")
+      .when({"with `Find re-sealing`", scene.programme.find_resealing})
+      .add([](const BlowOut &found) { return found.closing->lower; },
+           "resealing_pressure_lower [pressure]: largest inlet pressure known to be held "
+           "when it is lowered from where it leaks; both 0 or the outlet's: the seal "
+           "stays open")
+      .add([](const BlowOut &found) { return found.closing->upper; },
+           "resealing_pressure_upper [pressure]: smallest known to leak then");
+    return table;
+  }
+
+  Table<Jump>
+  jump_table(const Scene &scene)
+  {
+    const auto before = [](double PathPoint::*value) {
+      return [value](const Jump &jump) { return jump.before.*value; };
+    };
+    // After a pull-off there is no state.
+    const auto after = [](double PathPoint::*value) {
+      return [value](const Jump &jump) {
+        return jump.is_pull_off ? std::nan("") : jump.after.*value;
+      };
+    };
+    Table<Jump> table("jumps.csv",
+                      with_adhesion(scene),
+                      "One row for each discontinuity on the way from load to load, "
+                      "between the last state before and the first one after.");
+    table
+      .add(
+        [](const Jump &jump) -> std::string {
+          return jump.is_pull_off                                     ? "pull-off"
+                 : jump.after.contact_area > jump.before.contact_area ? "closing"
+                                                                      : "opening";
+        },
+        "kind: `closing` or `opening` by the change of the contact area, or "
+        "`pull-off` where the surfaces part: no state follows, gap and area after it "
+        "are `nan`")
+      .add(before(&PathPoint::pressure), "pressure_before [pressure]: nominal pressure")
+      .add([](const Jump &jump) { return jump.after.pressure; },
+           "pressure_after [pressure]: at most `Load programme/Jump tolerance` from it")
+      .add(before(&PathPoint::mean_gap), "mean_gap_before [length]: as in leakage.csv")
+      .add(after(&PathPoint::mean_gap), "mean_gap_after [length]: likewise")
+      .add(before(&PathPoint::contact_area), "contact_area_before [1]: as in leakage.csv")
+      .add(after(&PathPoint::contact_area), "contact_area_after [1]: likewise")
+      .add(&Jump::dissipated,
+           "dissipated_energy [pressure length]: per area: what the energy falls short "
+           "of the reversible change, half the sum of mean gap × change of load at both "
+           "ends; uncertain by half the difference");
+    return table;
+  }
+
+  Table<RelaxationStep>
+  relaxation_table(const Scene &scene)
+  {
+    Table<RelaxationStep> table(
+      "relaxation-STEP.csv",
+      {"with `Contact/Adhesion/Trajectory`", scene.contact.adhesion.write_relaxation},
+      "One row for each iteration at the last load of the step.");
+    table.add(&RelaxationStep::iteration, "iteration [1]: its number")
+      .add(&RelaxationStep::energy, "energy [pressure length]: energy per area")
+      .add(&RelaxationStep::residual, "residual [1]: `contact_residual` of leakage.csv")
+      .add(&RelaxationStep::step,
+           "step [1]: length of the step along its direction; for GFMD of time");
+    return table;
+  }
+
+  Table<RealisationRow>
+  ensemble_table(const Scene &scene)
+  {
+    Table<RealisationRow> table("ensemble.csv",
+                                with_realisations(scene),
+                                "One row for each realisation, which has a folder "
+                                "`realisation-k` with all other tables.");
+    table.add(&RealisationRow::number, "realisation [1]: k, from 1")
+      .add(&RealisationRow::seed, "seed [1]: `Surface/Seed`")
+      .add(&RealisationRow::orientation, "orientation: how the surface is turned")
+      .add(&RealisationRow::lower,
+           "critical_load_lower [pressure]: at the first slip length")
+      .add(&RealisationRow::upper, "critical_load_upper [pressure]: likewise")
+      .add(&RealisationRow::contact_area, "contact_area [1]: likewise")
+      .add(&RealisationRow::crossover_load,
+           "crossover_load [pressure]: (1 − ε_x) L_c, where the exponential decay far "
+           "from the threshold turns into the power law, see below")
+      .add(&RealisationRow::exponent,
+           "exponent [1]: of the leak rate at the smallest slip length")
+      .add(&RealisationRow::exponent_error,
+           "exponent_error [1]: standard error of its fit")
+      .when({"with `Theory/Enabled`", scene.theory.enabled})
+      .add(&RealisationRow::theory_crossover_load,
+           "theory_crossover_load [pressure]: that of the theory's leak rate")
+      .when()
+      .add(&RealisationRow::status, "status: `ok`, `not-converged` or `failed`");
+    return table;
+  }
+
+  Table<ScatterRow>
+  ensemble_summary_table(const Scene &scene)
+  {
+    Table<ScatterRow> table("ensemble_summary.csv",
+                            with_realisations(scene),
+                            "One row for each quantity.");
+    table
+      .add(&ScatterRow::quantity,
+           "quantity: `critical_load`, the middle of its bracket, "
+           "`crossover_reduced_load`, ε_x, or a column of ensemble.csv")
+      .add(&ScatterRow::mean, "mean [of the quantity]: over the realisations")
+      .add(&ScatterRow::standard_deviation,
+           "standard_deviation [of the quantity]: over the realisations")
+      .add(&ScatterRow::n_samples,
+           "samples [1]: realisations for which the quantity is known");
+    return table;
+  }
+
+  Table<SpectrumRow>
+  spectrum_table(const Scene &scene)
+  {
+    Table<SpectrumRow> table(
+      "spectrum.csv",
+      {"with `Output/Surface spectrum`", scene.output.surface_spectrum},
+      "The power spectral density of the surface, one row for each "
+      "ring of wave vectors.");
+    table
+      .add(&SpectrumRow::q,
+           "wave_number [1/length]: q, geometric mean of the ring's limits")
+      .add(&SpectrumRow::wavelength, "wavelength [length]: 2π/q")
+      .add(&SpectrumRow::density,
+           "density [length⁴]: C(q) = \\|h~\\|² LxLy/(2π)², averaged over directions: "
+           "∫d²q C = h_rms²")
+      .add(&SpectrumRow::modes, "modes [1]: wave vectors in the ring")
+      .add(&SpectrumRow::law,
+           "fit [length⁴]: the self-affine law that fits best; `nan` beyond its range");
+    return table;
+  }
+
+  std::vector<TableInfo>
+  all_tables(const Scene &scene)
+  {
+    return {leakage_table(scene).info(),
+            threshold_table(scene).info(),
+            constriction_table(scene).info(),
+            fit_table(scene).info(),
+            blow_out_table(scene).info(),
+            jump_table(scene).info(),
+            relaxation_table(scene).info(),
+            ensemble_table(scene).info(),
+            ensemble_summary_table(scene).info(),
+            spectrum_table(scene).info()};
+  }
+
+  void
+  print_columns(std::ostream &out, const std::string &format)
+  {
+    if (format != "md")
+      throw InputError("--columns " + format + ": the format is md.");
+    Scene scene; // with the columns that a scene gives names to
+    scene.output.leak_rate_units = split(leak_rate_unit_names(), ',');
+    for (const TableInfo &table : all_tables(scene))
+      print_markdown(out, table);
+  }
+} // namespace strait

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/base/scene_text.h>
+#include <strait/base/text.h>
+#include <strait/run/checkpoint_reader.h>
+#include <strait/run/checkpoint_writer.h>
+#include <strait/run/run_state.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace strait
+{
+  namespace
+  {
+    /** What may change from one part of a run to the next: no number depends on it. */
+    bool
+    may_change(const std::string &name)
+    {
+      for (const char *free : {"Output/Directory",
+                               "Output/Pictures",
+                               "Output/Fields",
+                               "Output/Surface map",
+                               "Output/Surface spectrum",
+                               "Output/Checkpoint"})
+        if (name == free)
+          return true;
+      return false;
+    }
+
+    /** The values of a resolved scene by "Section/Parameter". */
+    std::map<std::string, std::string>
+    values_of(const std::string &resolved)
+    {
+      std::map<std::string, std::string> values;
+      for (const SceneEntry &entry : lex_scene(resolved, "checkpoint", ""))
+        {
+          const std::string name = join(entry.section, "/") + "/" + entry.name;
+          if (!entry.name.empty() && !may_change(name))
+            values[name] = entry.value;
+        }
+      return values;
+    }
+
+    void
+    transfer_summary(StateArchive &archive, RunSummary &summary)
+    {
+      archive.value(summary.converged);
+      transfer(archive, summary.thresholds);
+      archive.value(summary.exponent.from);
+      archive.value(summary.exponent.to);
+      archive.value(summary.exponent.exponent);
+      archive.value(summary.exponent.error);
+      archive.value(summary.exponent.n_points);
+      archive.value(summary.crossover);
+      archive.value(summary.theory_crossover);
+    }
+
+    void
+    transfer_parts(StateArchive    &archive,
+                   LoadSweep       &sweep,
+                   OutputDirectory &output,
+                   Log             &log)
+    {
+      output.transfer(archive);
+      sweep.transfer(archive);
+      std::vector<std::string> warnings = log.warnings();
+      archive.value(warnings);
+      if (archive.is_reading())
+        log.keep_warnings(warnings);
+    }
+  } // namespace
+
+  RunState::RunState(const Scene &scene_, MPI_Comm comm_, const bool resume)
+    : scene(scene_)
+    , comm(comm_)
+    , path(scene.output.directory + "/checkpoint")
+  {
+    if (!resume)
+      return;
+    archive = std::make_unique<CheckpointReader>(path, comm);
+    std::string earlier;
+    archive->value(earlier);
+    check_scene(earlier);
+    archive->value(finished);
+    if (finished)
+      {
+        transfer_summary(*archive, left);
+        return;
+      }
+    archive->value(surface);
+    archive->value(adhesion_energy);
+    archive->value(searched);
+  }
+
+  void
+  RunState::check_scene(const std::string &earlier) const
+  {
+    const auto then = values_of(earlier), now = values_of(scene.resolved);
+    for (const auto &[name, value] : now)
+      {
+        const auto found = then.find(name);
+        if (found == then.end() || found->second != value)
+          throw InputError(
+            format("The run in '%s' had %s = %s where the scene now has %s; restore the "
+                   "scene to resume, or begin anew in another folder.",
+                   scene.output.directory.c_str(),
+                   name.c_str(),
+                   found == then.end() ? "(none)" : found->second.c_str(),
+                   value.c_str()));
+      }
+    if (then.size() != now.size())
+      throw InputError(
+        "The run in '" + scene.output.directory +
+        "' had parameters that this version of strait does not know; begin "
+        "anew without --resume.");
+  }
+
+  void
+  RunState::check_surface(const SlabField &heights)
+  {
+    const std::vector<double> now = {min_value(heights),
+                                     max_value(heights),
+                                     rms(heights)};
+    // Other ranks, other rounding.
+    const double allowed = 1e-9 * std::max(std::abs(now[0]), std::abs(now[1]));
+    if (archive)
+      for (std::size_t k = 0; k < now.size(); ++k)
+        if (surface.size() != now.size() || !(std::abs(now[k] - surface[k]) <= allowed))
+          throw InputError("The surface is not the one that the run in '" +
+                           scene.output.directory +
+                           "' began with; restore Surface/File to resume, or begin anew "
+                           "in another folder.");
+    surface = now;
+  }
+
+  void
+  RunState::restore(LoadSweep &sweep, OutputDirectory &output, Log &log)
+  {
+    transfer_parts(*archive, sweep, output, log);
+  }
+
+  void
+  RunState::save(LoadSweep &sweep, OutputDirectory &output, Log &log) const
+  {
+    if (!scene.output.checkpoint)
+      return;
+    CheckpointWriter    writer(path, comm);
+    std::string         resolved = scene.resolved;
+    bool                at_end   = false;
+    std::vector<double> heights  = surface;
+    writer.value(resolved);
+    writer.value(at_end);
+    writer.value(heights);
+    double energy = adhesion_energy;
+    writer.value(energy);
+    bool has_searched = searched;
+    writer.value(has_searched);
+    transfer_parts(writer, sweep, output, log);
+    writer.commit();
+  }
+
+  void
+  RunState::save_end(const RunSummary &summary) const
+  {
+    if (!scene.output.checkpoint)
+      return;
+    CheckpointWriter writer(path, comm);
+    std::string      resolved = scene.resolved;
+    bool             at_end   = true;
+    RunSummary       result   = summary;
+    writer.value(resolved);
+    writer.value(at_end);
+    transfer_summary(writer, result);
+    writer.commit();
+  }
+} // namespace strait

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/signals.h>
+#include <strait/base/text.h>
+#include <strait/base/timers.h>
+#include <strait/contact/adhesion_of_scene.h>
+#include <strait/run/cost_prediction.h>
+#include <strait/run/load_sweep.h>
+#include <strait/run/output_directory.h>
+#include <strait/run/run_state.h>
+#include <strait/run/simulation.h>
+#include <strait/run/surface_output.h>
+#include <strait/run/theory_run.h>
+#include <strait/flow/seal_mesh.h>
+#include <strait/interface/moment_set.h>
+#include <strait/surface/make_surface.h>
+#include <strait/surface/resolution.h>
+#include <strait/surface/statistics.h>
+
+#include <algorithm>
+#include <string>
+
+namespace strait
+{
+  namespace
+  {
+    void
+    report_sizes(const Scene &scene, Log &log)
+    {
+      const PeriodicGrid grid    = grid_of(scene);
+      int                n_ranks = 1;
+      MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+      log.line(format("grid %d × %d on a box of %.6g × %.6g, %d %s",
+                      grid.nx,
+                      grid.ny,
+                      grid.lx,
+                      grid.ly,
+                      n_ranks,
+                      n_ranks == 1 ? "rank" : "ranks"));
+    }
+
+    /** A mesh can only be as coarse as the grid can be halved. */
+    void
+    warn_of_odd_grid(const Scene &scene, Log &log)
+    {
+      constexpr std::int64_t many       = 10000;
+      const PeriodicGrid     grid       = grid_of(scene);
+      const std::int64_t     n_coarsest = grid.n_points() >> (2 * grid.n_halvings());
+      if (scene.fluid.enabled && n_coarsest > many)
+        log.warn(
+          "the coarsest mesh of this grid has " + std::to_string(n_coarsest) +
+          " cells, which costs time and memory: choose numbers of grid points that "
+          "can be halved several times");
+    }
+
+    /** The surface on the scene's grid, with all that is to be said about it. */
+    SlabField
+    make_heights(const Scene &scene, Log &log)
+    {
+      const PeriodicGrid grid = grid_of(scene);
+      for (const std::string &warning : scene.warnings())
+        log.warn(warning);
+      for (const std::string &warning : check_resolution(scene.surface, grid))
+        log.warn(warning);
+      warn_of_odd_grid(scene, log);
+      report_sizes(scene, log);
+      if (!scene.contact.young_moduli.empty())
+        log.line(format("contact modulus E* = %.6g", scene.contact.effective_modulus) +
+                 (scene.units.pressure.empty() ? "" : " " + scene.units.pressure));
+      const auto surface = make_surface(scene.surface, MPI_COMM_WORLD);
+      SlabField  heights = surface->heights(make_layout(grid, MPI_COMM_WORLD));
+      for (const std::string &note : surface->remarks().notes)
+        log.line(note);
+      for (const std::string &warning : surface->remarks().warnings)
+        log.warn(warning);
+      report_surface(scene, heights, log);
+      return heights;
+    }
+
+    /** For a dry run; throws what the run would. */
+    void
+    describe_mesh(const Scene &scene, Log &log)
+    {
+      if (!scene.fluid.enabled || scene.fluid.mesh_file.empty())
+        return;
+      const PeriodicGrid grid = grid_of(scene);
+      const SealMesh   seal = read_seal_mesh(scene.fluid.mesh_file, grid, MPI_COMM_WORLD);
+      const FlowRegion region(grid,
+                              seal.outline(.25 * std::min(grid.dx(), grid.dy())),
+                              MPI_COMM_WORLD);
+      log.line(format("mesh %s: %s of %zu cells around %lld grid points",
+                      scene.fluid.mesh_file.c_str(),
+                      seal.is_ring ? "a ring" : "a strip",
+                      seal.cells.size(),
+                      region.n_inside()));
+    }
+
+    /** For a dry run; throws if the grid does not resolve the range. */
+    void
+    describe_adhesion(const ContactParameters &contact,
+                      const SlabField         &heights,
+                      Log                     &log)
+    {
+      if (!contact.enabled || !contact.adhesion.enabled)
+        return;
+      if (contact.adhesion.matched_pressure > 0.)
+        {
+          log.line("adhesion on; its surface energy is found in the run");
+          return;
+        }
+      const AdhesionLaw law = adhesion_of_scene(contact, heights);
+      log.line(format("adhesion on; range %.5g, E*/(k a) = %.3g (3 or more resolves it)",
+                      law.range,
+                      AdhesionScale(contact, heights).resolution(law)));
+    }
+
+    /** Thrown where a search is left because a signal asks for it. */
+    struct StoppedInSearch
+    {
+    };
+
+    /** The searches that come before the steps, unless they were made before. */
+    void
+    find_seals(const Scene     &scene,
+               LoadSweep       &sweep,
+               OutputDirectory &output,
+               RunState        &state,
+               Log             &log)
+    {
+      if (state.has_searched())
+        return;
+      sweep.after_probe([&]() {
+        state.save(sweep, output, log);
+        if (stop_requested(MPI_COMM_WORLD))
+          throw StoppedInSearch();
+      });
+      if (scene.programme.find_threshold)
+        output.write(sweep.find_thresholds());
+      if (scene.programme.find_blow_out)
+        output.write(sweep.find_blow_outs());
+      state.note_searched();
+      sweep.end_searches();
+      if (scene.programme.find_threshold || scene.programme.find_blow_out)
+        state.save(sweep, output, log);
+    }
+  } // namespace
+
+  PeriodicGrid
+  grid_of(const Scene &scene)
+  {
+    return {scene.contact.grid_points[0],
+            scene.contact.grid_points[1],
+            scene.surface.size[0],
+            scene.surface.size[1]};
+  }
+
+  RunSummary
+  simulate(const Scene &scene, Log &log, const bool resume)
+  {
+    if (is_theory_only(scene)) // so quick that it begins anew
+      {
+        run_theory(scene, log);
+        return {};
+      }
+    Timers   timers;
+    RunState state(scene, MPI_COMM_WORLD, resume);
+    if (state.is_finished())
+      {
+        log.line("nothing is left to do in " + scene.output.directory);
+        return state.summary();
+      }
+    SlabField heights = [&]() {
+      const auto scope = timers.scope("surface");
+      return make_heights(scene, log);
+    }();
+    state.check_surface(heights);
+    const auto n_points = static_cast<double>(heights.grid().n_points());
+
+    // The sweep takes the heights.
+    const bool      is_shown = scene.output.surface_map || scene.output.surface_spectrum;
+    const SlabField shown    = is_shown ? heights : SlabField();
+    LoadSweep       sweep(scene, std::move(heights), log, timers, state.surface_energy());
+    state.note_surface_energy(sweep.surface_energy());
+    // The first thing that is written, after the last check of the input.
+    OutputDirectory output(scene, MPI_COMM_WORLD, log, resume);
+    if (resume)
+      {
+        state.restore(sweep, output, log);
+        log.line(sweep.n_probes() > 0
+                   ? format("resumed after %zu solves of a search", sweep.n_probes())
+                   : format("resumed after step %d", sweep.n_done()));
+      }
+    else
+      {
+        write_surface(scene, shown);
+        state.save(sweep, output, log);
+      }
+    RunSummary summary;
+    try
+      {
+        find_seals(scene, sweep, output, state, log);
+      }
+    catch (const StoppedInSearch &)
+      {
+        summary.stopped = true;
+      }
+    const auto save = [&]() {
+      const auto scope = timers.scope("checkpoint");
+      state.save(sweep, output, log);
+    };
+    const int  n_steps          = sweep.n_steps();
+    const auto is_asked_to_stop = [&]() {
+      return sweep.n_done() < n_steps && stop_requested(MPI_COMM_WORLD);
+    };
+    summary.stopped = summary.stopped || is_asked_to_stop();
+    if (!summary.stopped)
+      summary.converged = sweep.run([&](const Step &step) {
+        {
+          const auto scope = timers.scope("output");
+          output.write(step, step.number == n_steps);
+          output.write(sweep.jumps());
+        }
+        save();
+        summary.stopped = is_asked_to_stop();
+        return !summary.stopped;
+      });
+    summary.thresholds = sweep.known_thresholds();
+    output.write(sweep.jumps());
+    const double bytes =
+      sum(MPI_COMM_WORLD, static_cast<double>(sweep.memory_consumption()));
+    log.line(timers.summary());
+    output.finish(timers, bytes / n_points);
+    log.line("results are in " + scene.output.directory);
+    summary.exponent         = output.exponents().leak_rate_fit();
+    summary.crossover        = output.exponents().crossover();
+    summary.theory_crossover = output.exponents().theory_crossover();
+    if (!summary.stopped)
+      state.save_end(summary);
+    return summary;
+  }
+
+  void
+  describe(const Scene &scene, Log &log)
+  {
+    if (is_theory_only(scene))
+      {
+        describe_theory(scene, log);
+        return;
+      }
+    // Contact fields; two moment pyramids, the gap and the path search.
+    const double bytes_contact = scene.contact.adhesion.enabled ? 105. : 57.;
+    const double bytes_flow =
+      2 * 8. / 3 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
+    const SlabField heights = make_heights(scene, log);
+    describe_adhesion(scene.contact, heights, log);
+    describe_mesh(scene, log);
+    const auto   n_points = static_cast<double>(grid_of(scene).n_points());
+    const double bytes    = n_points * ((scene.contact.enabled ? bytes_contact : 8.) +
+                                     (scene.fluid.enabled ? bytes_flow : 0.));
+    log.line(format(
+      "memory for the grid, without the mesh: about %.3g GB; contact %s, fluid %s; %zu steps",
+      1e-9 * bytes,
+      scene.contact.enabled ? "on" : "off (the surface is the gap)",
+      scene.fluid.enabled ? "on" : "off",
+      scene.contact.enabled ? scene.programme.pressures.size() : 1));
+    if (scene.programme.find_threshold)
+      log.line("the threshold is searched to a relative width of " +
+               to_text(scene.programme.threshold_tolerance) + "; " +
+               std::to_string(scene.programme.reduced_loads.size() *
+                              scene.fluid.slip_lengths.size()) +
+               " steps near it");
+    for (const std::string &line :
+         CostPrediction(scene, statistics(heights).rms_slope).lines())
+      log.line(line);
+    if (scene.realisations.enabled())
+      log.line(std::to_string(std::max<std::size_t>(scene.realisations.seeds.size(), 1) *
+                              scene.realisations.orientations.size()) +
+               " realisations, one after the other");
+  }
+} // namespace strait

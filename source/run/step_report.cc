@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/run/error_budget.h>
+#include <strait/run/step_report.h>
+
+namespace strait
+{
+  void
+  report_step(const Step &step, const int n_steps, const double seconds_so_far, Log &log)
+  {
+    std::string text = format("step %d of %d", step.number, n_steps);
+    if (step.state.contact)
+      text +=
+        format(": pressure %.5g, contact %.3f %%, residual %.1e (%ld FFT pairs, %.1f s)",
+               step.state.contact->nominal_pressure,
+               100. * step.state.contact->contact_area,
+               step.state.contact->residual,
+               step.state.contact->fft_pairs,
+               step.state.contact_seconds);
+    if (step.flow && step.flow->channel.percolates())
+      text += format("; leak rate %.5g ± %.1g %% (%llu cells, %.1f s)",
+                     step.flow->leakage.rate,
+                     50. * step.flow->leakage.relative_width(),
+                     step.flow->leakage.cells,
+                     step.flow_seconds);
+    else if (step.flow)
+      text += "; sealed";
+    if (step.reduced_load)
+      text += format("; 1 - L/L_c = %.3g", *step.reduced_load);
+    if (step.theory)
+      text += format("%stheory: contact %.3f %%, leak rate %.4g",
+                     step.state.contact || step.flow
+                       ? "; "
+                       : format(": pressure %.5g, ", step.theory->pressure).c_str(),
+                     100. * step.theory->contact_area,
+                     step.theory->leak_rate);
+    if (step.status() != "ok")
+      text += "; " + step.status();
+    log.line(text);
+    if (!step.errors.items.empty())
+      log.line(describe_errors(step.errors));
+    if (step.number < n_steps)
+      log.progress(format("  about %.0f s remain",
+                          seconds_so_far / step.number * (n_steps - step.number)));
+  }
+} // namespace strait

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/text.h>
+#include <strait/run/result_tables.h>
+#include <strait/run/surface_output.h>
+#include <strait/surface/map_writer.h>
+#include <strait/surface/statistics.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    void
+    report_resolution(const Scene &scene, const PeriodicGrid &grid, Log &log)
+    {
+      log.line(
+        format("resolution: λs/a = %.4g, λr/λs = %.4g, L/λr = %.4g",
+               scene.surface.short_cut_off_wavelength / std::max(grid.dx(), grid.dy()),
+               scene.surface.roll_off_wavelength / scene.surface.short_cut_off_wavelength,
+               std::min(grid.lx, grid.ly) / scene.surface.roll_off_wavelength));
+    }
+
+    void
+    report_spectrum(const SlabField &heights, Log &log)
+    {
+      const auto fit = fit_self_affine(radial_spectrum(heights));
+      if (!fit)
+        {
+          log.line("spectrum: too few waves for an estimate of the Hurst exponent");
+          return;
+        }
+      const double two_pi = 2 * std::acos(-1.);
+      log.line(
+        format("spectrum: Hurst exponent %.3f ± %.3f for wavelengths from %.4g down "
+               "to %.4g",
+               fit->hurst_exponent,
+               fit->hurst_error,
+               two_pi / (fit->has_roll_off ? fit->roll_off : fit->q_from),
+               two_pi / fit->q_to) +
+        (fit->has_roll_off ? format(", roll-off wavelength %.4g", two_pi / fit->roll_off)
+                           : std::string(", no roll-off")));
+    }
+
+    void
+    write_spectrum(const Scene &scene, const SlabField &heights)
+    {
+      std::vector<SpectrumRow> rows;
+      const auto               spectrum = radial_spectrum(heights);
+      const auto               fit      = fit_self_affine(spectrum);
+      const double             two_pi   = 2 * std::acos(-1.);
+      for (const SpectrumBin &bin : spectrum)
+        {
+          double law = std::nan("");
+          if (fit && bin.q <= fit->q_to * (1 + 1e-9))
+            law = fit->plateau * std::pow(std::max(bin.q / fit->roll_off, 1.),
+                                          -2 * (1 + fit->hurst_exponent));
+          rows.push_back({{bin}, two_pi / bin.q, law});
+        }
+      run_on_root(heights.layout().communicator(), [&]() {
+        spectrum_table(scene).write_rows(scene.output.directory + "/spectrum.csv", rows);
+      });
+    }
+  } // namespace
+
+  void
+  report_surface(const Scene &scene, const SlabField &heights, Log &log)
+  {
+    const SurfaceStatistics surface = statistics(heights);
+    log.line(
+      format("surface: rms height %.5g, rms slope %.5g, rms curvature %.5g, "
+             "heights from %.5g to %.5g",
+             surface.rms_height,
+             surface.rms_slope,
+             surface.rms_curvature,
+             surface.lowest,
+             surface.highest));
+    if (scene.surface.kind == SurfaceKind::self_affine)
+      report_resolution(scene, heights.grid(), log);
+    if (scene.surface.kind == SurfaceKind::file || scene.output.surface_spectrum)
+      report_spectrum(heights, log);
+  }
+
+  void
+  write_surface(const Scene &scene, const SlabField &heights)
+  {
+    const std::string &folder = scene.output.directory;
+    if (scene.output.surface_map)
+      write_netcdf_map(folder + "/surface.nc", heights, scene.units.length);
+    if (scene.output.surface_spectrum)
+      write_spectrum(scene, heights);
+  }
+} // namespace strait

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/run/theory_prediction.h>
+#include <strait/theory/effective_medium.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+    // Simulated gaps near a contact line fall on any scale down to none.
+    constexpr int n_decades = 10, bins_per_decade = 100, bins_shown = 10;
+
+    double
+    conductance_of_box(const Scene &scene)
+    {
+      const double aspect = scene.fluid.direction == FlowDirection::x
+                              ? scene.surface.size[1] / scene.surface.size[0]
+                              : scene.surface.size[0] / scene.surface.size[1];
+      return aspect * (scene.fluid.inlet_pressure - scene.fluid.outlet_pressure) /
+             (12 * scene.fluid.viscosity);
+    }
+
+    RadialSpectrum
+    spectrum_of(const Scene &scene, const SlabField *heights)
+    {
+      return scene.theory.spectrum == TheorySpectrum::model
+               ? model_spectrum(scene.surface)
+               : measured_spectrum(*heights);
+    }
+
+    double
+    relative_difference(const double a, const double b)
+    {
+      return a == b ? 0. : std::abs(a - b) / std::max(std::abs(a), std::abs(b));
+    }
+  } // namespace
+
+  TheoryPrediction::TheoryPrediction(const Scene &scene, const SlabField *heights)
+    : parameters(scene.theory)
+    , keeps_gaps(scene.output.fields != FieldOutput::none)
+    , conductance(conductance_of_box(scene))
+    , persson(spectrum_of(scene, heights),
+              scene.contact.effective_modulus,
+              parameters.gamma)
+    , coarse(persson.spectrum(),
+             scene.contact.effective_modulus,
+             parameters.gamma,
+             PerssonTheory::Resolution().coarser())
+  {
+  }
+
+  TheoryResult
+  TheoryPrediction::predict(const double      pressure,
+                            const double      slip_length,
+                            const SlabField  *gap,
+                            const Transition *threshold) const
+  {
+    TheoryResult    result;
+    GapDistribution fine, half;
+    if (gap != nullptr && parameters.gaps == TheoryGaps::simulated)
+      {
+        const double closed = -2 * slip_length;
+        fine                = gap_histogram(*gap, n_decades, bins_per_decade, closed);
+        half                = gap_histogram(*gap, n_decades, bins_per_decade / 2, closed);
+      }
+    result.pressure = pressure;
+    const Leak best = evaluate(persson, pressure, slip_length, &fine, threshold, &result);
+    const Leak other = evaluate(coarse, pressure, slip_length, &half, threshold, nullptr);
+    result.mean_gap  = best.mean_gap;
+    result.leak_rate = conductance * best.cubed_gap;
+    result.error     = relative_difference(best.cubed_gap, other.cubed_gap);
+    if (pressure > 0)
+      result.error =
+        std::max(result.error, relative_difference(best.mean_gap, other.mean_gap));
+    if (gap != nullptr && keeps_gaps) // over the same bins where there are some
+      result.simulated_gaps = result.persson_gaps
+                                ? gap_histogram(*gap, result.persson_gaps->edges)
+                                : gap_histogram(*gap, n_decades, bins_shown);
+    return result;
+  }
+
+  TheoryPrediction::Leak
+  TheoryPrediction::evaluate(const PerssonTheory   &with,
+                             const double           pressure,
+                             const double           slip_length,
+                             const GapDistribution *simulated,
+                             const Transition      *threshold,
+                             TheoryResult          *details) const
+  {
+    Leak            leak = {not_a_number, not_a_number};
+    GapDistribution gaps;
+    double          area = not_a_number;
+    if (pressure > 0)
+      {
+        const PerssonState state = with.solve(pressure);
+        leak.mean_gap            = state.mean_gap;
+        area                     = state.contact_area;
+        gaps                     = with.distribution(state, -2 * slip_length);
+        if (details != nullptr && keeps_gaps)
+          details->persson_gaps =
+            merge_bins(slip_length == 0. ? gaps : with.distribution(state),
+                       bins_per_decade / bins_shown);
+      }
+    if (details != nullptr)
+      details->contact_area = area;
+    const bool of_simulation = parameters.gaps == TheoryGaps::simulated;
+    if (of_simulation || pressure > 0)
+      leak.cubed_gap = effective_cubed_gap(of_simulation ? *simulated : gaps,
+                                           dimension(with, slip_length, threshold),
+                                           slip_length);
+    return leak;
+  }
+
+  double
+  TheoryPrediction::dimension(const PerssonTheory &with,
+                              const double         slip_length,
+                              const Transition    *threshold) const
+  {
+    switch (parameters.dimension)
+      {
+        case TheoryDimension::critical_fraction:
+          return dimension_parameter(parameters.critical_fraction);
+        case TheoryDimension::from_threshold:
+          {
+            if (parameters.gaps == TheoryGaps::simulated)
+              return dimension_parameter(threshold->contact_area);
+            const double critical = threshold->middle();
+            if (slip_length == 0.)
+              return dimension_parameter(with.contact_area(critical));
+            return dimension_parameter(
+              blocked_area(with.distribution(with.solve(critical), -2 * slip_length),
+                           slip_length));
+          }
+        default:
+          return 2.;
+      }
+  }
+} // namespace strait

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/base/timers.h>
+#include <strait/run/output_directory.h>
+#include <strait/run/simulation.h>
+#include <strait/run/step_report.h>
+#include <strait/run/theory_prediction.h>
+#include <strait/run/theory_run.h>
+#include <strait/surface/make_surface.h>
+#include <strait/surface/resolution.h>
+
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    TheoryPrediction
+    make_theory(const Scene &scene, Log &log)
+    {
+      for (const std::string &warning : scene.warnings())
+        log.warn(warning);
+      if (scene.theory.spectrum == TheorySpectrum::model)
+        return {scene, nullptr};
+      for (const std::string &warning : check_resolution(scene.surface, grid_of(scene)))
+        log.warn(warning);
+      const SlabField heights = make_surface(scene.surface, MPI_COMM_WORLD)
+                                  ->heights(make_layout(grid_of(scene), MPI_COMM_WORLD));
+      return {scene, &heights};
+    }
+
+    void
+    report_spectrum(const RadialSpectrum &spectrum, Log &log)
+    {
+      log.line(
+        format("theory of the spectrum from q = %.5g to %.5g: rms height %.5g, rms "
+               "slope %.5g",
+               spectrum.smallest_wave_number(),
+               spectrum.largest_wave_number(),
+               std::sqrt(spectrum.height_square()),
+               std::sqrt(spectrum.slope_square())));
+    }
+  } // namespace
+
+  bool
+  is_theory_only(const Scene &scene)
+  {
+    return scene.theory.enabled && !scene.contact.enabled && !scene.fluid.enabled;
+  }
+
+  void
+  run_theory(const Scene &scene, Log &log)
+  {
+    Timers                 timers;
+    const TheoryPrediction theory = make_theory(scene, log);
+    report_spectrum(theory.spectrum(), log);
+    OutputDirectory output(scene, MPI_COMM_WORLD, log);
+    const auto      n_steps = static_cast<int>(scene.programme.pressures.size() *
+                                          scene.fluid.slip_lengths.size());
+    Step            step;
+    for (const double pressure : scene.programme.pressures)
+      for (const double slip_length : scene.fluid.slip_lengths)
+        {
+          ++step.number;
+          step.state.control.slip_length = slip_length;
+          {
+            const auto scope = timers.scope("theory");
+            step.theory      = theory.predict(pressure, slip_length, nullptr, nullptr);
+          }
+          report_step(step, n_steps, timers.total(), log);
+          const auto scope = timers.scope("output");
+          output.write(step, step.number == n_steps);
+        }
+    log.line(timers.summary());
+    output.finish(timers, 0.);
+    log.line("results are in " + scene.output.directory);
+  }
+
+  void
+  describe_theory(const Scene &scene, Log &log)
+  {
+    report_spectrum(make_theory(scene, log).spectrum(), log);
+    log.line(format("theory alone, %s; contact off, fluid off; %zu steps",
+                    scene.theory.spectrum == TheorySpectrum::model
+                      ? "without a grid"
+                      : "for the heights on the grid",
+                    scene.programme.pressures.size() * scene.fluid.slip_lengths.size()));
+  }
+} // namespace strait

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/run/threshold_doubts.h>
+
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    // An error δ of L_c spoils the local exponent at reduced loads below about 20 δ.
+    constexpr double points_needed = 7., load_errors_needed = 20.;
+
+    std::string
+    warning_of_throat(const NearThreshold &near)
+    {
+      if (std::isnan(near.points_along))
+        return format(
+          "at a reduced load of %.3g the narrowest point is no saddle of the "
+          "gap, as on the boundary of a mesh: how well the grid resolves it "
+          "cannot be told",
+          near.reduced_load);
+      return format(
+        "at a reduced load of %.3g the throat has %.2g grid points along it, "
+        "%.0f are needed: a grid finer by a factor of %.2g would do",
+        near.reduced_load,
+        near.points_along,
+        points_needed,
+        points_needed / near.points_along);
+    }
+  } // namespace
+
+  std::vector<std::string>
+  doubts_near_threshold(const NearThreshold &near, Log &log)
+  {
+    std::vector<std::string> doubts;
+    if (near.reduced_load < load_errors_needed * near.load_uncertainty)
+      {
+        doubts.emplace_back("uncertain-threshold");
+        log.warn(
+          format("at a reduced load of %.3g the critical load, known to %.1e, is too "
+                 "uncertain: a threshold tolerance of %.1e would do",
+                 near.reduced_load,
+                 near.load_uncertainty,
+                 2. * near.reduced_load / load_errors_needed));
+      }
+    if (!(near.points_along >= points_needed))
+      {
+        doubts.emplace_back("unresolved-throat");
+        log.warn(warning_of_throat(near));
+      }
+    return doubts;
+  }
+} // namespace strait

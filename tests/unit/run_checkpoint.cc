@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/run/checkpoint_reader.h>
+#include <strait/run/checkpoint_writer.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "temporary_folder.h"
+
+namespace
+{
+  using namespace strait;
+
+  /** A folder of the test's own, the same on all ranks. */
+  class Checkpoint : public testing::Test
+  {
+  protected:
+    void
+    SetUp() override
+    {
+      path = folder.path() + "/checkpoint";
+    }
+
+    /** Items of all kinds, in either direction. More points than one message takes. */
+    void
+    transfer(StateArchive &archive)
+    {
+      archive.value(number);
+      archive.value(count);
+      archive.value(text);
+      archive.value(texts);
+      archive.value(numbers);
+      archive.field(field, layout);
+      archive.field(single, *layout);
+      archive.field(absent, layout);
+      archive.field(nothing, *layout);
+    }
+
+    void
+    fill()
+    {
+      number  = -0.1;
+      count   = 1L << 50;
+      text    = std::string("a\0b", 3);
+      texts   = {"", "x"};
+      numbers = {1., 2e300};
+      field   = SlabField(layout);
+      single.resize(layout->n_local_points());
+      for (std::size_t i = 0; i < field.size(); ++i)
+        {
+          const std::size_t global =
+            i + static_cast<std::size_t>(layout->first_row()) * layout->grid().nx;
+          field[i]  = 1. / (1. + static_cast<double>(global));
+          single[i] = static_cast<float>(field[i]);
+        }
+    }
+
+    void
+    save()
+    {
+      CheckpointWriter writer(path, MPI_COMM_WORLD);
+      transfer(writer);
+      writer.commit();
+    }
+
+    test::TemporaryFolder    folder;
+    std::string              path;
+    SlabLayoutPtr            layout = make_layout({500, 301, 1., 1.}, MPI_COMM_WORLD);
+    double                   number = 0;
+    long                     count  = 0;
+    std::string              text;
+    std::vector<std::string> texts;
+    std::vector<double>      numbers;
+    SlabField                field, absent;
+    std::vector<float>       single, nothing;
+  };
+} // namespace
+
+TEST_F(Checkpoint, GivesBackWhatWasPut)
+{
+  fill();
+  save();
+  const SlabField          field_then  = field;
+  const std::vector<float> single_then = single;
+  number                               = 0;
+  count                                = 0;
+  text                                 = "other";
+  texts                                = {"some"};
+  numbers.clear();
+  field = SlabField();
+  single.clear();
+  absent  = SlabField(layout);
+  nothing = {1.F};
+  CheckpointReader reader(path, MPI_COMM_WORLD);
+  transfer(reader);
+  EXPECT_EQ(number, -0.1);
+  EXPECT_EQ(count, 1L << 50);
+  EXPECT_EQ(text, std::string("a\0b", 3));
+  EXPECT_EQ(texts, (std::vector<std::string>{"", "x"}));
+  EXPECT_EQ(numbers, (std::vector<double>{1., 2e300}));
+  ASSERT_EQ(field.size(), field_then.size());
+  for (std::size_t i = 0; i < field.size(); ++i)
+    ASSERT_EQ(field[i], field_then[i]);
+  EXPECT_EQ(single, single_then);
+  EXPECT_TRUE(absent.empty());
+  EXPECT_TRUE(nothing.empty());
+  // There is no more.
+  EXPECT_THROW(reader.value(number), InputError);
+}
+
+TEST_F(Checkpoint, AnotherGridIsRefused)
+{
+  fill();
+  save();
+  layout = make_layout({500, 300, 1., 1.}, MPI_COMM_WORLD);
+  CheckpointReader reader(path, MPI_COMM_WORLD);
+  EXPECT_THROW(transfer(reader), InputError);
+}
+
+TEST_F(Checkpoint, SpoiltFilesAreRefused)
+{
+  EXPECT_THROW(CheckpointReader(path, MPI_COMM_WORLD), InputError);
+  EXPECT_THROW(CheckpointReader(folder.path(), MPI_COMM_WORLD), InputError);
+  fill();
+  save();
+  const auto size = std::filesystem::file_size(path);
+  MPI_Barrier(MPI_COMM_WORLD);
+  for (const auto length : {size - 1, size / 2, std::uintmax_t(40), std::uintmax_t(0)})
+    {
+      run_on_root(MPI_COMM_WORLD, [&]() { std::filesystem::resize_file(path, length); });
+      EXPECT_THROW(CheckpointReader(path, MPI_COMM_WORLD), InputError) << length;
+    }
+  for (const std::uintmax_t at : {std::uintmax_t(0), size / 3, size - 20, size - 1})
+    {
+      save();
+      run_on_root(MPI_COMM_WORLD, [&]() {
+        std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+        file.seekg(static_cast<std::streamoff>(at));
+        const int byte = file.get();
+        file.seekp(static_cast<std::streamoff>(at));
+        file.put(static_cast<char>(byte ^ 4));
+      });
+      EXPECT_THROW(CheckpointReader(path, MPI_COMM_WORLD), InputError) << at;
+    }
+}
+
+TEST_F(Checkpoint, WhatIsNotCommittedChangesNothing)
+{
+  fill();
+  save();
+  {
+    CheckpointWriter writer(path, MPI_COMM_WORLD);
+    number = 7;
+    writer.value(number);
+  }
+  CheckpointReader reader(path, MPI_COMM_WORLD);
+  transfer(reader);
+  EXPECT_EQ(number, -0.1);
+  run_on_root(MPI_COMM_WORLD,
+              [this]() { EXPECT_FALSE(std::filesystem::exists(path + ".new")); });
+  path = folder.path() + "/missing/checkpoint";
+  EXPECT_THROW(save(), ComputationError);
+}

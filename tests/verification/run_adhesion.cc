@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Adhesion against what is known: the sphere between the limits of Bradley and of
+// Johnson, Kendall and Roberts, and the loads at which the square saddle closes.
+#include <strait/contact/adhesive_contact_solver.h>
+#include <strait/seal/dry_seal.h>
+#include <strait/seal/path.h>
+
+#include "run_fixture.h"
+
+namespace
+{
+  using namespace strait;
+
+  /** R = E* = 1; the contact radius without load would be 0.1 in the JKR limit. */
+  constexpr double box = 1., jkr_radius = .1;
+  const double     surface_energy = 2. / (9 * pi) * std::pow(jkr_radius, 3);
+
+  struct Sphere
+  {
+    double pull_off; // in units of π γ0 R: 2 in Bradley's limit, 1.5 in the JKR limit
+    double radius;   // without load, in units of the JKR one
+  };
+
+  Sphere
+  pulled_sphere(const double tabor, const int n, const AdhesionMethod method)
+  {
+    SurfaceParameters surface;
+    surface.kind      = SurfaceKind::sphere;
+    surface.size      = {{box, box}};
+    surface.amplitude = 1.;
+    ContactParameters contact;
+    contact.grid_points        = {{n, n}};
+    contact.tolerance          = 1e-5;
+    contact.adhesion.enabled   = true;
+    contact.adhesion.method    = method;
+    contact.maximum_iterations = 5000;
+    const AdhesionLaw law      = {surface_energy,
+                                  std::cbrt(surface_energy * surface_energy) / tabor};
+    DrySeal           seal(std::make_unique<AdhesiveContactSolver>(
+      contact,
+      law,
+      AdhesiveStart::without_adhesion,
+      make_surface(surface, MPI_COMM_WORLD)
+        ->heights(make_layout({n, n, box, box}, MPI_COMM_WORLD))));
+
+    const double unit = pi * surface_energy / (box * box);
+    const auto   go   = [&](const double load, const SealState *from) {
+      return follow(
+        seal, {load, 0., 0.}, from, Aim::verdict, {ContactControl::load, 4e-3 * unit});
+    };
+    const SealState pressed  = *go(unit, nullptr).state;
+    const SealState unloaded = *go(0., &pressed).state;
+    const Arrival   parted   = go(-2.2 * unit, &unloaded);
+    const double    area     = unloaded.contact->contact_area_corrected;
+    EXPECT_FALSE(parted.state);
+    EXPECT_TRUE(parted.jumps.back().is_pull_off);
+    return {-parted.jumps.back().before.pressure / unit,
+            std::sqrt(area / pi) * box / jkr_radius};
+  }
+
+  TEST(AdhesiveSphere, LiesBetweenBradleyAndJohnsonKendallRoberts)
+  {
+    const auto   cg   = AdhesionMethod::nonlinear_cg;
+    const Sphere soft = pulled_sphere(.3, 128, cg);
+    const Sphere mean = pulled_sphere(1., 128, cg);
+    const Sphere hard = pulled_sphere(2., 256, cg);
+    for (const Sphere &sphere : {soft, mean, hard})
+      {
+        EXPECT_LT(sphere.pull_off, 2.);
+        EXPECT_GT(sphere.pull_off, 1.5);
+        EXPECT_LT(sphere.radius, 1.);
+        EXPECT_GT(sphere.radius, 0.);
+      }
+    EXPECT_GT(soft.pull_off, mean.pull_off + .05);
+    EXPECT_GT(mean.pull_off, hard.pull_off + .05);
+    EXPECT_LT(soft.radius, mean.radius - .05);
+    EXPECT_LT(mean.radius, hard.radius - .02);
+  }
+
+  /** The load at which the square saddle with γ0 = 0.1 E*Δ closes, or opens again. */
+  double
+  critical_load(const double tabor, const LoadPath path)
+  {
+    Scene scene                           = saddle_scene(256);
+    scene.contact.tolerance               = 1e-6;
+    scene.contact.adhesion.enabled        = true;
+    scene.contact.adhesion.surface_energy = .1;
+    scene.contact.adhesion.tabor_number   = tabor;
+    scene.programme.pressures             = {};
+    scene.programme.path                  = path;
+    scene.programme.find_threshold        = true;
+    scene.programme.threshold_tolerance   = 1e-3;
+    return run_sweep(scene).thresholds.at(0).middle();
+  }
+
+  TEST(AdhesiveSaddle, ClosesAndOpensAtTheKnownLoads)
+  {
+    EXPECT_NEAR(critical_load(.25, LoadPath::loading), 1.26, .01);
+    EXPECT_NEAR(critical_load(.25, LoadPath::unloading), 1.26, .01);
+    EXPECT_NEAR(critical_load(1., LoadPath::loading), 1.06, .01);
+    EXPECT_NEAR(critical_load(2., LoadPath::loading), 1.04, .01);
+    EXPECT_NEAR(critical_load(2., LoadPath::unloading), .99, .01);
+  }
+} // namespace

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Adhesion and a fluid that presses on the walls, at once.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "run_fixture.h"
+
+namespace strait
+{
+  namespace
+  {
+    /** The saddle of doc/feedback.md, whose throat is in the middle of the box. */
+    Scene
+    adhesive_saddle(const int n, const double tabor_number)
+    {
+      Scene scene                           = saddle_scene(n);
+      scene.surface.kind                    = SurfaceKind::expression;
+      scene.surface.expression              = "2 - cos(2*pi*x) + cos(2*pi*y)";
+      scene.contact.adhesion.enabled        = true;
+      scene.contact.adhesion.surface_energy = .1;
+      scene.contact.adhesion.tabor_number   = tabor_number;
+      scene.fluid.target_accuracy           = .02;
+      scene.fluid.feedback.enabled          = true;
+      return scene;
+    }
+
+    SealState
+    last_state(const Scene &scene)
+    {
+      SilentSweep silent(scene);
+      SealState   last;
+      EXPECT_TRUE(silent.loads.run([&last](const Step &step) {
+        last = step.state;
+        return true;
+      }));
+      return last;
+    }
+
+    TEST(CoupledAdhesion, EqualReservoirsOnlyCarryLoad)
+    {
+      // A uniform pressure moves no wall: the state is the dry one under what is left of
+      // the load, on the same branch.
+      constexpr double pressure        = .3;
+      Scene            wet             = adhesive_saddle(128, 1.);
+      wet.programme.pressures          = {1., 1.1};
+      wet.fluid.inlet_pressure         = pressure;
+      wet.fluid.outlet_pressure        = pressure;
+      wet.fluid.feedback.pool_pressure = pressure;
+      Scene dry                        = wet;
+      dry.fluid.feedback.enabled       = false;
+      dry.fluid.outlet_pressure        = 0.;
+      dry.programme.pressures          = {1. - pressure, 1.1 - pressure};
+      const SealState pressed = last_state(wet), alone = last_state(dry);
+      double          largest = 0;
+      for (std::size_t k = 0; k < alone.gap().size(); ++k)
+        largest = std::max(largest, std::abs(pressed.gap()[k] - alone.gap()[k]));
+      EXPECT_LT(largest, 1e-6); // heights up to 4; the solver's tolerance is 1e-8
+      EXPECT_NEAR(pressed.contact->nominal_pressure, 1.1, 1e-9);
+      EXPECT_NEAR(pressed.fluid->load, pressure, 1e-12);
+      EXPECT_NEAR(pressed.contact->adhesion->adhesive_energy,
+                  alone.contact->adhesion->adhesive_energy,
+                  1e-8);
+    }
+
+    TEST(CoupledAdhesion, FluidRaisesTheLoadAtWhichAnAdhesiveSaddleSeals)
+    {
+      Scene scene                         = adhesive_saddle(128, 1.);
+      scene.programme.pressures           = {};
+      scene.programme.find_threshold      = true;
+      scene.programme.threshold_tolerance = 1e-3;
+      scene.fluid.inlet_pressure          = .15;
+      const Transition wet                = run_sweep(scene).thresholds.at(0);
+      scene.fluid.feedback.enabled        = false;
+      const Transition dry                = run_sweep(scene).thresholds.at(0);
+      // Less would be carried by the mean of the fluid's pressure alone.
+      EXPECT_GT(wet.middle() - dry.middle(), .5 * .15);
+      EXPECT_LT(wet.middle() - dry.middle(), .15);
+      EXPECT_LE(wet.relative_width(), 1e-3);
+    }
+
+    TEST(CoupledAdhesion, TensionUnderAFluidPullsTheWallsApart)
+    {
+      Scene scene                = adhesive_saddle(64, .25);
+      scene.programme.pressures  = {.2, -2.};
+      scene.fluid.inlet_pressure = .1;
+      SilentSweep              silent(scene);
+      std::vector<std::string> statuses;
+      silent.loads.run([&](const Step &step) {
+        statuses.push_back(step.status());
+        return true;
+      });
+      ASSERT_EQ(statuses.size(), 2u);
+      EXPECT_EQ(statuses[0], "ok");
+      EXPECT_EQ(statuses[1], "lifted-off");
+    }
+  } // namespace
+} // namespace strait
