@@ -198,9 +198,9 @@ namespace strait
     section.add(
       "Checkpoint",
       checkpoint,
-      "Keep after every step what --resume needs to continue the run: 12 bytes a "
-      "grid point on the disk for a dry contact, up to 28 with several slip "
-      "lengths or adhesion, and the time to write that.");
+      "Keep after every step what --resume needs to continue the run: 20 bytes a "
+      "grid point on the disk for a dry contact, 28 with adhesion, 8 more with Wall "
+      "feedback, and the time to write that.");
     section.add("Surface map",
                 surface_map,
                 "Write the surface on the grid, processed, as NetCDF (surface.nc).");

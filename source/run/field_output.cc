@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/flow/reynolds_solver.h>
 #include <strait/run/disk_space.h>
 #include <strait/run/field_output.h>
 #include <strait/run/grid_description.h>
 #include <strait/run/output_directory.h>
-#include <strait/flow/reynolds_solver.h>
 
 #include <deal.II/base/hdf5.h>
 #include <deal.II/numerics/data_out.h>

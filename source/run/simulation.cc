@@ -4,6 +4,8 @@
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
 #include <strait/contact/adhesion_of_scene.h>
+#include <strait/flow/seal_mesh.h>
+#include <strait/interface/moment_set.h>
 #include <strait/run/cost_prediction.h>
 #include <strait/run/load_sweep.h>
 #include <strait/run/output_directory.h>
@@ -11,8 +13,6 @@
 #include <strait/run/simulation.h>
 #include <strait/run/surface_output.h>
 #include <strait/run/theory_run.h>
-#include <strait/flow/seal_mesh.h>
-#include <strait/interface/moment_set.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/resolution.h>
 #include <strait/surface/statistics.h>

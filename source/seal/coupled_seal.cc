@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
-#include <strait/flow/solution_on_grid.h>
 #include <strait/flow/reynolds_solver.h>
+#include <strait/flow/solution_on_grid.h>
 #include <strait/seal/coupled_seal.h>
 #include <strait/seal/unsettled_pools.h>
 #include <strait/seal/wall_feedback.h>
@@ -322,8 +322,7 @@ namespace strait
     has_extended = true;
     // The next round starts from here, so that no more is needed than to come nearer.
     constexpr double reduction = 1e-3;
-    seal.extension.extend(
-      start, open, inlet, flow.fluid().outlet_pressure, reduction);
+    seal.extension.extend(start, open, inlet, flow.fluid().outlet_pressure, reduction);
     return start;
   }
 

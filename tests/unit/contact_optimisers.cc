@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The optimisers on a problem that is no grid: points of different areas, all on
 // the first rank, with a dense matrix for G and preconditioners of all qualities.
-#include <strait/contact/dual_optimisation.h>
+#include <strait/contact/make_optimiser.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/run/exponent_fit.h>
 #include <strait/percolation/bottleneck.h>
 #include <strait/percolation/throat.h>
+#include <strait/run/exponent_fit.h>
 
 #include <gtest/gtest.h>
 

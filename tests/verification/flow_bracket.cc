@@ -55,7 +55,7 @@ namespace strait
     expect_shares_sum_to_width(const Bracket &bracket, const double tolerance)
     {
       const double sum =
-        dealii::Utilities::MPI::sum(bracket.shares.l1_norm(), MPI_COMM_WORLD);
+        dealii::Utilities::MPI::sum(bracket.contributions.l1_norm(), MPI_COMM_WORLD);
       EXPECT_GT(bracket.upper, bracket.lower);
       EXPECT_NEAR(sum, 1. - bracket.lower / bracket.upper, tolerance);
     }

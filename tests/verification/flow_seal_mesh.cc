@@ -91,7 +91,8 @@ namespace strait
               EXPECT_LT(bracket.lower, exact);
               // The shares of the cells add up to the width.
               const double sum =
-                dealii::Utilities::MPI::sum(bracket.shares.l1_norm(), MPI_COMM_WORLD);
+                dealii::Utilities::MPI::sum(bracket.contributions.l1_norm(),
+                                            MPI_COMM_WORLD);
               EXPECT_NEAR(sum * bracket.upper / (bracket.upper - bracket.lower),
                           1.,
                           1e-3);
@@ -141,7 +142,7 @@ namespace strait
           EXPECT_GT(bracket.upper, exact);
           EXPECT_LT(bracket.lower, exact);
           const double sum =
-            dealii::Utilities::MPI::sum(bracket.shares.l1_norm(), MPI_COMM_WORLD);
+            dealii::Utilities::MPI::sum(bracket.contributions.l1_norm(), MPI_COMM_WORLD);
           EXPECT_NEAR(sum * bracket.upper / (bracket.upper - bracket.lower), 1., 1e-3);
         }
       EXPECT_LT(corrected.upper, plain.upper);

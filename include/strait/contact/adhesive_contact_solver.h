@@ -4,9 +4,9 @@
 
 #include <strait/base/contact_parameters.h>
 #include <strait/contact/contact_model.h>
-#include <strait/contact/gap_optimisation.h>
 #include <strait/contact/gap_stability.h>
 #include <strait/contact/half_space_problem.h>
+#include <strait/contact/make_optimiser.h>
 #include <strait/contact/wall.h>
 
 #include <memory>

@@ -4,8 +4,8 @@
 
 #include <strait/base/contact_parameters.h>
 #include <strait/contact/contact_model.h>
-#include <strait/contact/dual_optimisation.h>
 #include <strait/contact/half_space_problem.h>
+#include <strait/contact/make_optimiser.h>
 #include <strait/contact/wall.h>
 
 #include <functional>

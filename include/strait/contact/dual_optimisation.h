@@ -101,12 +101,6 @@ namespace strait
     /** Bytes on this rank, beside the two fields of solve(). */
     virtual std::size_t memory_consumption() const = 0;
   };
-
-  /** The method of this name. @p problem must outlive it. */
-  std::unique_ptr<DualOptimiser> make_dual_optimiser(ContactMethod            method,
-                                                     DualProblem             &problem,
-                                                     const ContactConstraint &constraint,
-                                                     const ContactTolerance  &tolerance);
 } // namespace strait
 
 #endif

@@ -83,13 +83,6 @@ namespace strait
     /** Bytes on this rank, beside the gap. */
     virtual std::size_t memory_consumption() const = 0;
   };
-
-  /** The method of this name. @p problem must outlive it. */
-  std::unique_ptr<GapOptimiser> make_gap_optimiser(AdhesionMethod       method,
-                                                   GapProblem          &problem,
-                                                   const GapConstraint &constraint,
-                                                   const GapTolerance  &tolerance,
-                                                   RelaxationObserver   observer = {});
 } // namespace strait
 
 #endif

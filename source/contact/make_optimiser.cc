@@ -1,13 +1,26 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/contact/dual_conjugate_gradients.h>
 #include <strait/contact/gap_conjugate_gradients.h>
 #include <strait/contact/gap_dynamics.h>
 #include <strait/contact/gap_newton.h>
-#include <strait/contact/gap_optimisation.h>
+#include <strait/contact/make_optimiser.h>
+#include <strait/contact/polonsky_keer.h>
 
 #include <utility>
 
 namespace strait
 {
+  std::unique_ptr<DualOptimiser>
+  make_dual_optimiser(const ContactMethod      method,
+                      DualProblem             &problem,
+                      const ContactConstraint &constraint,
+                      const ContactTolerance  &tolerance)
+  {
+    if (method == ContactMethod::polonsky_keer)
+      return std::make_unique<PolonskyKeer>(problem, constraint, tolerance);
+    return std::make_unique<DualConjugateGradients>(problem, constraint, tolerance);
+  }
+
   std::unique_ptr<GapOptimiser>
   make_gap_optimiser(const AdhesionMethod method,
                      GapProblem          &problem,
