@@ -3,8 +3,8 @@
 """Check that the headers are documented: check_doxygen.py DOXYFILE
 
 Doxygen runs without writing pages; each of its warnings is a failure, but for members whose
-name says it all: fields, aliases, getters, constructors, operators, and bind(), check()
-of parameters. Status 77 (a skipped test) where doxygen is not installed.
+name says it all: fields, aliases, getters, constructors, operators, overrides, and
+bind(), check() of parameters. Status 77 (a skipped test) where doxygen is not installed.
 """
 import re
 import shutil
@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-UNDOCUMENTED = re.compile(r"Member (.*) \((\w+)\) of (\w+) (\S+) is not documented")
+UNDOCUMENTED = re.compile(r"Member (.*) \((\w+)\) of (\w+) (.+) is not documented")
 
 
 def speaks_for_itself(warning):
@@ -27,7 +27,8 @@ def speaks_for_itself(warning):
         return False
     name = signature.split("(")[0]
     return (name.startswith("operator") or name in ("bind", "check")
-            or name == scope_name.split("::")[-1]
+            or name == re.sub(r"<.*", "", scope_name).split("::")[-1]
+            or signature.endswith(" override") or name[0].isupper()  # or inherited
             or re.search(r"\(\)( const)?( override)?( ?=0)?$", signature) is not None)
 
 

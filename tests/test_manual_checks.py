@@ -97,7 +97,7 @@ class Docstrings(unittest.TestCase):
 
     def test_names_that_say_it_all(self):
         for member, kind in (("size() const", "function"), ("nx", "variable"),
-                             ("Grid(int n)", "function"), ("parse(Handler &prm)", "function"),
+                             ("Grid(int n)", "function"), ("bind(Section section)", "function"),
                              ("operator[](int i)", "function"), ("Matrix", "typedef")):
             self.assertTrue(check_doxygen.speaks_for_itself(self.missing(member, kind)), member)
 

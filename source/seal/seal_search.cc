@@ -128,8 +128,9 @@ namespace strait
     std::vector<BlowOut> result;
     for (const double load : scene.programme.pressures)
       {
-        open_state.reset();
-        sealed_state.reset();
+        // The pressure rises from nothing, unless a search goes on that had begun so.
+        if (next == answers.size())
+          open_state = sealed_state = std::nullopt;
         result.push_back(blow_out(load));
         const BlowOut &found = result.back();
         log.line(

@@ -27,6 +27,7 @@ namespace strait
       double traction;  // γ'
       double curvature; // γ''
     };
+    /** At @p gap >= 0. */
     Values at(double gap) const;
 
     /**

@@ -86,8 +86,8 @@ namespace strait
   };
 
   /**
-   * With adhesion: minimise ½<w, Kw> + <γ(g)> + p0 <g> over gaps g >= 0, where w = g + h
-   * and K vanishes on constants. M is the inverse of K + mean_stiffness() <·>.
+   * With adhesion: minimise ½⟨w, Kw⟩ + ⟨γ(g)⟩ + p0 ⟨g⟩ over gaps g >= 0, where w = g + h
+   * and K vanishes on constants. M is the inverse of K + mean_stiffness() ⟨·⟩.
    */
   class GapProblem : public ContactProblem
   {

@@ -75,8 +75,8 @@ namespace strait
 
     GapProblem         &problem;
     const GapConstraint constraint;
-    double              pressure          = 0; // p0, at fixed mean gap so that <r> = 0
-    double              elastic_energy    = 0; // ½<w, Kw>, and p0 <g> at fixed load
+    double              pressure       = 0; // p0, at fixed mean gap so that ⟨r⟩ = 0
+    double              elastic_energy = 0; // ½⟨w, Kw⟩, and p0 ⟨g⟩ at fixed load
     double              adhesive_energy   = 0;
     double              largest_violation = 0;
     double              smallest_gap      = 0;

@@ -56,6 +56,7 @@ namespace strait
     {
     }
 
+    /** The points of one row of this rank. */
     Block
     block_of_row(const int local_row) const
     {

@@ -19,15 +19,32 @@
  *  units, and what they mean, is said here and nowhere else. */
 namespace strait
 {
-  Table<Transition>     threshold_table(const Scene &scene);
-  Table<Step>           constriction_table(const Scene &scene); // of steps that leak
-  Table<FitRow>         fit_table(const Scene &scene);
-  Table<BlowOut>        blow_out_table(const Scene &scene);
-  Table<Jump>           jump_table(const Scene &scene);
+  /** threshold.csv: critical loads. */
+  Table<Transition> threshold_table(const Scene &scene);
+
+  /** constrictions.csv: where the pressure drops in steps that leak. */
+  Table<Step> constriction_table(const Scene &scene);
+
+  /** fit.csv: exponents against the reduced load. */
+  Table<FitRow> fit_table(const Scene &scene);
+
+  /** blow_out.csv: inlet pressures that open the seal. */
+  Table<BlowOut> blow_out_table(const Scene &scene);
+
+  /** jumps.csv: where an adhesive contact jumped. */
+  Table<Jump> jump_table(const Scene &scene);
+
+  /** relaxation-STEP.csv: iterations of an adhesive contact. */
   Table<RelaxationStep> relaxation_table(const Scene &scene);
+
+  /** ensemble.csv: one row for each realisation. */
   Table<RealisationRow> ensemble_table(const Scene &scene);
-  Table<ScatterRow>     ensemble_summary_table(const Scene &scene);
-  Table<SpectrumRow>    spectrum_table(const Scene &scene);
+
+  /** ensemble_summary.csv: means and scatter over these. */
+  Table<ScatterRow> ensemble_summary_table(const Scene &scene);
+
+  /** spectrum.csv: of the surface. */
+  Table<SpectrumRow> spectrum_table(const Scene &scene);
 
   /** What all tables hold, leakage.csv first. */
   std::vector<TableInfo> all_tables(const Scene &scene);

@@ -50,7 +50,8 @@ namespace strait
   class TransitionSearch
   {
   public:
-    using Ask = std::function<Probe(double value)>;
+    using Ask  = std::function<Probe(double value)>;
+    using Kept = std::function<bool(const Probe &)>;
 
     /** @p tolerance: relative width of the bracket to reach. */
     TransitionSearch(Ask ask, double tolerance);
@@ -68,7 +69,6 @@ namespace strait
      * it. @p is_kept judges a probe. Nothing if it is not lost within a factor of 10⁶.
      * Collective if asking is.
      */
-    using Kept = std::function<bool(const Probe &)>;
     std::optional<Passage> approach(Passage known, const Kept &is_kept);
 
     /**
