@@ -194,7 +194,8 @@ namespace strait
     }
 
     /** Logarithm of a gap, 50 steps to the octave, counted such that the largest gap
-     *  is at the last place. */
+     *  is at the last place. Half as many places no longer tell gaps apart that are 20
+     *  octaves below the largest, twice as many tell more apart than there ever are. */
     class GapScale
     {
     public:
