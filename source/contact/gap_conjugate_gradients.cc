@@ -123,7 +123,8 @@ namespace strait
     free_work          = z_r;
     fixed_work         = beta * (beta * d_q - 2 * z_q);
     local_work         = local;
-    foretold_work      = std::max(stiffness * free_work + fixed_work, .1 * free_work);
+    // Not less than a tenth of that of the free points, or the step would be wild.
+    foretold_work          = std::max(stiffness * free_work + fixed_work, .1 * free_work);
     const double curvature = foretold_work + local_work;
     return -reach * slope /
            (curvature > least_curvature * foretold_work ? curvature : foretold_work);
@@ -170,6 +171,7 @@ namespace strait
       {
         const double share =
           (work / (length * length) - fixed_work) / free_work; // <z, Kz>/<z, r>
+        // A step that closes many points says little of the stiffness of the others.
         stiffness = std::clamp(share, .2, 3.);
       }
     return work;
