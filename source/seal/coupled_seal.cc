@@ -331,9 +331,8 @@ namespace strait
         }
     has_extended = true;
     // The next round starts from here, so that no more is needed than to come nearer.
-    // With half of it each
-    // round takes an iteration or so more, with double of it fewer, and more rounds until
-    // the pressure under the contact has followed.
+    // With half of it each round takes an iteration or so more, with double of it fewer,
+    // and more rounds until the pressure under the contact has followed.
     constexpr double reduction = 1e-3;
     seal.extension.extend(start, open, inlet, flow.fluid().outlet_pressure, reduction);
     return start;
