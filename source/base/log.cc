@@ -12,8 +12,8 @@ namespace strait
 {
   namespace
   {
-    // A shorter interval fills the files of batch jobs with progress, a longer one leaves
-    // in doubt whether the job still runs.
+    // Half of it fills the files of batch jobs with progress, double of it leaves in
+    // doubt whether the job still runs.
     constexpr std::chrono::seconds plain_progress_interval(10);
 
     Log::Screen

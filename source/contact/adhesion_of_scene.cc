@@ -13,8 +13,14 @@ namespace strait
 {
   namespace
   {
-    constexpr double area_tolerance  = 1e-3; // relative
-    constexpr int    max_evaluations = 60;
+    // Of the contact area, relative. Half and double of it cost or save about one contact
+    // problem of the search, and change the surface energy by as little as that.
+    constexpr double area_tolerance = 1e-3;
+
+    // Contact problems. It ends a search that would go on for ever where the area does
+    // not follow the energy; half of it would still do for all that can be enclosed
+    // within a factor of a million, double of it only fails later.
+    constexpr int max_evaluations = 60;
 
     /** γ0 at which the contact area doubles, see adhesion_of_scene(). */
     double

@@ -14,13 +14,18 @@ namespace strait
 {
   namespace
   {
-    /** How often a state that is no minimum is pushed off. */
+    /** How often a state that is no minimum is pushed off. Half as often, a state behind
+     *  several saddle points may be reported as not converged; twice as often, one that
+     *  cannot be left is given up later. */
     constexpr int max_pushes = 5;
 
-    /** Largest change of the gap by a push, in ranges. */
+    /** Largest change of the gap by a push, in ranges. Half of it takes the optimiser
+     *  longer to leave a saddle point, or leaves it there; double of it may push past the
+     *  state that is next. */
     constexpr double push = .1;
 
-    /** A quotient of this size is rounding. */
+    /** A quotient of this size is rounding. At half and at double of it the same states
+     *  are minima, unless one is as close as that to losing its stability. */
     constexpr double curvature_noise = 1e-7;
 
     /** The rms of K h, E* times the rms slope over 2. */

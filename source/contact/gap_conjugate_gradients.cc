@@ -14,28 +14,35 @@ namespace strait
      * at 1. */
     constexpr double least_curvature = .05;
 
-    /** Where the attraction wins, the elastic curvature alone is too cautious. Larger
-     *  steps leave a saddle sooner, and are shortened more often. */
+    /** Where the attraction wins, the elastic curvature alone is too cautious. Double of
+     *  it leaves a saddle sooner, and is shortened more often; half of it is hardly
+     * bolder than the elastic step. */
     constexpr double boldness = 3;
 
     /** A step that closes points is taken whole, unless the line asks for less than this
-     *  share of it: a whole step keeps what it closes, a shorter one opens it again. */
+     *  fraction of it: a whole step keeps what it closes, a shorter one opens it again.
+     *  Half of it takes steps whole that overshoot, double of it opens points again in
+     *  most steps. */
     constexpr double short_step = .4;
 
     /** If the energy does not fall along it, it is formed anew so much shorter, at one
-     * FFT pair for each attempt. */
+     *  FFT pair for each attempt. Half of it wastes less on attempts and goes less far,
+     *  double of it the other way round. */
     constexpr double shorter_arc = .3;
 
-    /** By what the reach of steps that close points may change at once, and its ends: a
-     *  faster change learns sooner, and is misled by a single step. */
-    constexpr double quickest_change = 2, least_reach = .5, farthest_reach = 16;
+    /** By what the reach of steps that close points may change at once: double of it
+     *  learns sooner, and is misled by a single step; half of it never learns. It is also
+     *  how far below its first value, 1, the reach may fall. */
+    constexpr double quickest_change = 2;
 
-    /** Attempts at a step. The last is all but nothing, so that more would change
-     * nothing. */
+    /** Half of it stops learning where many points close at once, double of it takes one
+     *  more attempt to shorten a step that went too far. */
+    constexpr double farthest_reach = 16;
+
+    /** Attempts at a step. Half as many may give a direction up that still goes downhill;
+     *  the last is all but nothing, so that twice as many would change nothing. */
     constexpr int max_trials = 12;
-
-    constexpr double slack = 3e-13; // of the energy, for rounding
-  }                                 // namespace
+  } // namespace
 
   void
   GapConjugateGradients::begin()
@@ -103,7 +110,7 @@ namespace strait
     // worth keeping all the more, Polak and Ribière's; not where all is rounding.
     if (!restarts && d_curvature > least_curvature * d_q)
       beta = std::max(0., (z_q + z_local) / d_curvature);
-    else if (!restarts && last_fall > slack * std::abs(iterate.energy()))
+    else if (!restarts && last_fall > energy_noise * std::abs(iterate.energy()))
       beta = std::max(0., (z_q + z_local) / last_fall);
     if (-z_r + beta * d_r >= 0)
       beta = 0;
@@ -116,7 +123,8 @@ namespace strait
     free_work          = z_r;
     fixed_work         = beta * (beta * d_q - 2 * z_q);
     local_work         = local;
-    foretold_work      = std::max(stiffness * free_work + fixed_work, .1 * free_work);
+    // Not less than a tenth of that of the free points, or the step would be wild.
+    foretold_work          = std::max(stiffness * free_work + fixed_work, .1 * free_work);
     const double curvature = foretold_work + local_work;
     return -reach * slope /
            (curvature > least_curvature * foretold_work ? curvature : foretold_work);
@@ -163,6 +171,7 @@ namespace strait
       {
         const double share =
           (work / (length * length) - fixed_work) / free_work; // <z, Kz>/<z, r>
+        // A step that closes many points says little of the stiffness of the others.
         stiffness = std::clamp(share, .2, 3.);
       }
     return work;
@@ -195,7 +204,8 @@ namespace strait
       {
         iterate.move(d, response.data(), work, length - gone);
         gone = length;
-        if (iterate.energy() <= before + 1e-4 * length * d_r + slack * std::abs(before))
+        if (iterate.energy() <=
+            before + 1e-4 * length * d_r + energy_noise * std::abs(before))
           {
             step_length = length;
             last_fall   = -length * d_r;
@@ -216,7 +226,7 @@ namespace strait
     reach =
       truncated
         ? std::clamp(reach * std::clamp(ideal, 1 / quickest_change, quickest_change),
-                     least_reach,
+                     1 / quickest_change,
                      farthest_reach)
         : 1.;
   }

@@ -20,10 +20,11 @@ namespace strait
       bool
       is_reached(const int iteration, const double energy, const double residual)
       {
-        // In iterations. Fewer risk giving up on a slow way to another state, more only
-        // report a failure later.
+        // In iterations. Half of it risks giving up on a slow way to another state,
+        // double of it only reports a failure later.
         constexpr int patience = 200;
-        // Of the energy: what its sums over the points are exact to.
+        // Of the energy: what its sums over the points are exact to. With half of it
+        // noise counts as a gain a little more often, with double of it a little less.
         constexpr double rounding = 1e-12;
         if (residual < least_residual ||
             energy < least_energy - rounding * std::abs(energy))

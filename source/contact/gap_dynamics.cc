@@ -8,9 +8,17 @@ namespace strait
 {
   namespace
   {
-    // FIRE's own constants, but for the time steps: a mode's period is 2π.
-    constexpr double first_time_step = .5, longest_time_step = 1.2;
+    // Of time steps, in units in which a mode's period is 2π. An explicit step of 2 or
+    // more is unstable, so that double of the longest diverges; half of it takes twice
+    // the steps.
+    constexpr double longest_time_step = 1.2;
+    // It is left after a few steps: half and double of it change only these.
+    constexpr double first_time_step = .5;
+    // After turning round: half of it waits longer for the speed to come back, double of
+    // it turns round again where the attraction is steep.
     constexpr double shortest_time_step = .1;
+
+    // Those of FIRE's authors (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006).
     constexpr double first_mixing = .1, mixing_decay = .99;
     constexpr double speed_up = 1.1, slow_down = .5;
     constexpr int    steps_until_faster = 5;

@@ -8,16 +8,18 @@ namespace strait
 {
   namespace
   {
-    /** One FFT pair each; a step that is cut off here is still one downhill. */
+    /** One FFT pair each. A step that is cut off here is still one downhill: half as many
+     *  need more steps where the model is stiff, twice as many spend more on a model that
+     *  may not hold so far. */
     constexpr int max_inner_iterations = 60;
 
-    /** Of a step that is halved: beyond 2^-30 all is rounding. */
+    /** Of a step that is halved: half as many, 2^-15 of a step, may give up on a narrow
+     *  valley; beyond 2^-30 all is rounding, so that twice as many change nothing. */
     constexpr int max_trials = 30;
 
-    constexpr double slack = 3e-13; // of the energy, for rounding
-
     /** Along negative curvature, in ranges z0: over more of them the law has changed too
-     *  much for the model to say anything; the search halves what is too long. */
+     *  much for the model to say anything. Half of it takes more steps to get away,
+     * double of it one more halving where the step is too long. */
     constexpr double longest_escape = 2.;
   } // namespace
 
@@ -116,7 +118,7 @@ namespace strait
         iterate.move(d, response.data(), work, 1.);
         step_length = length;
         if (iterate.energy() <=
-            before + 1e-4 * std::min(slope, 0.) + slack * std::abs(before))
+            before + 1e-4 * std::min(slope, 0.) + energy_noise * std::abs(before))
           return true;
         iterate.move(d, response.data(), work, -1.);
       }

@@ -36,6 +36,8 @@ namespace strait
   NinePointStencil
   fit_stencil(const std::function<double(double, double)> &target)
   {
+    // Sample points of the fit along each axis. The target is smooth but at the origin:
+    // half and double of it change the stencil little, and its making is cheap.
     constexpr int                        n = 128;
     std::array<std::array<double, 4>, 4> normal{};
     std::array<double, 4>                right{};

@@ -121,8 +121,8 @@ namespace strait
                     const PotentialProblem &stream_function,
                     HierarchicalCorrection &correction)
   {
-    // Fewer steps leave a wider bracket and hence more cells, more of them cost more than
-    // the cells that they save; each costs about as much as the one before.
+    // Half as many steps leave a wider bracket and hence more cells, twice as many cost
+    // more than the cells that they save; each costs about as much as the one before.
     constexpr unsigned int n_steps = 4;
     correction.set_up();
     const CorrectedSolution p       = correction.relax(pressure, gap, n_steps);

@@ -107,11 +107,16 @@ namespace strait
   MappedCoefficient::values_for(const CellAccessor<2>     &cell,
                                 const GapField::Quadrature quadrature)
   {
-    constexpr int    most_parts = 64;
-    constexpr double small      = 4.;
-    const double     size       = size_in_spacings(cell, mesh.grid());
-    const double     wanted     = size < small ? 2. * size : size;
-    int              n_parts    = fewest_parts;
+    // Parts of a cell along each side, about one for each grid spacing. Half of it is too
+    // coarse for cells of more spacings, double of it costs four times as much there.
+    constexpr int most_parts = 64;
+    // Cells of fewer spacings are integrated more finely, as the bracket rests on them.
+    // Half of it leaves more to the refinement, double of it costs four times as much in
+    // cells that do not need it.
+    constexpr double small   = 4.;
+    const double     size    = size_in_spacings(cell, mesh.grid());
+    const double     wanted  = size < small ? 2. * size : size;
+    int              n_parts = fewest_parts;
     while (n_parts < wanted && n_parts < most_parts)
       n_parts *= 2;
     if (size < small && quadrature == GapField::Quadrature::finer)

@@ -243,7 +243,9 @@ namespace strait
       if (!has_contact)
         return {};
       // At low loads many channels share the flow, and the one path that is known
-      // makes the leak rate's estimate far too small.
+      // makes the leak rate's estimate far too small: the start then takes at most a cell
+      // for 256 points. Half as many leave more to refinement, twice as many refine cells
+      // for a path that carries little of the flow.
       const std::size_t most     = std::max<std::size_t>(gap.size() / 256, 1000);
       double            fraction = short_cut_fraction;
       CellSearch        search(gap, paths, largest_exponent);

@@ -14,7 +14,8 @@ namespace strait
   namespace
   {
     // With quartic edges an arc is off its circle by 1e-6 of its radius for a quarter of
-    // a turn, and 32 times less with each refinement.
+    // a turn, and 32 times less with each refinement. Half of the degree leaves
+    // more of that to refinement, double of it costs time at every point.
     constexpr unsigned int degree_of_arcs = 4;
 
     // Periodicity in deal.II wants two coarse cells across.

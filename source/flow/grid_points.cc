@@ -16,6 +16,8 @@ namespace strait
     std::array<double, 2>
     invert(const dealii::CellAccessor<2> &cell, const Point<2> &x)
     {
+      // Half of it is enough for a parallelogram or what is nearly one, as Newton's
+      // method squares the error; double of it gives the same to rounding.
       constexpr int      n_steps = 8;
       const Tensor<1, 2> a       = cell.vertex(1) - cell.vertex(0),
                          b       = cell.vertex(2) - cell.vertex(0),
@@ -79,7 +81,13 @@ namespace strait
   {
     if (mesh.seal() == nullptr)
       return points_in_cell_of_box(mesh.grid_cell(cell), stride);
-    constexpr double    rounding = 1e-9, beside = 1. / 3;
+    // In units of the cell: a point so near to an edge lies on it. Half and double of it
+    // decide alike, unless a point happens to lie as near as that.
+    constexpr double rounding = 1e-9;
+    // In units of the cell: so far beside a cell at the outline, whose edge may be curved
+    // away from them, points are taken for its own. Half of it leaves points out beside
+    // coarse cells on arcs, double of it looks at more points for nothing.
+    constexpr double    beside      = 1. / 3;
     const PeriodicGrid &grid        = mesh.grid();
     const double        slack       = cell.at_boundary() ? beside : rounding;
     const double        spacing[2]  = {grid.dx() * stride, grid.dy() * stride};

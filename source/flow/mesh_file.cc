@@ -13,9 +13,11 @@ namespace strait
   {
     // Gmsh's numbers of element types, and how many nodes they have.
     constexpr int            line = 1, triangle = 2, quadrilateral = 3, point = 15;
-    const std::map<int, int> n_nodes_of  = {{line, 2}, {quadrilateral, 4}, {point, 1}};
-    constexpr long long      most_of_all = 100000000;
-    const char *const        how_to_write =
+    const std::map<int, int> n_nodes_of = {{line, 2}, {quadrilateral, 4}, {point, 1}};
+    // No count in a file is larger that a mesh of this program could have: it keeps a
+    // damaged one from asking for all memory. Half and double of it do the same.
+    constexpr long long most_of_all = 100000000;
+    const char *const   how_to_write =
       "; write it with 'gmsh -2 -format msh41', all quadrilaterals";
 
     class Parser

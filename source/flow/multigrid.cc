@@ -172,6 +172,9 @@ namespace strait
         HYPRE_BoomerAMGSetPrintLevel(solver, 0);
         HYPRE_BoomerAMGSetTol(solver, 0.);
         HYPRE_BoomerAMGSetMaxIter(solver, 1);
+        // Coarsening, interpolation and threshold are hypre's defaults. A larger
+        // threshold or fewer interpolation weights make coarse grids that are cheaper and
+        // worse.
         HYPRE_BoomerAMGSetCoarsenType(solver, hmis);
         HYPRE_BoomerAMGSetInterpType(solver, extended_plus_i);
         HYPRE_BoomerAMGSetPMaxElmts(solver, 4);

@@ -17,7 +17,8 @@ namespace strait
     // neither.
     constexpr double linear_tolerance_factor = 1e-12;
 
-    // What rounding may do to bounds of the same quantity, relative.
+    // What rounding may do to bounds of the same quantity, relative. Both ends would be
+    // wrong by far more if the solver failed, so that half and double find the same.
     constexpr double rounding = 1e-6;
 
     /**
@@ -34,10 +35,6 @@ namespace strait
       // fraction of the mean. Half of it refines more cells on each mesh and ends with
       // more unknowns than it takes; double of it takes more meshes.
       constexpr double marking_level = .7;
-      // Where most cells matter alike, adaptivity saves nothing and costs hanging nodes
-      // and meshes. Half of it refines cells that matter little, double of it none more
-      // than are marked.
-      constexpr double most_cells = .5;
       // A mesh that can grow by three times this fraction at most narrows the bracket by
       // a few per cent: half of it buys such a mesh, double of it stops short of it.
       constexpr double least_growth = .02;
@@ -56,7 +53,9 @@ namespace strait
       n_marked = sum(n_marked, comm);
       if (n_marked == 0 || affordable < least_growth)
         return false;
-      if (n_marked > most_cells * n_cells && affordable > 1.)
+      // Where most cells matter alike, adaptivity saves nothing and costs hanging nodes
+      // and meshes.
+      if (2. * n_marked > n_cells && affordable > 1.)
         tria.set_all_refine_flags();
       else if (n_marked > affordable * n_cells)
         {
@@ -81,7 +80,8 @@ namespace strait
     , stream_problem(PotentialProblem::Kind::stream_function, flow_mesh, gap.moment_set())
   {
     // Uniform refinement, which is there for comparison, starts with cells of 16
-    // spacings.
+    // spacings; half and double of the exponent only add meshes at its start or leave
+    // them out.
     constexpr int start_exponent = 4;
     if (fluid.element_degree == 1)
       correction = std::make_unique<HierarchicalCorrection>(flow_mesh);
@@ -216,7 +216,7 @@ namespace strait
   ReynoldsSolver::obstacle(const Leakage &leakage)
   {
     // By then cells are as small as 2⁻³⁴ grid spacings: it only ends what would go on for
-    // ever.
+    // ever, and double of it would do so later; half of it might end what still narrows.
     constexpr unsigned int max_refinements = 40;
     // While a barrier or a channel is being resolved the bracket may rest for a mesh
     // or two before it narrows again. Half of the patience gives up while it rests;

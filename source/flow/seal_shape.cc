@@ -176,7 +176,10 @@ namespace strait
   std::optional<SealMesh::Circle>
   fit_circle(const std::vector<Point<2>> &points)
   {
-    constexpr double tolerance = 1e-6, straight = 1e-6;
+    // How far points may be off a line or a circle that they are taken to lie on, of its
+    // length or radius: files give six digits or more. Half of it no longer finds circles
+    // that are written with six, double of it rounds outlines off that are polygons.
+    constexpr double tolerance = 1e-6;
     if (points.size() < 3)
       return {};
     // Three points far from each other: the first, the farthest from it, and the one
@@ -196,7 +199,7 @@ namespace strait
                         });
     const Tensor<1, 2> ac   = c - a;
     const double       area = cross(ab, ac);
-    if (std::abs(area) <= straight * ab.norm_square())
+    if (std::abs(area) <= tolerance * ab.norm_square())
       return {};
     const double       bb = ab.norm_square(), cc = ac.norm_square();
     const Tensor<1, 2> to_centre(

@@ -12,7 +12,6 @@ namespace strait
   namespace
   {
     constexpr unsigned char open_flag = 1, closed_flag = 2;
-    constexpr int           max_gauss_points = 4;
 
     /** The grid row that decides which rank owns a cell. */
     int
@@ -119,7 +118,7 @@ namespace strait
                                      : range.lowest));
         return;
       }
-    double x[max_gauss_points] = {}, y[max_gauss_points] = {};
+    double x[GapInterpolant::max_points] = {}, y[GapInterpolant::max_points] = {};
     for (int q = 0; q < n; ++q)
       {
         x[q] = x0 + edge * gauss_points[q];
@@ -146,7 +145,7 @@ namespace strait
     const int    refined = quadrature == Quadrature::finer ? 2 : 1;
     const int    n_parts = open ? (rigorous ? 4 : refined) : 1;
     const double part    = 1. / n_parts;
-    double       values[max_gauss_points * max_gauss_points];
+    double       values[GapInterpolant::max_points * GapInterpolant::max_points];
     std::fill_n(values, n * n, coefficient_of(coefficient, 0.));
     for (int b = 0; b < n_parts; ++b)
       for (int a = 0; a < n_parts; ++a)

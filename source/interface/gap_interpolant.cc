@@ -38,8 +38,6 @@ namespace strait
       double value, rise, slope_left, slope_right;
     };
 
-    constexpr int max_points = 4;
-
     /** First along the second index of gap(line, ·), then across the lines. */
     template <class Gap>
     void
@@ -51,7 +49,7 @@ namespace strait
                       const int     first_stride,
                       const int     second_stride)
     {
-      double on_line[4][max_points];
+      double on_line[4][GapInterpolant::max_points];
       for (int line = 0; line < 4; ++line)
         {
           const MonotoneCubic cubic(gap(line, 0),

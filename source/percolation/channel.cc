@@ -46,6 +46,9 @@ namespace strait
     void
     close_the_rest_of_region(SlabField &gap, const Clusters &clusters)
     {
+      // Points outside the outline, in spacings, from which the interpolant of an open
+      // cell may take values. Half of it would change the gap at the outline, double of
+      // it only keeps values that nobody reads.
       constexpr int       reach  = 2;
       const SlabLayout   &layout = gap.layout();
       const int           nx = gap.grid().nx, n_rows = layout.n_rows();

@@ -161,6 +161,9 @@ namespace strait
     void
     PathSearch::block_throats(const FlowPath &path)
     {
+      // A throat is where the resistivity is a twentieth of the bottleneck's or more.
+      // Half of that bars wider places, which other paths may share; double of it lets
+      // the next path run beside this one.
       const double threshold = .05 * resistivity(path.bottleneck_gap);
       const int    reach     = std::min(2, gap.n_across());
       for (const GridPoint &point : path.points)
@@ -194,7 +197,8 @@ namespace strait
     }
 
     /** Logarithm of a gap, 50 steps to the octave, counted such that the largest gap
-     *  is at the last place. */
+     *  is at the last place. Half as many places no longer tell gaps apart that are 20
+     *  octaves below the largest, twice as many tell more apart than there ever are. */
     class GapScale
     {
     public:

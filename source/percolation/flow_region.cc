@@ -12,7 +12,9 @@ namespace strait
 {
   namespace
   {
-    // Nearer than this, in grid spacings, a point lies on the outline.
+    // Nearer than this, in grid spacings, a point lies on the outline, as coordinates in
+    // files have six digits or more. Half and double of it decide alike, unless a mesh
+    // misses grid points by as little as that.
     constexpr double tolerance = 1e-6;
 
     /** The outline in units of half a grid spacing, so that grid points and the middles

@@ -49,8 +49,8 @@ namespace strait
   std::vector<Constriction>
   divide_into_constrictions(const std::vector<double> &gaps)
   {
-    // A smaller ratio counts the same throat as several, a larger one several as one; it
-    // matters to the report only.
+    // Half of it, that is any widening at all, counts the same throat as several; double
+    // of it several as one. It matters to the report only.
     constexpr double         distinct = 1.5;
     std::vector<std::size_t> minima;
     for (std::size_t k = 0; k < gaps.size(); ++k)

@@ -30,7 +30,9 @@ namespace strait
     }
 
     // Fewer points along the throat than this, and the contact grid's error exceeds a
-    // per cent: prm/quickstart.prm has 0.8 % at 3.9 points and 9 % at 2.4.
+    // per cent: prm/quickstart.prm has 0.8 % at 3.9 points and 9 % at 2.4. Half of it
+    // would promise results that are off by more, double of it ask for grids four times
+    // as large as are needed.
     constexpr double points_needed = 4.;
   } // namespace
 
@@ -101,7 +103,8 @@ namespace strait
   CostPrediction::critical_load() const
   {
     // Of random surfaces the mean, 0.24, less one standard deviation: to be surprised by
-    // the threshold is worse than to be warned of it.
+    // the threshold is worse than to be warned of it. Half and double of it would warn of
+    // nearly all loads, or of none.
     constexpr double saddle = 1.43637, rough = .19;
     const double     modulus = scene.contact.effective_modulus;
     if (scene.surface.kind == SurfaceKind::square_saddle)

@@ -79,6 +79,9 @@ namespace strait
   double
   crossover_reduced_load(const std::vector<ScalingPoint> &points)
   {
+    // The exponent is that of the law near the threshold. The window is where the leak
+    // rate falls exponentially: half of its nearest end takes loads in at which that law
+    // has begun, a larger farthest one those at which there is hardly any contact.
     constexpr double    exponent = 69. / 20, nearest = .3, farthest = .7;
     std::vector<double> x, y;
     for (const auto &[epsilon, value] : points)

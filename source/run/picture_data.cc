@@ -16,6 +16,8 @@ namespace strait
 {
   namespace
   {
+    // Along a side of a picture: with half of it contacts look ragged, double of it makes
+    // files four times as large.
     constexpr int most_points = 1024;
 
     /** Every stride-th grid point in both directions, from (0, 0) on. */

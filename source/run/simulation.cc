@@ -43,6 +43,8 @@ namespace strait
     void
     warn_of_odd_grid(const Scene &scene, Log &log)
     {
+      // Cells with which each mesh then has to start: half of it is still solved in no
+      // time, double of it is felt at every load.
       constexpr std::int64_t many       = 10000;
       const PeriodicGrid     grid       = grid_of(scene);
       const std::int64_t     n_coarsest = grid.n_points() >> (2 * grid.n_halvings());

@@ -12,8 +12,14 @@ namespace strait
   {
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-    // Simulated gaps near a contact line fall on any scale down to none.
-    constexpr int n_decades = 10, bins_per_decade = 100, bins_shown = 10;
+    // Below the largest gap. Simulated gaps near a contact line fall on any scale down to
+    // none, but those beyond half of it conduct nothing already; double of it only adds
+    // empty bins.
+    constexpr int n_decades = 10;
+
+    // To a decade, in the tables: half of it blurs the peak, double of it is noisy on
+    // small grids.
+    constexpr int bins_shown = 10;
 
     double
     conductance_of_box(const Scene &scene)
@@ -64,9 +70,10 @@ namespace strait
     GapDistribution fine, half;
     if (gap != nullptr && parameters.gaps == TheoryGaps::simulated)
       {
-        const double closed = -2 * slip_length;
-        fine                = gap_histogram(*gap, n_decades, bins_per_decade, closed);
-        half                = gap_histogram(*gap, n_decades, bins_per_decade / 2, closed);
+        const double closed     = -2 * slip_length;
+        const int    per_decade = PerssonTheory::Resolution().per_decade;
+        fine                    = gap_histogram(*gap, n_decades, per_decade, closed);
+        half                    = gap_histogram(*gap, n_decades, per_decade / 2, closed);
       }
     result.pressure = pressure;
     const Leak best = evaluate(persson, pressure, slip_length, &fine, threshold, &result);
@@ -104,7 +111,7 @@ namespace strait
         if (details != nullptr && keeps_gaps)
           details->persson_gaps =
             merge_bins(slip_length == 0. ? gaps : with.distribution(state),
-                       bins_per_decade / bins_shown);
+                       PerssonTheory::Resolution().per_decade / bins_shown);
       }
     if (details != nullptr)
       details->contact_area = area;

@@ -17,13 +17,16 @@ namespace strait
 {
   namespace
   {
-    // How closely contact and flow agree while the mesh is being found, of the accuracy
-    // that is asked for.
+    // How closely contact and flow agree while the mesh is being found, and for a
+    // verdict, of the accuracy that is asked for. Half of it takes more rounds on meshes
+    // that are left again; with double of it what the rounds leave over is taken for an
+    // error of the mesh.
     constexpr double looseness = .1;
 
     // How much smaller than the target accuracy the width of the bracket is on the first
     // mesh, and how much on each mesh than on the one before: the gap amplifies the
-    // errors of the fluid's pressure, the more so the closer it is to the threshold.
+    // errors of the fluid's pressure, the more so the closer it is to the threshold. Half
+    // of it makes each mesh larger, double of it takes more meshes.
     constexpr double mesh_share = .25;
 
     struct LiftedOff
@@ -121,7 +124,9 @@ namespace strait
     if (!has_extended)
       return;
     feedback.pressure() = from->fluid->pressure;
-    // What carried another load is not to lift this one off before it was tried.
+    // What carried another load is not to lift this one off before it was tried. The
+    // share of the load is only a start; half of it starts farther from where the fluid
+    // carries nearly all, and it must stay below one.
     constexpr double largest_share = .99;
     const double     fluid_load    = mean(feedback.pressure());
     if (is_limited_by_load() && fluid_load >= control.target)
@@ -142,11 +147,12 @@ namespace strait
   CoupledSeal::Iteration::settle()
   {
     // The verdict should not depend on what the iteration leaves over, but below that it
-    // is what contact and flow leave over that counts.
+    // is what contact and flow leave over that counts. Half of it takes a few rounds
+    // more, double of it blurs the tightest thresholds that can be asked for.
     constexpr double least = 1e-5;
     FeedbackGoal     goal{
       std::min(seal.scene.fluid.feedback.tolerance,
-               std::max(.1 * seal.scene.programme.threshold_tolerance, least))};
+               std::max(looseness * seal.scene.programme.threshold_tolerance, least))};
     goal.leak_rate = false;
     agree(goal);
   }
@@ -160,9 +166,13 @@ namespace strait
   CoupledSeal::Iteration::find_mesh()
   {
     // If the leak rate changes by more than that, contact and flow went to another
-    // state, for which another mesh of this share is wanted.
+    // state, for which another mesh of this share is wanted. Half of it discards meshes
+    // that are merely coarse, double of it refines meshes that were made for another gap.
     constexpr double another_state = .5;
-    constexpr int    max_finer = 2, max_states = 4;
+    // Of meshes for one state, and of states. Half as many may leave the leak rate to
+    // change with the mesh, which the bracket then says; twice as many cost more for gaps
+    // that no mesh settles.
+    constexpr int max_finer = 2, max_states = 4;
 
     const double target_accuracy = flow.fluid().target_accuracy;
     const double tolerance       = seal.scene.fluid.feedback.tolerance;
@@ -321,6 +331,8 @@ namespace strait
         }
     has_extended = true;
     // The next round starts from here, so that no more is needed than to come nearer.
+    // With half of it each round takes an iteration or so more, with double of it fewer,
+    // and more rounds until the pressure under the contact has followed.
     constexpr double reduction = 1e-3;
     seal.extension.extend(start, open, inlet, flow.fluid().outlet_pressure, reduction);
     return start;

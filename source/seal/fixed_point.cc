@@ -11,8 +11,9 @@ namespace strait
 {
   namespace
   {
-    // Of the residual in relaxation, in units of the largest allowed; maps that are
-    // steeper oscillate on.
+    // Of the residual in relaxation, in units of the largest allowed. Maps whose slope is
+    // more than twice the inverse oscillate on: half of it tames steeper ones, and makes
+    // slower what recovers from it; double of it the other way round.
     constexpr double least_damping = 1. / 16;
   } // namespace
 
@@ -90,7 +91,9 @@ namespace strait
   std::vector<double>
   FixedPoint::best_weights() const
   {
-    // Rounds that say almost the same as others must not fight each other.
+    // Rounds that say almost the same as others must not fight each other. Half and
+    // double of it treat alike all but rounds that are just that close; much less is the
+    // rounding of single precision, squared.
     constexpr double       dependent = 1e-8;
     const std::size_t      m         = differences.size();
     dealii::Vector<double> b(m), weights(m);

@@ -19,7 +19,8 @@ namespace strait
     constexpr double floor_fraction = 1e-8;
 
     // The mesh starts fine at the throats of so many paths. Where more channels share the
-    // flow refinement finds the others; fewer take it more meshes.
+    // flow refinement finds the others: half as many take it more meshes, twice as many
+    // take a search each.
     constexpr unsigned int n_paths_wanted = 3;
 
     // On the way to another gap, where the channel may be about to close, no mesh is
@@ -29,13 +30,10 @@ namespace strait
     constexpr unsigned long long most_on_the_way = 10000;
 
     // A mesh that is fine around a throat serves until the narrowest point is elsewhere
-    // and this many times narrower. A smaller factor makes more meshes, a larger one
-    // takes the pressure around the new throat from cells that are too coarse for it.
-    constexpr double outdone = 2.;
-
-    // A bracket is sought on a new mesh if the leak rate is this many times what it was
-    // when the mesh was made, or less by as much. A smaller factor makes more meshes, a
-    // larger one keeps more cells that no longer matter.
+    // and this many times narrower; and for a bracket until the leak rate is as many
+    // times what it was when the mesh was made, or less by as much. Half of it makes a
+    // new mesh each time. Double of it takes the pressure around a new throat from cells
+    // that are too coarse for it, and keeps more cells that no longer matter.
     constexpr double another_gap = 2.;
 
     /** Show how far the bracket of the leak rate is, as progress. */
@@ -81,6 +79,8 @@ namespace strait
   void
   FlowStage::read_mesh(const SlabLayoutPtr &layout)
   {
+    // Of the shape factor, which effective gaps are computed with: half and double of it
+    // change these by a third of it, and take the mesh of uniform gap finer or coarser.
     constexpr double    shape_accuracy = 1e-4;
     const PeriodicGrid &grid           = layout->grid();
     seal                               = std::make_shared<const SealMesh>(
@@ -141,7 +141,7 @@ namespace strait
         return;
       }
     if (!flow.solution || value_at(channel.gap, meshed_bottleneck) >=
-                            outdone * channel.paths.front().bottleneck_gap)
+                            another_gap * channel.paths.front().bottleneck_gap)
       {
         // Refined as for a bracket: on the first mesh the pressure is too coarse.
         mesh_and_bracket(flow, tolerance_factor, most_on_the_way);

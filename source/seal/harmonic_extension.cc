@@ -46,7 +46,6 @@ namespace strait
   void
   HarmonicExtension::classify(const SlabField &flow_gap)
   {
-    constexpr double open_share = .5; // of the largest gap beside the point
     const int        nx = layout->grid().nx, n_rows = layout->n_rows();
     std::vector<int> rows;
     for (int row = -1; n_rows > 0 && row <= n_rows; ++row)
@@ -63,8 +62,9 @@ namespace strait
               largest = std::max(
                 largest,
                 gap[static_cast<std::size_t>(row + b) * nx + (ix + a + nx) % nx]);
+          // A point is open with half of the largest gap beside it.
           const double ratio =
-            largest > 0 ? std::max(flow_gap[k], 0.) / (open_share * largest) : 0.;
+            largest > 0 ? 2. * std::max(flow_gap[k], 0.) / largest : 0.;
           spring[k] = ratio < 1 && !is_on_seam(ix, row)
                         ? (weight_x + weight_y) * ratio * ratio / (1. - ratio)
                         : std::numeric_limits<double>::infinity();
@@ -78,8 +78,12 @@ namespace strait
                             const double     outlet_pressure,
                             const double     reduction)
   {
-    constexpr double tolerance      = 1e-7; // of the boundary values' own residual
-    constexpr int    max_iterations = 1000;
+    // Of the boundary values' own residual. Half and double of it take an iteration more
+    // or less; single precision would not tell them apart.
+    constexpr double tolerance = 1e-7;
+    // It only ends what would go on for ever: half of it would be enough where the
+    // preconditioner works, double of it fails later.
+    constexpr int max_iterations = 1000;
     classify(flow_gap);
 
     // Boundary values and springs alone, which are the right-hand side.
@@ -187,7 +191,9 @@ namespace strait
     for (std::size_t k = 0; k < z.size(); ++k)
       z[k] = scale(k) * r[k];
     // The pressure is held all around a contact, which is hardly wider than a tenth of
-    // the box: longer waves are no less stiff than that one.
+    // the box: longer waves are no less stiff than that one. Half and double of it
+    // precondition waves worse that are as long as the contacts, or as short, and change
+    // the number of iterations only.
     constexpr double periods = 10.;
     const double     least = periods * periods * std::min(stiffness_x[1], stiffness_y[1]);
     transform.multiply(z.data(), z.data(), [&](const int kx, const int ky) {

@@ -12,20 +12,27 @@ namespace strait
   namespace
   {
     // How many times faster than in the last step the contact area, and the mean gap
-    // (or, under gap control, the pressure) may change, plus how much.
+    // (or, under gap control, the pressure) may change; of the area how much more. Half
+    // of any of them halves steps that are smooth, which costs contact problems; double
+    // of it lets jumps pass that change the area or the gap by as little.
     constexpr double steeper_area = 3., free_change_of_area = .01;
-    constexpr double steeper = 1.3, free_change = 1e-3; // the latter of the largest
+    constexpr double steeper = 1.3;
 
     /** Between the change of the energy and the trapezoidal rule, in units of the
      *  range that the slopes at the ends leave: a smooth path has a twelfth of the
-     *  relative step, a jump at a share f of the step |f − 1/2|. */
+     *  relative step, a jump at a fraction f of the step |f − 1/2|. Half of it halves
+     *  steps that are merely long, double of it overlooks jumps nearer to the middle. */
     constexpr double largest_skewness = .025;
 
-    /** What a jump must dissipate, in units of the largest slope and the step. */
+    /** What a jump must dissipate, in units of the largest slope and the step; and the
+     *  change of the slope itself that is always allowed. Half of it takes the
+     * optimiser's tolerance for jumps sooner, double of it overlooks jumps that dissipate
+     * so little. */
     constexpr double slope_noise = 1e-3;
 
     /** Of one step: a rough contact line may move in many small jumps, which together
-     *  are not worth more. */
+     *  are not worth more. With half of it such a step ends with one wider jump where
+     *  twice as many solves would enclose them one by one. */
     constexpr int max_solves = 60;
 
     PathPoint
@@ -81,7 +88,7 @@ namespace strait
         const double slope = std::abs(slope_at(after) - slope_at(before));
         return area <=
                  free_change_of_area + steeper_area * std::abs(trend.area * change) &&
-               slope <= free_change * trend.largest_slope +
+               slope <= slope_noise * trend.largest_slope +
                           steeper * std::abs(trend.slope * change);
       }
 

@@ -11,7 +11,8 @@ namespace strait
 {
   namespace
   {
-    // Of a usual pressure: what leaks with so little leaks by itself.
+    // Of a usual pressure: what leaks with so little leaks by itself. Half and double of
+    // it judge alike, as neither bends the walls.
     constexpr double negligible = 1e-6;
 
     void

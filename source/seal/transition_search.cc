@@ -12,7 +12,10 @@ namespace strait
 {
   namespace
   {
-    constexpr double widest_range = 1e6; // of values around the first
+    // Of values around the first: a contact that neither seals nor leaks within it has no
+    // transition that a scene could mean. Half of it is as good, double of it says so
+    // later.
+    constexpr double widest_range = 1e6;
     constexpr double unknown      = std::numeric_limits<double>::quiet_NaN();
 
     /** Close to linear in the value around the transition. */
@@ -55,6 +58,9 @@ namespace strait
   double
   TransitionSearch::value_outside(const Known &known, const double first) const
   {
+    // Factors. Steps half as long ask more often until the transition is between two
+    // values, steps twice as long leave a wider bracket, and the contact problems at its
+    // far end start from less similar ones.
     constexpr double smallest_step = 1.02, first_step = 1.2, largest_step = 1.6;
     if (known.open.empty() && known.sealed.empty())
       return first;
@@ -80,6 +86,9 @@ namespace strait
   bool
   TransitionSearch::is_linear(const Known &known)
   {
+    // Slopes that differ by less than this factor are one line. A factor nearer to one
+    // falls back to the power laws of a transition where the line would have led closer,
+    // double of it follows lines across the kink.
     constexpr double alike = 1.6;
     const auto       slope = [](const Point &a, const Point &b) {
       return (a.openness - b.openness) / (b.value - a.value);
@@ -98,6 +107,9 @@ namespace strait
   double
   TransitionSearch::value_between(const Known &known, const bool bisect) const
   {
+    // Beyond where the line meets zero, so that the transition comes to lie between. With
+    // half of it the next value is more often on the same side, with double of it the
+    // bracket stays wider.
     constexpr double overshoot = .2;
     const Point     &open = known.open.back(), &sealed = known.sealed.back();
     const double     lower = open.value, upper = sealed.value;

@@ -10,12 +10,18 @@ namespace strait
 {
   namespace
   {
+    // Half as many leave directions out in which the gap and the fluid pull each other
+    // along, which takes more rounds; twice as many take twice the memory, for rounds
+    // from places where the map was another one.
     constexpr int rounds_combined = 6;
 
-    // Of an iteration; see the class.
+    // Of an iteration; see the class. Half as many give combinations up that would still
+    // have paid, twice as many lose as many rounds where none does.
     constexpr int last_combined = 30;
 
-    // So often the verdict may change before the two sides are enclosed.
+    // So often the verdict may change before the two sides are enclosed. Half as often,
+    // sides are halved where the iteration would have settled on one; twice as often,
+    // rounds are spent on jumping to and fro.
     constexpr int changes_allowed = 3;
 
     FixedPoint::Product
@@ -156,8 +162,12 @@ namespace strait
                                const FeedbackGoal  &goal,
                                FeedbackResult      &result)
   {
-    constexpr int    rounds_of_a_walk = 16;
-    constexpr double circular = .5, smaller = .25;
+    // Half as many are too few for a circle to close, twice as many take as much longer
+    // to see that it did.
+    constexpr int rounds_of_a_walk = 16;
+    // Half of it makes steps needlessly small, double of it takes more walks to come
+    // there.
+    constexpr double smaller = .25;
     if (result.iterations < last_combined)
       return false;
     SlabField change = now.fluid_pressure;
@@ -180,7 +190,8 @@ namespace strait
         result = mixed;
         return true;
       }
-    fixed_point.damp(mixed.change < circular * result.change ? smaller : 1. / smaller);
+    // Changes that cancel by more than half go round in a circle.
+    fixed_point.damp(2. * mixed.change < result.change ? smaller : 1. / smaller);
     walk = Walk();
     return false;
   }

@@ -188,6 +188,9 @@ namespace strait
     const Roughness before = roughness(map, size);
     if (parameters.make_periodic == MakePeriodic::no)
       {
+        // Over those between neighbours. A period of a rough surface has about 1: with
+        // half of it chance would be warned of, with double of it seams pass that act as
+        // walls.
         constexpr double largest_step = 3.;
         if (!map.is_periodic && before.seam > largest_step)
           remarks.warnings.push_back(format(

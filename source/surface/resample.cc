@@ -75,6 +75,8 @@ namespace strait
     const auto   wave_number = [&](const int kx, const int ky) {
       return two_pi * std::hypot(kx / source.lx, ky / source.ly);
     };
+    // So that a wave of the very length that was asked for is kept. Half and double of it
+    // keep the same waves.
     constexpr double rounding = 1e-9;
     const double     q_most =
       band.shortest > 0 ? two_pi / band.shortest * (1 + rounding) : HUGE_VAL;

@@ -60,8 +60,13 @@ namespace strait
     std::vector<Sample>
     usable(const std::vector<SpectrumBin> &spectrum)
     {
+      // From one bin to the next: what falls by more is a cut-off. With half of it one
+      // that lies within a bin may pass for a part of the law, with double of it the
+      // scatter of the first bins, of a few waves each, may sooner pass for a cut-off.
       constexpr double drop = 1e-3;
-      // An average over n waves scatters by 1/n; no law holds better than to 10 %.
+      // An average over n waves scatters by 1/n; no law holds better than to 10 %. With
+      // half of it the last bins, of many waves, weigh more against the first, with
+      // double of it less.
       constexpr double    model_variance = 0.01;
       std::vector<Sample> samples;
       double              before = 0;
@@ -127,11 +132,14 @@ namespace strait
   std::optional<SelfAffineFit>
   fit_self_affine(const std::vector<SpectrumBin> &spectrum)
   {
+    // Bins, three of which lie above the roll-off. With half of them the fit would have
+    // more parameters than data, double of them refuses small grids.
     const std::vector<Sample> samples      = usable(spectrum);
     constexpr std::size_t     least_needed = 5;
     if (samples.size() < least_needed)
       return {};
-    // The roll-off among many places; three bins at least must lie above it.
+    // The roll-off among many places; three bins at least must lie above it. Half as many
+    // find it half as exactly, twice as many in twice the time: bins are far coarser.
     constexpr int n_places = 200;
     const double  first = samples.front().log_q, last = samples[samples.size() - 4].log_q;
     Line          best;

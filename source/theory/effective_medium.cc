@@ -50,6 +50,8 @@ namespace strait
     };
     if (least == most)
       return alone * most;
+    // Of the logarithm, so that rounding cannot put the root outside. Half and double of
+    // it find the same root in as many steps.
     constexpr double margin     = 1e-3;
     std::uintmax_t   most_steps = 200;
     const auto [low, high] =

@@ -57,6 +57,9 @@ namespace strait
       return s.slope_square / growth(4 - s.decay, std::log(s.to / s.from)) *
              std::pow(q / s.from, -s.decay) * std::pow(s.from, -4);
     };
+    // Relative step of C at which integrals over it are divided. With half of it the
+    // noise of a measured spectrum divides them more often, with double of it steps are
+    // left within a panel, which then is less exact.
     constexpr double jump = .1;
     for (std::size_t k = 1; k < sections.size(); ++k)
       {
@@ -162,11 +165,16 @@ namespace strait
   RadialSpectrum
   measured_spectrum(const SlabField &heights)
   {
-    // Rings of the width of one wave, later of a fiftieth of their radius.
-    constexpr double    widest = 1.02, negligible = 1e-20;
-    const PeriodicGrid &grid = heights.grid();
-    const double        step = two_pi / std::max(grid.lx, grid.ly);
-    const double        last = two_pi * std::hypot(.5 / grid.dx(), .5 / grid.dy());
+    // Rings of the width of one wave, later of a fiftieth of their radius: half of that
+    // is twice as many rings to integrate over, double of it smooths the spectrum twice
+    // as much.
+    constexpr double widest = 1.02;
+    // Of the mean square slope: rings with less are rounding of the transform. Half and
+    // double of it are as far below any wave that counts.
+    constexpr double    negligible = 1e-20;
+    const PeriodicGrid &grid       = heights.grid();
+    const double        step       = two_pi / std::max(grid.lx, grid.ly);
+    const double        last       = two_pi * std::hypot(.5 / grid.dx(), .5 / grid.dy());
     std::vector<double> edges(1, .5 * step);
     while (edges.back() <= last)
       edges.push_back(std::max(edges.back() + step, widest * edges.back()));

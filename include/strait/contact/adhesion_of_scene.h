@@ -45,10 +45,13 @@ namespace strait
     double        spacing;
   };
 
-  /** Largest resolution() at which a warning is due. */
+  /** Smallest resolution() without a warning. At half of it contact lines that begin to
+   *  stick to the grid pass unnoticed, at double of it grids are warned of on which
+   * several points lie within the edge of a contact. */
   constexpr double resolved_adhesion = 3.;
 
-  /** Largest resolution() at which an error is due. */
+  /** Smallest resolution() without an error. At half of it runs pass whose contact lines
+   *  stick to the grid, at double of it runs are refused that are coarse but usable. */
   constexpr double unresolved_adhesion = .8;
 
   /**

@@ -8,6 +8,11 @@
 
 namespace strait
 {
+  /** Of the energy: what rounding may add to it in a step downhill. Half of it may call a
+   *  step uphill that is not, near the end; double of it admits steps that gain nothing.
+   */
+  constexpr double energy_noise = 3e-13;
+
   /**
    * A gap g >= 0 on its way down in energy, and what follows from it: the elastic
    * traction Kw, the derivative r of the energy by g, and the curvature of the adhesion.

@@ -27,6 +27,9 @@ namespace strait
   class GapInterpolant
   {
   public:
+    /** The largest n that evaluate() takes. */
+    static constexpr int max_points = 4;
+
     GapInterpolant(GapInterpolation kind_, FlowDirection direction_)
       : kind(kind_)
       , direction(direction_)

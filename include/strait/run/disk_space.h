@@ -9,7 +9,8 @@
 
 namespace strait
 {
-  /** More than an HDF5 file of ours holds beside its fields. */
+  /** More than an HDF5 file of ours holds beside its fields, in bytes. Half of it might
+   * be too little, double of it refuses a disk that is fuller than it need be. */
   constexpr std::uintmax_t hdf5_overhead = 1 << 16;
 
   /**

@@ -52,6 +52,8 @@ namespace strait
     }
 
   private:
+    // With none, a pool that forms on the way to the state would never count as one; with
+    // twice as many, pools that come and go cost more rounds before they are held.
     static constexpr int changes_allowed = 1;
 
     std::vector<NodeState>    before;
