@@ -3,7 +3,7 @@
 // wavy plates. Exact for flow along x: g0³ (1 − ε²)^(5/2)/(1 + ε²/2)/(12 η), ε = 1/2.
 #include <strait/base/timers.h>
 #include <strait/run/load_sweep.h>
-#include <strait/surface/sample.h>
+#include <strait/spectral/slab_field.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/contact/gap_conjugate_gradients.h>
+#include <strait/contact/optimisers.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/contact/dual_conjugate_gradients.h>
-#include <strait/contact/gap_conjugate_gradients.h>
-#include <strait/contact/gap_dynamics.h>
-#include <strait/contact/gap_newton.h>
 #include <strait/contact/make_optimiser.h>
-#include <strait/contact/polonsky_keer.h>
+#include <strait/contact/optimisers.h>
 
 #include <utility>
 

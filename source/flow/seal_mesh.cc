@@ -3,7 +3,6 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 #include <strait/flow/seal_mesh.h>
-#include <strait/flow/seal_shape.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -161,27 +160,6 @@ namespace strait
   make_seal_mesh(const MeshFile &file, const std::string &name)
   {
     return Builder(file, name).build();
-  }
-
-  std::vector<OutlineEdge>
-  SealMesh::outline(const double longest) const
-  {
-    std::vector<OutlineEdge> result;
-    for (const Edge &edge : edges)
-      {
-        const Point<2>       &to    = points[edge.to];
-        std::vector<Point<2>> chain = {points[edge.from]};
-        if (edge.circle >= 0)
-          chain = divide_arc(circles[edge.circle], points[edge.from], to, longest);
-        chain.push_back(to);
-        const OutlineKind kind = edge.part == Part::inlet    ? OutlineKind::inlet
-                                 : edge.part == Part::outlet ? OutlineKind::outlet
-                                                             : OutlineKind::wall;
-        for (std::size_t k = 0; k + 1 < chain.size(); ++k)
-          result.push_back(
-            {chain[k][0], chain[k][1], chain[k + 1][0], chain[k + 1][1], kind});
-      }
-    return result;
   }
 
   SealMesh

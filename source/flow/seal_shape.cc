@@ -231,4 +231,25 @@ namespace strait
       }
     return chain;
   }
+
+  std::vector<OutlineEdge>
+  SealMesh::outline(const double longest) const
+  {
+    std::vector<OutlineEdge> result;
+    for (const Edge &edge : edges)
+      {
+        const Point<2>       &to    = points[edge.to];
+        std::vector<Point<2>> chain = {points[edge.from]};
+        if (edge.circle >= 0)
+          chain = divide_arc(circles[edge.circle], points[edge.from], to, longest);
+        chain.push_back(to);
+        const OutlineKind kind = edge.part == Part::inlet    ? OutlineKind::inlet
+                                 : edge.part == Part::outlet ? OutlineKind::outlet
+                                                             : OutlineKind::wall;
+        for (std::size_t k = 0; k + 1 < chain.size(); ++k)
+          result.push_back(
+            {chain[k][0], chain[k][1], chain[k + 1][0], chain[k + 1][1], kind});
+      }
+    return result;
+  }
 } // namespace strait

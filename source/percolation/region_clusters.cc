@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/percolation/clusters.h>
 #include <strait/percolation/flow_lattice.h>
-#include <strait/percolation/region_clusters.h>
 
 #include <algorithm>
 #include <utility>

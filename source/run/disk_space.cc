@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 namespace strait
@@ -45,5 +46,21 @@ namespace strait
         throw ComputationError("The file '" + path +
                                "' could not be written; is the disk full?");
     });
+  }
+
+  void
+  write_text(const std::string &path, const std::string &text)
+  {
+    const std::string fresh = path + ".new";
+    std::ofstream     file(fresh);
+    file << text << std::flush;
+    std::error_code error;
+    if (file)
+      std::filesystem::rename(fresh, path, error);
+    if (file && !error)
+      return;
+    std::filesystem::remove(fresh, error);
+    throw ComputationError("The file '" + path +
+                           "' could not be written; is the disk full?");
   }
 } // namespace strait

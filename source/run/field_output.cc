@@ -3,13 +3,13 @@
 #include <strait/flow/reynolds_solver.h>
 #include <strait/run/disk_space.h>
 #include <strait/run/field_output.h>
-#include <strait/run/grid_description.h>
-#include <strait/run/output_directory.h>
 
 #include <deal.II/base/hdf5.h>
 #include <deal.II/numerics/data_out.h>
 
 #include <fstream>
+#include <sstream>
+#include <vector>
 
 namespace strait
 {
@@ -43,6 +43,69 @@ namespace strait
     local_values(const SlabField &field)
     {
       return {field.begin(), field.end()};
+    }
+
+    /** A data set of shape (ny, nx) in an HDF5 file. */
+    struct GridDataset
+    {
+      std::string name;
+      bool        is_whole = false; // of whole numbers of 4 bytes, else doubles
+    };
+
+    /**
+     * The text of an XDMF file (version 2, as ParaView reads it) beside the HDF5 file
+     * @p file, with each of @p datasets at the points of @p grid in the plane z = 0.
+     *
+     * A slice of a three-dimensional grid: ParaView lays a two-dimensional one out in
+     * another plane.
+     */
+    std::string
+    grid_description(const std::string              &file,
+                     const PeriodicGrid             &grid,
+                     const std::vector<GridDataset> &datasets)
+    {
+      const std::string shape =
+        "\"1 " + std::to_string(grid.ny) + " " + std::to_string(grid.nx) + "\"";
+      std::ostringstream out;
+      out.precision(17);
+      const char *const three_numbers =
+        "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">";
+      out
+        << "<?xml version=\"1.0\"?>\n"
+        << "<Xdmf Version=\"2.0\">\n<Domain>\n<Grid Name=\"grid\" GridType=\"Uniform\">\n"
+        << "  <Topology TopologyType=\"3DCoRectMesh\" Dimensions=" << shape << "/>\n"
+        << "  <Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n"
+        << "    " << three_numbers
+        << "0 0 0</DataItem>\n"
+        // From the slowest index to the fastest; the first one does not matter.
+        << "    " << three_numbers << grid.dx() << ' ' << grid.dy() << ' ' << grid.dx()
+        << "</DataItem>\n  </Geometry>\n";
+      for (const GridDataset &dataset : datasets)
+        out << "  <Attribute Name=\"" << dataset.name
+            << "\" AttributeType=\"Scalar\" Center=\"Node\">\n    <DataItem Dimensions="
+            << shape << " NumberType="
+            << (dataset.is_whole ? "\"Int\" Precision=\"4\""
+                                 : "\"Float\" Precision=\"8\"")
+            << " Format=\"HDF\">" << file << ":/" << dataset.name
+            << "</DataItem>\n  </Attribute>\n";
+      out << "</Grid>\n</Domain>\n</Xdmf>\n";
+      return out.str();
+    }
+
+    /** A list that every rank knows. */
+    void
+    write_list(dealii::HDF5::Group       &group,
+               const std::string         &name,
+               const std::vector<double> &values,
+               MPI_Comm                   comm)
+    {
+      int rank = 0;
+      MPI_Comm_rank(comm, &rank);
+      auto dataset = group.create_dataset<double>(name, {values.size()});
+      if (rank == 0)
+        dataset.write_hyperslab(values, {0}, {values.size()});
+      else
+        dataset.write_none<double>();
     }
   } // namespace
 
@@ -140,5 +203,34 @@ namespace strait
       out.write_pvtu_record(record, {"flow-" + std::to_string(step.number) + ".vtu"});
     });
     require_end(name + ".pvtu", "</VTKFile>", comm);
+  }
+
+  void
+  write_gap_distributions(const std::string &directory, const Step &step, MPI_Comm comm)
+  {
+    if (!step.theory)
+      return;
+    using Mode                    = dealii::HDF5::File::FileAccessMode;
+    const TheoryResult &theory    = *step.theory;
+    const auto         &persson   = theory.persson_gaps;
+    const auto         &simulated = theory.simulated_gaps;
+    const bool          is_begun  = !step.state.gap().empty();
+    dealii::HDF5::File  file(directory + "/fields-" + std::to_string(step.number) + ".h5",
+                            is_begun ? Mode::open : Mode::create,
+                            comm);
+    if (!is_begun)
+      file.set_attribute("nominal_pressure", theory.pressure);
+    auto group = file.create_group("gap_distribution");
+    write_list(group, "edges", (persson ? persson : simulated)->edges, comm);
+    if (persson)
+      {
+        write_list(group, "persson", persson->shares, comm);
+        group.set_attribute("persson_contact_area", persson->contact_area);
+      }
+    if (simulated)
+      {
+        write_list(group, "simulated", simulated->shares, comm);
+        group.set_attribute("simulated_contact_area", simulated->contact_area);
+      }
   }
 } // namespace strait

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/run/leakage_table.h>
-#include <strait/run/simulation.h>
-#include <strait/run/theory_run.h>
+#include <strait/surface/resolution.h>
 
 #include <cmath>
 #include <functional>
@@ -110,7 +109,7 @@ namespace strait
   Table<Step>
   leakage_table(const Scene &scene)
   {
-    const bool      theory_alone = is_theory_only(scene);
+    const bool      theory_alone = scene.is_theory_only();
     const Condition with_contact = {"", scene.contact.enabled};
     const Condition with_flow    = {"", scene.fluid.enabled};
     const Condition with_adhesion{"with adhesion",

@@ -3,12 +3,11 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/json.h>
+#include <strait/run/disk_space.h>
 #include <strait/run/error_budget.h>
 #include <strait/run/field_output.h>
-#include <strait/run/gap_output.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/picture_data.h>
-#include <strait/run/simulation.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -94,22 +93,6 @@ namespace strait
       return result + "'";
     }
   } // namespace
-
-  void
-  write_text(const std::string &path, const std::string &text)
-  {
-    const std::string fresh = path + ".new";
-    std::ofstream     file(fresh);
-    file << text << std::flush;
-    std::error_code error;
-    if (file)
-      fs::rename(fresh, path, error);
-    if (file && !error)
-      return;
-    fs::remove(fresh, error);
-    throw ComputationError("The file '" + path +
-                           "' could not be written; is the disk full?");
-  }
 
   void
   prepare_directory(const std::string &path, MPI_Comm comm)

@@ -4,7 +4,7 @@
 #include <strait/base/units.h>
 #include <strait/run/leakage_table.h>
 #include <strait/run/result_tables.h>
-#include <strait/run/simulation.h>
+#include <strait/surface/resolution.h>
 
 #include <cmath>
 #include <ostream>

@@ -147,19 +147,10 @@ namespace strait
     }
   } // namespace
 
-  PeriodicGrid
-  grid_of(const Scene &scene)
-  {
-    return {scene.contact.grid_points[0],
-            scene.contact.grid_points[1],
-            scene.surface.size[0],
-            scene.surface.size[1]};
-  }
-
   RunSummary
   simulate(const Scene &scene, Log &log, const bool resume)
   {
-    if (is_theory_only(scene)) // so quick that it begins anew
+    if (scene.is_theory_only()) // so quick that it begins anew
       {
         run_theory(scene, log);
         return {};
@@ -244,7 +235,7 @@ namespace strait
   void
   describe(const Scene &scene, Log &log)
   {
-    if (is_theory_only(scene))
+    if (scene.is_theory_only())
       {
         describe_theory(scene, log);
         return;

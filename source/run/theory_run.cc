@@ -2,7 +2,6 @@
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
 #include <strait/run/output_directory.h>
-#include <strait/run/simulation.h>
 #include <strait/run/step_report.h>
 #include <strait/run/theory_prediction.h>
 #include <strait/run/theory_run.h>
@@ -41,12 +40,6 @@ namespace strait
                std::sqrt(spectrum.slope_square())));
     }
   } // namespace
-
-  bool
-  is_theory_only(const Scene &scene)
-  {
-    return scene.theory.enabled && !scene.contact.enabled && !scene.fluid.enabled;
-  }
 
   void
   run_theory(const Scene &scene, Log &log)

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/text.h>
+#include <strait/spectral/fourier_transform.h>
 #include <strait/surface/file_surface.h>
 #include <strait/surface/map_processing.h>
-#include <strait/surface/resample.h>
+#include <strait/surface/readers/formats.h>
 #include <strait/surface/scene_text.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <cstdlib>
 
 namespace strait
 {
@@ -27,7 +31,122 @@ namespace strait
               " in the scene's unit of length (metres unless Units/Length "
               "says otherwise).");
     }
+
+    using Complex = std::complex<double>;
+
+    /** The modes 0 <= kx <= nx/2, −ny/2 < ky <= ny/2 of a map. */
+    class Spectrum
+    {
+    public:
+      Spectrum(const std::vector<double> &values, const PeriodicGrid &grid_)
+        : grid(grid_)
+        , modes(static_cast<std::size_t>(grid.nx / 2 + 1) * grid.ny)
+      {
+        FourierTransform transform(make_layout(grid, MPI_COMM_SELF));
+        transform.analyze(
+          values.data(), [this](const int kx, const int ky, const Complex &mode, double) {
+            modes[index(kx, ky)] = mode;
+          });
+      }
+
+      /**
+       * The coefficient of exp(iqr) on a grid of @p nx × @p ny points. A wave at the
+       * end of this spectrum stands for two, of which a finer grid knows both.
+       */
+      Complex
+      on_grid(const int kx, const int ky, const int nx, const int ny) const
+      {
+        if (2 * kx > grid.nx || 2 * std::abs(ky) > grid.ny)
+          return 0.;
+        double share = 1.;
+        if (2 * kx == grid.nx && nx > grid.nx)
+          share /= 2;
+        if (2 * std::abs(ky) == grid.ny && ny > grid.ny)
+          share /= 2;
+        return share * modes[index(kx, 2 * ky == -grid.ny ? -ky : ky)];
+      }
+
+    private:
+      std::size_t
+      index(const int kx, const int ky) const
+      {
+        return static_cast<std::size_t>(ky < 0 ? ky + grid.ny : ky) * (grid.nx / 2 + 1) +
+               kx;
+      }
+
+      PeriodicGrid         grid;
+      std::vector<Complex> modes;
+    };
+
+    /** Sums of |h~|² and q²|h~|². */
+    struct Power
+    {
+      double height = 0.;
+      double slope  = 0.;
+    };
   } // namespace
+
+  Resampled
+  fourier_resample(const std::vector<double> &values,
+                   const PeriodicGrid        &source,
+                   const PeriodicGrid        &target,
+                   const WaveBand            &band)
+  {
+    const double two_pi      = 2 * std::acos(-1.);
+    const auto   wave_number = [&](const int kx, const int ky) {
+      return two_pi * std::hypot(kx / source.lx, ky / source.ly);
+    };
+    // So that a wave of the very length that was asked for is kept. Half and double of it
+    // keep the same waves.
+    constexpr double rounding = 1e-9;
+    const double     q_most =
+      band.shortest > 0 ? two_pi / band.shortest * (1 + rounding) : HUGE_VAL;
+    const double q_least = band.longest > 0 ? two_pi / band.longest * (1 - rounding) : 0.;
+
+    const Spectrum spectrum(values, source);
+    const auto     power_of = [&](const PeriodicGrid &grid, const bool banded) {
+      Power power;
+      for (int ky = -grid.ny / 2; ky <= grid.ny / 2; ++ky)
+        for (int kx = 0; kx <= grid.nx / 2; ++kx)
+          {
+            const double q = wave_number(kx, ky);
+            if (q == 0. || (banded && (q > q_most || q < q_least)))
+              continue;
+            // Both ends of an even grid are visited and count half each.
+            const double weight = (kx == 0 ? 0.5 : 1.) * (2 * kx == grid.nx ? 0.5 : 1.) *
+                                  (2 * std::abs(ky) == grid.ny ? 0.5 : 1.);
+            const double share =
+              weight * std::norm(spectrum.on_grid(kx, ky, grid.nx, grid.ny));
+            power.height += share;
+            power.slope += q * q * share;
+          }
+      return power;
+    };
+    const Power before = power_of(source, false);
+    const Power after  = power_of(target, true);
+
+    FourierTransform transform(make_layout(target, MPI_COMM_SELF));
+    Resampled        result;
+    result.values.resize(static_cast<std::size_t>(target.n_points()));
+    transform.synthesize(result.values.data(),
+                         [&](const int kx, const int ky) -> Complex {
+                           const double q = wave_number(kx, ky);
+                           // A wave at the end of a coarser grid would be one of two
+                           // folded together.
+                           const bool is_folded =
+                             (2 * kx == target.nx && target.nx < source.nx) ||
+                             (2 * std::abs(ky) == target.ny && target.ny < source.ny);
+                           if (q > 0. && (q > q_most || q < q_least || is_folded))
+                             return 0.;
+                           return spectrum.on_grid(kx, ky, target.nx, target.ny);
+                         });
+    if (before.height > 0)
+      {
+        result.kept_height = std::sqrt(after.height / before.height);
+        result.kept_slope  = std::sqrt(after.slope / before.slope);
+      }
+    return result;
+  }
 
   FileSurface::FileSurface(const SurfaceParameters &parameters,
                            const std::string       &file_,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
+#include <strait/spectral/slab_field.h>
 #include <strait/surface/file_surface.h>
 #include <strait/surface/height_function.h>
 #include <strait/surface/make_surface.h>
-#include <strait/surface/sample.h>
 #include <strait/surface/scene_text.h>
 #include <strait/surface/self_affine_surface.h>
 

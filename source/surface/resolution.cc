@@ -8,6 +8,15 @@
 
 namespace strait
 {
+  PeriodicGrid
+  grid_of(const Scene &scene)
+  {
+    return {scene.contact.grid_points[0],
+            scene.contact.grid_points[1],
+            scene.surface.size[0],
+            scene.surface.size[1]};
+  }
+
   std::vector<std::string>
   check_resolution(const SurfaceParameters &parameters, const PeriodicGrid &grid)
   {

@@ -2,7 +2,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/scene.h>
 #include <strait/base/scene_text.h>
-#include <strait/surface/readers/height_map.h>
+#include <strait/surface/readers/formats.h>
 
 #include <cstdint>
 #include <cstdlib>

@@ -6,7 +6,7 @@
 #include <strait/base/collective.h>
 #include <strait/contact/contact_solver.h>
 #include <strait/contact/half_space.h>
-#include <strait/surface/sample.h>
+#include <strait/spectral/slab_field.h>
 
 #include <algorithm>
 #include <cmath>

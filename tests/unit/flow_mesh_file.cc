@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
 #include <strait/flow/seal_mesh.h>
-#include <strait/flow/seal_shape.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #ifndef strait_tests_unit_surface_format_tools_h
 #define strait_tests_unit_surface_format_tools_h
 
-#include <strait/surface/readers/height_map.h>
+#include <strait/surface/readers/formats.h>
 
 #include <functional>
 #include <sstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/surface/file_surface.h>
 #include <strait/surface/map_processing.h>
-#include <strait/surface/resample.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/surface/readers/height_map.h>
+#include <strait/surface/readers/formats.h>
 
 #include <gtest/gtest.h>
 

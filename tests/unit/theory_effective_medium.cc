@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/surface/sample.h>
+#include <strait/spectral/slab_field.h>
 #include <strait/theory/effective_medium.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/surface/sample.h>
+#include <strait/spectral/slab_field.h>
 #include <strait/surface/statistics.h>
 #include <strait/theory/radial_spectrum.h>
 

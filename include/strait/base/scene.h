@@ -29,6 +29,13 @@ namespace strait
     TheoryParameters      theory;
     OutputParameters      output;
 
+    /** Whether the scene asks for the theory and for no simulation. */
+    bool
+    is_theory_only() const
+    {
+      return theory.enabled && !contact.enabled && !fluid.enabled;
+    }
+
     /** The scene file, with every default filled in. */
     std::string resolved;
 

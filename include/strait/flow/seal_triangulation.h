@@ -2,7 +2,7 @@
 #ifndef strait_flow_seal_triangulation_h
 #define strait_flow_seal_triangulation_h
 
-#include <strait/flow/seal_mesh.h>
+#include <strait/flow/seal_shape.h>
 #include <strait/spectral/grid_cell.h>
 
 #include <deal.II/distributed/tria.h>

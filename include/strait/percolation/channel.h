@@ -2,9 +2,9 @@
 #ifndef strait_percolation_channel_h
 #define strait_percolation_channel_h
 
+#include <strait/percolation/bottleneck.h>
 #include <strait/percolation/clusters.h>
 #include <strait/percolation/flow_path.h>
-#include <strait/percolation/throat.h>
 
 #include <vector>
 

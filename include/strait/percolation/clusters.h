@@ -55,6 +55,10 @@ namespace strait
    * collective.
    */
   Clusters find_clusters(const SlabField &open_gap, const FlowDomain &domain);
+
+  /** find_clusters() for a @p domain that is a region, on rank 0, whose memory it needs
+   *  for 17 B a grid point. Collective. */
+  Clusters find_clusters_in_region(const SlabField &open_gap, const FlowDomain &domain);
 } // namespace strait
 
 #endif

@@ -23,6 +23,10 @@ namespace strait
   /** Throws ComputationError on all ranks unless the file @p path ends with @p end, but
    *  for blanks: a library may leave half of it without a word. Collective. */
   void require_end(const std::string &path, const std::string &end, MPI_Comm comm);
+
+  /** Write a whole file in the place of the one before. Throws ComputationError if that
+   *  fails; then the one before stays. */
+  void write_text(const std::string &path, const std::string &text);
 } // namespace strait
 
 #endif

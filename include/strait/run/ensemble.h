@@ -9,28 +9,6 @@
 
 namespace strait
 {
-  /** One surface of several, and what came of it: a row of ensemble.csv. What is not
-   *  known is not a number. */
-  struct RealisationRow
-  {
-    int                number = 0; // from 1
-    unsigned long long seed   = 0;
-    std::string        orientation;
-    double             lower, upper, contact_area; // of the first slip length's threshold
-    double             crossover_load, crossover_reduced_load, theory_crossover_load;
-    double             exponent, exponent_error; // of the leak rate
-    std::string        status;                   // ok, not-converged or failed
-  };
-
-  /** How a quantity scatters over the realisations: a row of ensemble_summary.csv. */
-  struct ScatterRow
-  {
-    std::string quantity;
-    double      mean               = 0.;
-    double      standard_deviation = 0.;
-    std::size_t n_samples          = 0; // realisations for which it is a finite number
-  };
-
   /**
    * Run the scene file @p path with @p overrides, which @p scene is made of, for each
    * of its realisations, or once if it has no section Realisations.

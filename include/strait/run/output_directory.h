@@ -5,6 +5,7 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
+#include <strait/run/exponent_fit.h>
 #include <strait/run/leakage_table.h>
 #include <strait/run/result_tables.h>
 #include <strait/run/step.h>
@@ -21,13 +22,20 @@ namespace strait
    */
   void prepare_directory(const std::string &path, MPI_Comm comm);
 
-  /** Write a whole file in the place of the one before. Throws ComputationError if that
-   *  fails; then the one before stays. */
-  void write_text(const std::string &path, const std::string &text);
-
   /** Let the plotting script draw the results in @p path; a failure is a warning.
    *  For rank 0 only. */
   void draw_pictures(const std::string &path, Log &log);
+
+  /** What a run leaves besides its files. */
+  struct RunSummary
+  {
+    bool                    converged = true;  // all steps
+    bool                    stopped   = false; // by a signal, before the last step
+    std::vector<Transition> thresholds;        // if the scene looks for them
+    ExponentFit             exponent;          // of the leak rate at the smallest slip
+    double                  crossover = 0.; // reduced load, see crossover_reduced_load()
+    double theory_crossover = 0.; // that of the theory, if the scene asks for it
+  };
 
   /**
    * The folder of one run: tables, fields, pictures, log and record.

@@ -4,12 +4,11 @@
 
 #include <strait/base/scene.h>
 #include <strait/base/table.h>
-#include <strait/run/ensemble.h>
 #include <strait/run/exponent_fit.h>
 #include <strait/run/step.h>
-#include <strait/run/surface_output.h>
 #include <strait/seal/path.h>
 #include <strait/seal/seal_search.h>
+#include <strait/surface/spectrum.h>
 
 #include <iosfwd>
 #include <string>
@@ -19,6 +18,35 @@
  *  units, and what they mean, is said here and nowhere else. */
 namespace strait
 {
+  /** One surface of several, and what came of it: a row of ensemble.csv. What is not
+   *  known is not a number. */
+  struct RealisationRow
+  {
+    int                number = 0; // from 1
+    unsigned long long seed   = 0;
+    std::string        orientation;
+    double             lower, upper, contact_area; // of the first slip length's threshold
+    double             crossover_load, crossover_reduced_load, theory_crossover_load;
+    double             exponent, exponent_error; // of the leak rate
+    std::string        status;                   // ok, not-converged or failed
+  };
+
+  /** How a quantity scatters over the realisations: a row of ensemble_summary.csv. */
+  struct ScatterRow
+  {
+    std::string quantity;
+    double      mean               = 0.;
+    double      standard_deviation = 0.;
+    std::size_t n_samples          = 0; // realisations for which it is a finite number
+  };
+
+  /** A row of spectrum.csv. */
+  struct SpectrumRow : SpectrumBin
+  {
+    double wavelength = 0.;
+    double law        = 0.; // density of the self-affine law that fits best
+  };
+
   /** threshold.csv: critical loads. */
   Table<Transition> threshold_table(const Scene &scene);
 

@@ -6,7 +6,6 @@
 #include <strait/base/scene.h>
 #include <strait/run/load_sweep.h>
 #include <strait/run/output_directory.h>
-#include <strait/run/simulation.h>
 #include <strait/spectral/state_archive.h>
 
 #include <memory>

@@ -5,17 +5,9 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/spectral/slab_field.h>
-#include <strait/surface/spectrum.h>
 
 namespace strait
 {
-  /** A row of spectrum.csv. */
-  struct SpectrumRow : SpectrumBin
-  {
-    double wavelength = 0.;
-    double law        = 0.; // density of the self-affine law that fits best
-  };
-
   /**
    * Say what the surface on the grid is like: rms values, and of a measured one or
    * where the scene asks for the spectrum, Hurst exponent and roll-off. Collective.

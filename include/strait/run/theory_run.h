@@ -7,9 +7,6 @@
 
 namespace strait
 {
-  /** Whether @p scene asks for the theory and for no simulation. */
-  bool is_theory_only(const Scene &scene);
-
   /**
    * Evaluate the theory alone at every load and slip length of @p scene and write its
    * results to the output directory. Makes heights on a grid only to measure their

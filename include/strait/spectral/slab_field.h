@@ -232,6 +232,22 @@ namespace strait
   /** Collective: distribute a whole field that rank 0 holds, row by row. */
   SlabField scatter_from_root(const SlabLayoutPtr       &layout,
                               const std::vector<double> &whole);
+
+  /** The field height(x, y) at the points of this rank; no communication. */
+  template <class Height>
+  SlabField
+  sample(const SlabLayoutPtr &layout, const Height &height)
+  {
+    const PeriodicGrid &grid = layout->grid();
+    SlabField           field(layout);
+    for (int row = 0; row < layout->n_rows(); ++row)
+      {
+        const double y = (layout->first_row() + row) * grid.dy();
+        for (int ix = 0; ix < grid.nx; ++ix)
+          field(ix, row) = height(ix * grid.dx(), y);
+      }
+    return field;
+  }
 } // namespace strait
 
 #endif

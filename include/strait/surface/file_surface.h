@@ -8,6 +8,32 @@
 
 namespace strait
 {
+  /** What of a map's waves a grid is to carry; wavelengths, 0: no limit. */
+  struct WaveBand
+  {
+    double shortest = 0.;
+    double longest  = 0.;
+  };
+
+  /** A map on another grid, and what it lost. */
+  struct Resampled
+  {
+    std::vector<double> values;           // row by row
+    double              kept_height = 1.; // rms height over that of the source
+    double              kept_slope  = 1.; // rms slope over that of the source
+  };
+
+  /**
+   * The trigonometric interpolant of @p values on the grid @p source, at the points
+   * of the grid @p target on the same box, without the waves that the target cannot
+   * carry or that lie outside @p band (circular limits; the mean stays). Exact where
+   * the target carries all waves. Not collective.
+   */
+  Resampled fourier_resample(const std::vector<double> &values,
+                             const PeriodicGrid        &source,
+                             const PeriodicGrid        &target,
+                             const WaveBand            &band);
+
   /**
    * A measured map from a file, processed as the scene says: row 0 of the file is
    * y = 0. Unless the scene resamples it, the grid must have as many points as the

@@ -2,7 +2,7 @@
 #ifndef strait_surface_resolution_h
 #define strait_surface_resolution_h
 
-#include <strait/base/surface_parameters.h>
+#include <strait/base/scene.h>
 #include <strait/spectral/periodic_grid.h>
 
 #include <string>
@@ -10,6 +10,9 @@
 
 namespace strait
 {
+  /** The grid that @p scene asks for. */
+  PeriodicGrid grid_of(const Scene &scene);
+
   /**
    * Whether @p grid carries the shortest waves of a self-affine surface; other
    * kinds pass. Fewer than two grid points a short cut-off wavelength throw an

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
-#include <strait/surface/readers/hdf5.h>
+#include <strait/surface/readers/formats.h>
 
 #include <hdf5.h>
 

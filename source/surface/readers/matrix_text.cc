@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/surface/readers/matrix_text.h>
+#include <strait/surface/readers/formats.h>
 #include <strait/surface/readers/text_header.h>
 #include <strait/surface/readers/text_row.h>
 

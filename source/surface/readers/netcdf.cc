@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
-#include <strait/surface/readers/netcdf.h>
+#include <strait/surface/readers/formats.h>
 #include <strait/surface/readers/netcdf_file.h>
-#include <strait/surface/readers/netcdf_header.h>
 
 #include <netcdf.h>
 

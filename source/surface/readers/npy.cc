@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/surface/readers/binary.h>
-#include <strait/surface/readers/npy.h>
+#include <strait/surface/readers/formats.h>
 
 #include <cstdint>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/surface/readers/binary.h>
-#include <strait/surface/readers/sdf.h>
+#include <strait/surface/readers/formats.h>
 #include <strait/surface/readers/text_header.h>
 
 #include <algorithm>

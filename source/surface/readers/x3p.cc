@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/surface/readers/binary.h>
+#include <strait/surface/readers/formats.h>
 #include <strait/surface/readers/text_header.h>
-#include <strait/surface/readers/x3p.h>
 
 #include <pugixml.hpp>
 #include <zip.h>

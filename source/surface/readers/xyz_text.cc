@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/surface/readers/formats.h>
 #include <strait/surface/readers/text_header.h>
 #include <strait/surface/readers/text_row.h>
-#include <strait/surface/readers/xyz_text.h>
 
 #include <algorithm>
 #include <cctype>

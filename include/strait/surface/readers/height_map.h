@@ -40,14 +40,6 @@ namespace strait
     std::string dataset = {}; // HDF5 and NetCDF; empty: the only one that fits
   };
 
-  /**
-   * Read a height map in one of the formats of this folder; unless the source
-   * says which, the content of the file tells, and of XYZ text the extension.
-   * Not collective: call it on one rank. Throws InputError if the file cannot be
-   * read, has an unknown format, is incomplete, or holds an infinite value.
-   */
-  HeightMap read_height_map(const MapSource &source);
-
   /** Throw InputError: the height map @p file @p complaint. */
   [[noreturn]] void reject_height_map(const std::string &file,
                                       const std::string &complaint);

@@ -4,6 +4,7 @@
 
 #include <strait/base/units.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -30,6 +31,15 @@ namespace strait
 
   /** The attribute "unit", or else "units", of a variable. */
   LengthUnit unit_attribute(int file, int variable);
+
+  /**
+   * Where the values of variable number @p variable begin in a NetCDF file of a
+   * classic format (CDF-1, -2 or -5), in bytes from the start of the file. The
+   * library does not tell, and reads zeros where a file was cut off. Nothing if
+   * the header cannot be followed so far.
+   */
+  std::optional<std::uint64_t> begin_of_classic_variable(const std::string &file,
+                                                         int                variable);
 } // namespace strait
 
 #endif

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_optimisers_h
+#define strait_contact_optimisers_h
+
+#include <strait/contact/dual_optimisation.h>
+#include <strait/contact/gap_descent.h>
+
+#include <cstdint>
+#include <vector>
+
+/** The methods behind make_optimiser.h, each with a source of its own. */
+namespace strait
+{
+  /**
+   * Preconditioned nonlinear conjugate gradients on the pressure of a contact
+   * problem.
+   *
+   * The pressure may become negative for a few steps and is then truncated; the
+   * direction stays conjugate to the last one although the contact set changes,
+   * and no line search is needed. That has no proof of convergence, so the dual
+   * energy ½<p, Gp> − <p, h> is watched: while a truncation leaves it above its
+   * lowest value so far, the steps go along the preconditioned gradient and each
+   * is truncated.
+   */
+  class DualConjugateGradients : public DualOptimiser
+  {
+  public:
+    /** Needs 17 B a local point beside the two fields of solve(). */
+    DualConjugateGradients(DualProblem             &problem,
+                           const ContactConstraint &constraint,
+                           const ContactTolerance  &tolerance);
+
+    ContactSolution solve(double *pressure, double *gap) override;
+    std::size_t     memory_consumption() const override;
+
+  private:
+    using Block = ContactProblem::Block;
+
+    void   truncate();
+    double survey();
+    double choose_direction();
+    double step(double slope);
+    void   watch_energy();
+
+    // What is done with a range of points in one pass.
+    double choose_contact(const Block &range);
+    void   measure(const Block &range);
+    void   form_direction(const Block &range);
+    void   move(const Block &range, double length);
+
+    DualProblem            &problem;
+    const ContactConstraint constraint;
+    const ContactTolerance  tolerance;
+
+    double                   *pressure = nullptr; // p, for now also negative
+    double                   *gap      = nullptr; // g + shift
+    std::vector<double>       direction;          // t
+    std::vector<double>       response;           // r = G t
+    std::vector<std::uint8_t> in_contact;         // 1 on the set C where p may change
+
+    double shift        = 0;
+    bool   any_negative = false; // pressure
+
+    // The next direction is (z − mean_z) + beta (t − mean_t) on C.
+    double mean_z = 0, beta = 0, mean_t = 0;
+
+    WeightedSums<9> on_contact; // of measure()
+    WeightedSums<3> moved;      // of move()
+
+    // The dual energy falls with every step, and may rise with a truncation.
+    double energy        = 0;
+    double energy_scale  = 0;
+    double lowest_energy = 0; // of an admissible pressure
+    bool   cautious      = false;
+  };
+
+  /**
+   * The textbook method, for reference: conjugate gradients on the pressure
+   * that truncate negative pressures in every step (Polonsky, Keer, Wear 231,
+   * 1999). Same problem, residual and result as DualConjugateGradients, at the
+   * price of two applications of G for each step that changes the contact.
+   */
+  class PolonskyKeer : public DualOptimiser
+  {
+  public:
+    /** Needs 16 B a local point beside the two fields of solve(). */
+    PolonskyKeer(DualProblem             &problem,
+                 const ContactConstraint &constraint,
+                 const ContactTolerance  &tolerance);
+
+    ContactSolution solve(double *pressure, double *gap) override;
+    std::size_t     memory_consumption() const override;
+
+  private:
+    void   start();
+    double centre_gap();
+    void   update_direction();
+    bool   step();
+
+    DualProblem            &problem;
+    const ContactConstraint constraint;
+    const ContactTolerance  tolerance;
+
+    double             *p = nullptr; // pressure
+    double             *g = nullptr; // gap
+    std::vector<double> t;           // direction
+    std::vector<double> r;           // G t
+
+    double gap_squared      = 0; // <g, g> under pressure, and one step before
+    double last_gap_squared = 0;
+    bool   restarts         = true; // points were added to the contact
+  };
+
+  /**
+   * Bound-constrained, preconditioned, nonlinear conjugate gradients on the gap.
+   *
+   * The direction t = −M r + β t lives on the free points. Its curvature is foretold
+   * from the last one's, so that K need not be applied to it: the step d =
+   * max(g + s t, 0) − g is formed first, K is applied to that, and the line along d,
+   * on which all gaps are admissible, is searched with what is then known exactly. An
+   * iteration thus costs one application of M and one of K, closing points included,
+   * and the energy falls with each.
+   */
+  class GapConjugateGradients : public GapDescent
+  {
+  public:
+    using GapDescent::GapDescent;
+
+  private:
+    void    begin() override;
+    Outcome descend(double residual) override;
+
+    void   precondition();
+    double choose_direction();
+    double form_step(double length);
+    bool   go(double length);
+    bool   search_line(double work);
+    void   learn_reach(double ideal);
+
+    std::vector<double> trial    = field(); // z = M r, then t
+    std::vector<double> step     = field(); // d
+    std::vector<double> response = field(); // K d
+
+    // Sums over the points, of the present direction and step.
+    double slope         = 0;   // <t, r>
+    double foretold_work = 0;   // <t, Kt>
+    double fixed_work    = 0;   // the part of it that is known
+    double free_work     = 0;   // <z, r>, of which <z, Kz> is a known share
+    double local_work    = 0;   // <t, γ'' t>
+    double stiffness     = 1.5; // <z, Kz>/<z, r>, at first a typical value
+    double last_fall     = 0;   // −<d, r> of the last step, before it
+    double reach         = 1;   // by which a step that closes points exceeds the foretold
+    bool   truncated     = false; // some point of the step closes
+    bool   restarts      = true;
+  };
+
+  /**
+   * Truncated Newton's method on the free points: preconditioned conjugate gradients
+   * on the quadratic model of the energy, stopped early or where its curvature turns
+   * negative, and a search along the projected step. The energy falls with each
+   * iteration. Slower than GapConjugateGradients and independent of it.
+   */
+  class GapNewton : public GapDescent
+  {
+  public:
+    using GapDescent::GapDescent;
+
+  private:
+    Outcome descend(double residual) override;
+
+    void   solve_model(double residual);
+    double precondition();
+    bool   search();
+
+    std::vector<double> step      = field(); // of the gap
+    std::vector<double> remainder = field(); // of the model's gradient
+    std::vector<double> z         = field(); // M remainder
+    std::vector<double> direction = field();
+    std::vector<double> response  = field(); // K direction, later K step
+
+    bool met_negative_curvature = false;
+  };
+
+  /**
+   * Green's-function molecular dynamics: the half-space moves under the forces of
+   * elasticity, adhesion and load, in time. Each Fourier mode has the mass of its
+   * stiffness, so that all swing with the same frequency 1; a wall stops what reaches
+   * it; FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006) turns the velocity
+   * towards the force, and stops the motion whenever it goes uphill.
+   */
+  class GapDynamics : public GapDescent
+  {
+  public:
+    using GapDescent::GapDescent;
+
+  private:
+    void    begin() override;
+    Outcome descend(double residual) override;
+
+    void accelerate();
+    void steer();
+    void advance();
+
+    std::vector<double> velocity     = field();
+    std::vector<double> acceleration = field(); // on the free points
+
+    double mixing        = 0; // of the velocity with the acceleration's direction
+    int    steps_forward = 0; // since the motion last went uphill
+  };
+} // namespace strait
+
+#endif
