@@ -2,6 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/signals.h>
+#include <strait/run/disk_space.h>
 #include <strait/run/ensemble.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/result_tables.h>
