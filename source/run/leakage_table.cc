@@ -179,8 +179,8 @@ namespace strait
            "flow_iterations [1]: of the linear solver, all meshes, both problems")
       .when(with_adhesion)
       .add([](const Step &step) { return step.state.contact->adhesion->adhesive_energy; },
-           "adhesive_energy [pressure length]: mean of −γ0 exp(−g/z0) over the box, "
-           "energy per area")
+           "adhesive_energy [pressure length]: mean over the box of the law's γ(g) = "
+           "−γ0 f(g/z0), energy per area")
       .add(&Step::dissipated_energy,
            "dissipated_energy [pressure length]: by the jumps since the last step, see "
            "[jumps.csv](#jumpscsv)")
