@@ -12,7 +12,7 @@ namespace strait
 {
   /**
    * Where a fluid can flow through one gap, found once and then asked by all: flow,
-   * coupling, searches, tables and pictures.
+   * the fluid on the walls, tables and pictures.
    *
    *   const Channel channel = make_channel(gap, slip_length, domain, n_paths);
    *   if (channel.percolates()) … channel.paths.front().bottleneck …
