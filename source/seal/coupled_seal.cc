@@ -63,17 +63,17 @@ namespace strait
     void          lift_off();
     double        largest_pressure() const;
 
-    CoupledSeal     &seal;
-    const Control    control;
-    const SealState *from;
-    FlowStage       &flow;
-    StepFlow         fluid_flow;
-    WallFeedback     feedback;
-    UnsettledPools   pools;
-    FeedbackResult   last_result;
-    bool             has_extended; // so that the pressure is a start under the contact
-    int              n_iterations = 0;
-    long             fft_pairs    = 0;
+    CoupledSeal        &seal;
+    const Control       control;
+    const ContactState *near; // that the next contact starts from, if there is one
+    FlowStage          &flow;
+    StepFlow            fluid_flow;
+    WallFeedback        feedback;
+    UnsettledPools      pools;
+    FeedbackResult      last_result;
+    bool                has_extended; // so that the pressure is a start under the contact
+    int                 n_iterations = 0;
+    long                fft_pairs    = 0;
   };
 
   CoupledSeal::CoupledSeal(const Scene                  &scene_,
@@ -114,16 +114,18 @@ namespace strait
                                     const SealState *from_)
     : seal(seal_)
     , control(control_)
-    , from(from_)
+    , near(from_ != nullptr && !(from_->fluid && from_->fluid->lifted_off)
+             ? &*from_->contact
+             : nullptr)
     , flow(seal.flow)
     , feedback(seal.scene.fluid.feedback, seal.layout)
-    , has_extended(from != nullptr && from->fluid)
+    , has_extended(from_ != nullptr && from_->fluid)
   {
     state.control = control;
     state.fluid.emplace();
     if (!has_extended)
       return;
-    feedback.pressure() = from->fluid->pressure;
+    feedback.pressure() = from_->fluid->pressure;
     // What carried another load is not to lift this one off before it was tried. The
     // share of the load is only a start; half of it starts farther from where the fluid
     // carries nearly all, and it must stay below one.
@@ -263,14 +265,12 @@ namespace strait
   {
     if (is_limited_by_load() && mean(assumed) >= control.target)
       throw LiftedOff();
-    const auto          start = Timers::Clock::now();
-    const ContactState *near  = state.contact     ? &*state.contact
-                                : from != nullptr ? &*from->contact
-                                                  : nullptr;
-    ContactState        next  = seal.contact->solve(control.target, near, &assumed);
+    const auto   start = Timers::Clock::now();
+    ContactState next  = seal.contact->solve(control.target, near, &assumed);
     if (next.adhesion && next.adhesion->detached)
       throw LiftedOff();
     state.contact  = std::move(next);
+    near           = &*state.contact;
     state.mean_gap = state.contact->mean_gap;
     state.contact_seconds += Timers::seconds_since(start);
     ++state.fluid->rounds;
