@@ -3,9 +3,11 @@
 #define strait_spectral_slab_field_h
 
 #include <strait/spectral/periodic_grid.h>
+#include <strait/spectral/zoom_window.h>
 
 #include <mpi.h>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -15,12 +17,16 @@ namespace strait
   /**
    * How the rows (constant y) of a periodic grid are dealt out to the ranks:
    * contiguous blocks that ascend with the rank, all of the same number of rows but
-   * the last ones, which have fewer or none.
+   * the last ones, which have fewer or none. There may be windows of finer points as
+   * well, which all ranks hold.
    */
   class SlabLayout
   {
   public:
-    SlabLayout(const PeriodicGrid &grid, MPI_Comm communicator);
+    /** Windows come after their parents. */
+    SlabLayout(const PeriodicGrid     &grid,
+               MPI_Comm                communicator,
+               std::vector<ZoomWindow> windows = {});
 
     const PeriodicGrid &
     grid() const
@@ -66,21 +72,78 @@ namespace strait
       return row_starts[rank];
     }
 
-    /** Number of grid points of this rank. */
+    /** Number of grid points of this rank, without windows. */
     std::size_t
     n_local_points() const
     {
       return static_cast<std::size_t>(n_rows()) * periodic_grid.nx;
     }
 
+    /** The windows of finer points, each after its parent. */
+    const std::vector<ZoomWindow> &
+    windows() const
+    {
+      return zoom_windows;
+    }
+
+    /** Number of values of a field on this rank: those at its grid points, then those of
+     *  each window, row by row. */
+    std::size_t
+    n_values() const
+    {
+      return starts_of_windows.back();
+    }
+
+    /** Position of the first value of window @p w among those of this rank; for the
+     *  number of windows, n_values(). */
+    std::size_t
+    start_of_window(const int w) const
+    {
+      return starts_of_windows[w];
+    }
+
+    /** Spacing of the points of window @p w, −1 for the grid, in x and y. */
+    std::array<double, 2> spacing(int w) const;
+
+    /** Where point (@p ix, @p iy) of window @p w, −1 for the grid, lies; within the box
+     *  unless the window crosses the seam. */
+    std::array<double, 2> position(int w, int ix, int iy) const;
+
+    /** The window that covers point (@p ix, @p iy) of window (or grid) @p parent, or −1.
+     */
+    int covered_by(int parent, int ix, int iy) const;
+
+    /** A range of values at points that no finer ones cover: begin <= k < end. */
+    struct Range
+    {
+      std::size_t begin;
+      std::size_t end;
+      double      area; // that a point stands for here, over that of a grid point
+    };
+
+    /**
+     * The ranges that together stand for the whole box, once over all ranks: of a window,
+     * which all ranks hold, each stands for its share of the area.
+     */
+    const std::vector<Range> &
+    ranges() const
+    {
+      return own_ranges;
+    }
+
     /** The rank that owns row @p row, 0 <= row < ny. */
     int owner_of_row(int row) const;
 
   private:
-    PeriodicGrid     periodic_grid;
-    MPI_Comm         comm;
-    int              my_rank = 0;
-    std::vector<int> row_starts;
+    void add_ranges_of_row(int window, int row, std::size_t begin, double area);
+
+    PeriodicGrid             periodic_grid;
+    MPI_Comm                 comm;
+    int                      my_rank = 0;
+    std::vector<int>         row_starts;
+    std::vector<ZoomWindow>  zoom_windows;
+    std::vector<std::size_t> starts_of_windows;
+    std::vector<Range>       own_ranges;
   };
 
   /** Layouts are shared by the fields that use them. */
@@ -89,9 +152,13 @@ namespace strait
   /** The layout of @p grid on the ranks of @p communicator. */
   SlabLayoutPtr make_layout(const PeriodicGrid &grid, MPI_Comm communicator);
 
+  /** The layout of the grid of @p layout with @p windows in place of its own. */
+  SlabLayoutPtr with_windows(const SlabLayout &layout, std::vector<ZoomWindow> windows);
+
   /**
    * One real number per grid point, in slabs: this rank holds its rows one
-   * after the other, x fastest, without padding.
+   * after the other, x fastest, without padding. The values of the layout's windows
+   * follow, the same on all ranks.
    */
   class SlabField
   {
@@ -100,7 +167,7 @@ namespace strait
 
     explicit SlabField(SlabLayoutPtr layout, const double value = 0.)
       : slab_layout(std::move(layout))
-      , values(slab_layout->n_local_points(), value)
+      , values(slab_layout->n_values(), value)
     {
     }
 
@@ -129,7 +196,7 @@ namespace strait
       return slab_layout == nullptr;
     }
 
-    /** Number of local points. */
+    /** Number of local values, those of windows included. */
     std::size_t
     size() const
     {
@@ -202,7 +269,7 @@ namespace strait
     std::vector<double> values;
   };
 
-  /** Mean. Collective. */
+  /** Mean over the box. Collective. */
   double mean(const SlabField &field);
 
   /** Root mean square about the mean. Collective. */
@@ -215,7 +282,7 @@ namespace strait
   double max_value(const SlabField &field);
 
   /**
-   * Collective: the rows @p rows (global numbers, any order, taken modulo ny)
+   * Collective: the rows @p rows of the grid (global numbers, any order, taken modulo ny)
    * of @p field, one after the other. Each rank may ask for other rows.
    */
   std::vector<double> fetch_rows(const SlabField &field, const std::vector<int> &rows);
@@ -226,12 +293,18 @@ namespace strait
                                  int                     row_length,
                                  const std::vector<int> &rows);
 
-  /** Collective: the whole field on rank 0 (empty elsewhere), row by row. */
+  /** Collective: the whole grid of a field on rank 0 (empty elsewhere), row by row. */
   std::vector<double> gather_on_root(const SlabField &field);
 
   /** Collective: distribute a whole field that rank 0 holds, row by row. */
   SlabField scatter_from_root(const SlabLayoutPtr       &layout,
                               const std::vector<double> &whole);
+
+  /**
+   * Find the values of the windows of @p field from those at the grid points, by its
+   * Fourier series: exact for what the grid resolves. Collective.
+   */
+  void fill_windows(SlabField &field);
 
   /** The field height(x, y) at the points of this rank; no communication. */
   template <class Height>
@@ -245,6 +318,17 @@ namespace strait
         const double y = (layout->first_row() + row) * grid.dy();
         for (int ix = 0; ix < grid.nx; ++ix)
           field(ix, row) = height(ix * grid.dx(), y);
+      }
+    for (int w = 0; w < static_cast<int>(layout->windows().size()); ++w)
+      {
+        const ZoomWindow &window = layout->windows()[w];
+        std::size_t       k      = layout->start_of_window(w);
+        for (int iy = 0; iy < window.n_rows(); ++iy)
+          for (int ix = 0; ix < window.n_columns(); ++ix)
+            {
+              const auto [x, y] = layout->position(w, ix, iy);
+              field[k++]        = height(x, y);
+            }
       }
     return field;
   }

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/spectral/fourier_transform.h>
+
+#include <cmath>
+#include <complex>
+#include <vector>
+
+namespace strait
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /** The Fourier series of a field on the rows of one window, wave after wave. */
+    class WindowSeries
+    {
+    public:
+      WindowSeries(const SlabLayout &layout, const int w, double *values_)
+        : n_columns(layout.windows()[w].n_columns())
+        , row_sums(layout.windows()[w].n_rows())
+        , values(values_)
+      {
+        const PeriodicGrid &grid = layout.grid();
+        const auto [x, y]        = layout.position(w, 0, 0);
+        const auto [dx, dy]      = layout.spacing(w);
+        first                    = {2 * M_PI * x / grid.lx, 2 * M_PI * y / grid.ly};
+        step                     = {2 * M_PI * dx / grid.lx, 2 * M_PI * dy / grid.ly};
+      }
+
+      /** Add a wave of the column kx that add_column() will end. */
+      void
+      add_wave(const int ky, const Complex &amplitude)
+      {
+        Complex       value = amplitude * std::polar(1., ky * first[1]);
+        const Complex turn  = std::polar(1., ky * step[1]);
+        for (Complex &sum : row_sums)
+          {
+            sum += value;
+            value *= turn;
+          }
+      }
+
+      void
+      add_column(const int kx)
+      {
+        const Complex start = std::polar(1., kx * first[0]);
+        const Complex turn  = std::polar(1., kx * step[0]);
+        double       *value = values;
+        for (Complex &sum : row_sums)
+          {
+            Complex wave = sum * start;
+            for (int ix = 0; ix < n_columns; ++ix)
+              {
+                *value++ += wave.real();
+                wave *= turn;
+              }
+            sum = 0.;
+          }
+      }
+
+    private:
+      int                   n_columns;
+      std::vector<Complex>  row_sums;
+      double               *values;
+      std::array<double, 2> first, step; // phases of the longest waves
+    };
+  } // namespace
+
+  void
+  fill_windows(SlabField &field)
+  {
+    const SlabLayout &layout    = field.layout();
+    const int         n_windows = static_cast<int>(layout.windows().size());
+    if (n_windows == 0)
+      return;
+    std::fill(field.begin() + static_cast<std::ptrdiff_t>(layout.n_local_points()),
+              field.end(),
+              0.);
+    std::vector<WindowSeries> series;
+    for (int w = 0; w < n_windows; ++w)
+      series.emplace_back(layout, w, field.data() + layout.start_of_window(w));
+
+    // Waves below the rounding of the field are rounding themselves.
+    const double negligible = std::numeric_limits<double>::epsilon() * rms(field);
+    int          column     = -1;
+    const auto   end_column = [&]() {
+      if (column >= 0)
+        for (WindowSeries &window : series)
+          window.add_column(column);
+      column = -1;
+    };
+    FourierTransform(field.layout_pointer())
+      .analyze(
+        field.data(),
+        [&](const int kx, const int ky, const Complex &amplitude, const double weight) {
+          if (kx != column)
+            end_column();
+          if (std::abs(amplitude) <= negligible && (kx != 0 || ky != 0))
+            return;
+          column = kx;
+          for (WindowSeries &window : series)
+            window.add_wave(ky, weight * amplitude);
+        });
+    end_column();
+    sum_in_place(layout.communicator(),
+                 field.data() + layout.n_local_points(),
+                 static_cast<int>(field.size() - layout.n_local_points()));
+  }
+} // namespace strait
