@@ -133,17 +133,21 @@ namespace strait
         throw InputError("Contact/Zoom " + reason);
       };
       if (!scene.contact.enabled || !scene.fluid.enabled)
-        refuse("resolves the throats of a contact that a fluid flows through; it needs "
-               "Contact/Enabled and Fluid/Enabled.");
+        refuse(
+          "resolves the throats of a contact that a fluid flows through; it needs "
+          "Contact/Enabled and Fluid/Enabled.");
       if (scene.contact.adhesion.enabled)
-        refuse("solves for the pressure, which does not determine the state of a contact "
-               "with adhesion; switch Contact/Adhesion off.");
+        refuse(
+          "solves for the pressure, which does not determine the state of a contact "
+          "with adhesion; switch Contact/Adhesion off.");
       if (scene.fluid.feedback.enabled)
-        refuse("needs the pressure of the fluid on the finer points as well, which "
-               "Fluid/Wall feedback knows on the contact grid only; switch it off.");
+        refuse(
+          "needs the pressure of the fluid on the finer points as well, which "
+          "Fluid/Wall feedback knows on the contact grid only; switch it off.");
       if (!scene.fluid.mesh_file.empty())
-        refuse("follows the flow through the box and not through Fluid/Mesh; remove one "
-               "of them.");
+        refuse(
+          "follows the flow through the box and not through Fluid/Mesh; remove one "
+          "of them.");
       if (scene.contact.control != ContactControl::load)
         refuse("needs Contact/Control = load.");
     }

@@ -75,6 +75,19 @@ namespace strait
     return result;
   }
 
+  std::array<double, 2>
+  position_of(const SlabLayout &layout, const GridPoint &point)
+  {
+    const PeriodicGrid &grid = layout.grid();
+    auto [x, y]              = layout.position(point.window, point.ix, point.iy);
+    if (point.window >= 0) // which may cross the seam
+      {
+        x -= grid.lx * std::floor(x / grid.lx);
+        y -= grid.ly * std::floor(y / grid.ly);
+      }
+    return {x, y};
+  }
+
   Throat
   measure_throat(const SlabField &gap, const double slip_length, const GridPoint &point)
   {

@@ -5,6 +5,7 @@
 #include <strait/percolation/flow_lattice.h>
 #include <strait/spectral/slab_field.h>
 
+#include <array>
 #include <vector>
 
 namespace strait
@@ -28,6 +29,9 @@ namespace strait
    * result is the same on all ranks. Collective.
    */
   Bottleneck find_bottleneck(const SlabField &openness, const FlowDomain &domain);
+
+  /** Where @p point of a field on @p layout lies, in the box [length]. */
+  std::array<double, 2> position_of(const SlabLayout &layout, const GridPoint &point);
 
   /**
    * The shape of a constriction at its narrowest point, where the gap is a saddle
