@@ -89,8 +89,8 @@ namespace strait
       "Points along throat",
       points_along_throat,
       any_number.at_least(4.),
-      "Levels are added until a throat has so many points along the flow, from where the "
-      "gap is twice that of its narrowest point to where it is again [1].");
+      "Levels are added until a throat has so many points along the flow, from its "
+      "narrowest one to where the gap is twice as large [1].");
     section.add("Maximum levels",
                 maximum_levels,
                 any_number.at_least(1).at_most(10),

@@ -3,6 +3,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/percolation/bottleneck.h>
 
+#include <cmath>
 #include <limits>
 #include <queue>
 #include <utility>

@@ -199,8 +199,10 @@ namespace strait
           };
           if (std::any_of(result.begin(), result.end(), is_here))
             continue;
+          // Of the drop along its path, and less where less flows along that.
           const double fraction =
-            (path.resistances[c.last] - path.resistances[c.first]) / path.resistance();
+            (path.resistances[c.last] - path.resistances[c.first]) / path.resistance() *
+            (channel.paths.front().resistance() / path.resistance());
           result.push_back(
             {point, fraction, measure_throat(channel.gap, 0., point).points});
         }

@@ -254,7 +254,7 @@ namespace strait
       if (std::isnan(length))
         throat.points = all_open ? infinity : 0.;
       else
-        throat.points = 2 * length / std::max(dx, dy);
+        throat.points = length / std::max(dx, dy);
       return throat;
     }
 

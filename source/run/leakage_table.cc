@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/percolation/bottleneck.h>
 #include <strait/run/leakage_table.h>
 
 #include <algorithm>
@@ -51,7 +52,7 @@ namespace strait
       if (step.flow->channel.paths.empty())
         return {not_a_number, not_a_number};
       return position_of(step.state.gap().layout(),
-                      step.flow->channel.paths.front().bottleneck);
+                         step.flow->channel.paths.front().bottleneck);
     }
 
     void
@@ -122,8 +123,8 @@ namespace strait
             return step.flow->channel.paths.empty() ? not_a_number
                                                     : step.flow->channel.throat.points;
           },
-          "points_along_throat [1]: finest points along the flow at the worst "
-          "constriction, where the gap is at most twice as large as there");
+          "points_along_throat [1]: finest points along the flow, from the worst "
+          "constriction to where the gap is twice as large");
     }
   } // namespace
 

@@ -2,6 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/flow/seal_mesh.h>
 #include <strait/flow/solution_on_grid.h>
+#include <strait/percolation/bottleneck.h>
 #include <strait/run/disk_space.h>
 #include <strait/run/picture_data.h>
 
@@ -189,7 +190,7 @@ namespace strait
       const ZoomWindow         &window = layout.windows()[w];
       const std::vector<double> open   = openness(step);
       const auto                write  = [&](const char *name, const auto &field) {
-        const auto *begin = &field[layout.start_of_window(w)];
+        const auto *begin = field.data() + layout.start_of_window(w);
         file
           .create_dataset<float>(name,
                                  {static_cast<hsize_t>(window.n_rows()),

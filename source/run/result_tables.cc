@@ -2,6 +2,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 #include <strait/base/units.h>
+#include <strait/percolation/bottleneck.h>
 #include <strait/run/leakage_table.h>
 #include <strait/run/result_tables.h>
 #include <strait/surface/resolution.h>
@@ -35,7 +36,7 @@ namespace strait
     place_of_bottleneck(const Step &step)
     {
       return position_of(step.state.gap().layout(),
-                      step.flow->channel.paths.front().bottleneck);
+                         step.flow->channel.paths.front().bottleneck);
     }
 
     /** Entries of the report on a step's constrictions, and of the throat in it. */

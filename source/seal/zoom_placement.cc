@@ -12,7 +12,7 @@ namespace strait
     // Of the pressure drop, and of the flow: half of it opens windows at throats that
     // move the leak rate by half a percent of their own error, double of it leaves some
     // unresolved that move it by two.
-    constexpr double negligible_share = .01;
+    constexpr double negligible_fraction = .01;
 
     // Points of its parent that a window covers each way. Half of it cuts through the
     // contact that shapes the throat, double of it costs four times as much; the critical
@@ -246,16 +246,12 @@ namespace strait
     bool      is_enough = true;
     for (const ThroatOnPath &throat : throats)
       {
-        if (throat.share < negligible_share)
+        if (throat.fraction < negligible_fraction)
           continue;
         const GridPoint &point = throat.point;
-        const int level = point.window < 0 ? 0 : layout.windows()[point.window].level;
-        // A throat whose length nothing tells is given one level to show it.
-        const bool  is_coarse = std::isnan(throat.points)
-                                  ? level == 0
-                                  : throat.points < zoom.points_along_throat;
-        const Place here      = placement.place_of(point);
-        if (is_coarse && level < zoom.maximum_levels)
+        const int   level = point.window < 0 ? 0 : layout.windows()[point.window].level;
+        const Place here  = placement.place_of(point);
+        if (throat.points < zoom.points_along_throat && level < zoom.maximum_levels)
           {
             placement.open(level + 1, here);
             is_enough = false;

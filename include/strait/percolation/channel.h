@@ -56,8 +56,10 @@ namespace strait
   /** A constriction on one of a channel's paths. */
   struct ThroatOnPath
   {
-    GridPoint point;      // the narrowest
-    double fraction = 0.; // of the path's ∫ ds / gap³, an estimate of the pressure drop
+    GridPoint point; // the narrowest
+    /** Its part of the path's ∫ ds / gap³, an estimate of the pressure drop, times that
+     *  of the first path over this one's, an estimate of the flow. */
+    double fraction = 0.;
     double points   = 0.; // of its level along it, as of Throat
   };
 

@@ -33,8 +33,8 @@ namespace strait
     double half_width = std::numeric_limits<double>::quiet_NaN(); // to a vanishing gap,
                                                                   // three points or more
 
-    /** Number of points of its level between those where the gap has doubled: 0 if the
-     *  points do not tell, infinite if the gap does not grow along the channel. */
+    /** Spacings of its level from there to where the gap has doubled: 0 if the points do
+     *  not tell, infinite if the gap does not grow along the channel. */
     double points = 0.;
   };
 

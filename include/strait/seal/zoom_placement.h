@@ -14,7 +14,7 @@ namespace strait
    * The windows that a gap needs so that its throats have as many points along the flow
    * as the scene wants: those that @p layout has, and what the @p throats of a channel
    * lack, one level more for each at a time. A throat that matters less than
-   * `negligible_share` gets none. Returns those of @p layout where nothing is lacking.
+   * a hundredth of the pressure drop gets none. Returns those of @p layout where nothing is lacking.
    *
    * A new window that would touch another one of its level is joined with it or, where
    * that would be too large, takes its place.
