@@ -71,8 +71,9 @@ namespace strait
 
       /**
        * g^(2/3) at a position, which goes to zero linearly at the line of contact, and is
-       * interpolated between the four points of the finest level around it. With
-       * @p open_only zero where one of these is closed.
+       * interpolated between points of the finest level around it: by cubic polynomials
+       * where they are all open, bilinearly beside closed ones. With @p open_only zero
+       * between closed points.
        */
       double
       root_at(const double x, const double y, const bool open_only)
@@ -82,27 +83,52 @@ namespace strait
         const int ix      = static_cast<int>(std::floor(a)),
                   iy      = static_cast<int>(std::floor(b));
         const double s = a - ix, t = b - iy;
-        double       result = 0.;
-        for (const auto &[da, db, weight] : {Corner{0, 0, (1 - s) * (1 - t)},
-                                             {1, 0, s * (1 - t)},
-                                             {0, 1, (1 - s) * t},
-                                             {1, 1, s * t}})
-          if (weight > 0)
-            {
-              const double g = at(window, ix + da, iy + db);
-              if (open_only && g <= 0)
-                return 0.;
-              result += weight * std::pow(std::max(g, 0.), 2. / 3.);
-            }
-        return is_complete() ? result : unknown;
+        const Roots  cubic =
+          interpolate(window, ix, iy, cubic_weights(s), cubic_weights(t));
+        if (!cubic.between_closed)
+          return cubic.value;
+        const Roots bilinear =
+          interpolate(window, ix, iy, {{0., 1 - s, s, 0.}}, {{0., 1 - t, t, 0.}});
+        return open_only && bilinear.between_closed ? 0. : bilinear.value;
       }
 
     private:
-      struct Corner
+      /** Of the point before a position, and of its neighbours: −1, 0, 1 and 2. */
+      using Weights = std::array<double, 4>;
+
+      static Weights
+      cubic_weights(const double s)
       {
-        int    da, db;
-        double weight;
+        return {{-s * (s - 1) * (s - 2) / 6,
+                 (s + 1) * (s - 1) * (s - 2) / 2,
+                 -(s + 1) * s * (s - 2) / 2,
+                 (s + 1) * s * (s - 1) / 6}};
+      }
+
+      struct Roots
+      {
+        double value          = 0.;
+        bool   between_closed = false; // at least one point that counts is closed
       };
+
+      Roots
+      interpolate(const int      window,
+                  const int      ix,
+                  const int      iy,
+                  const Weights &along_x,
+                  const Weights &along_y)
+      {
+        Roots result;
+        for (int j = 0; j < 4; ++j)
+          for (int i = 0; i < 4; ++i)
+            if (const double weight = along_x[i] * along_y[j]; weight != 0.)
+              {
+                const double g        = at(window, ix + i - 1, iy + j - 1);
+                result.between_closed = result.between_closed || g <= 0;
+                result.value += weight * std::pow(std::max(g, 0.), 2. / 3.);
+              }
+        return result;
+      }
 
       /** Column and row of a position among the points of a window or the grid, whole
        *  numbers at points. */
