@@ -190,9 +190,9 @@ namespace strait
           values->resize(n_points);
           MPI_Bcast(values->data(), n_points, MPI_DOUBLE, 0, comm);
         }
-      static_assert(sizeof(GridPoint) == 2 * sizeof(int));
-      MPI_Bcast(path.points.data(), 2 * n_points, MPI_INT, 0, comm);
-      MPI_Bcast(&path.bottleneck, 2, MPI_INT, 0, comm);
+      static_assert(sizeof(GridPoint) == 3 * sizeof(int));
+      MPI_Bcast(path.points.data(), 3 * n_points, MPI_INT, 0, comm);
+      MPI_Bcast(&path.bottleneck, 3, MPI_INT, 0, comm);
       MPI_Bcast(&path.bottleneck_gap, 1, MPI_DOUBLE, 0, comm);
     }
 

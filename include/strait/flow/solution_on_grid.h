@@ -17,19 +17,36 @@ namespace strait
   GridDeposit::Sums pressure_on_grid(const ReynoldsSolver &solver,
                                      const SlabLayoutPtr  &layout);
 
-  /** The flow at every so many grid points in both directions, row by row. */
-  struct FlowOnRaster
+  /** Rows of equally spaced points, in units of the grid's spacings. */
+  struct PointRows
+  {
+    double x0   = 0.;
+    double y0   = 0.;
+    double step = 1.;
+    int    nx   = 0;
+    int    ny   = 0;
+  };
+
+  /** The grid points in steps of @p stride that are counted from 0, without the seam's
+   *  copies. */
+  PointRows rows_of_grid(const PeriodicGrid &grid, int stride);
+
+  /** The points of window @p window. */
+  PointRows rows_of_window(const SlabLayout &layout, int window);
+
+  /** The flow at some points, row by row. */
+  struct FlowAtPoints
   {
     std::vector<float> pressure; // 1 at the inlet, 0 at the outlet
     std::vector<float> current;  // density of a leak of 1 [1/length]
   };
 
   /**
-   * For pictures: the flow at every @p stride-th grid point from (0, 0) on, complete on
-   * rank 0. The current is |∇ψ| of the stream function: unlike K∇p that does not carry
-   * the grid's fine structure of K across coarse cells. Collective.
+   * For pictures: the flow at the points of @p rows, complete on rank 0. The current is
+   * |∇ψ| of the stream function: unlike K∇p that does not carry the grid's fine structure
+   * of K across coarse cells. Collective.
    */
-  FlowOnRaster flow_on_raster(const ReynoldsSolver &solver, int stride);
+  FlowAtPoints flow_at_points(const ReynoldsSolver &solver, const PointRows &rows);
 } // namespace strait
 
 #endif

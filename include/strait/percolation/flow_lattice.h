@@ -10,11 +10,13 @@
 
 namespace strait
 {
-  /** A grid point; along the flow, index n stands for the outlet's copy of 0. */
+  /** A grid point; along the flow, index n stands for the outlet's copy of 0. Or a point
+   *  of a window. */
   struct GridPoint
   {
-    int ix = 0;
-    int iy = 0;
+    int ix     = 0;
+    int iy     = 0;
+    int window = -1; // −1: the grid
   };
 
   /**
