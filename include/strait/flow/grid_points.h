@@ -3,7 +3,7 @@
 #define strait_flow_grid_points_h
 
 #include <strait/flow/flow_mesh.h>
-#include <strait/flow/solution_on_grid.h>
+#include <strait/flow/point_rows.h>
 
 #include <vector>
 

@@ -2,6 +2,7 @@
 #ifndef strait_flow_solution_on_grid_h
 #define strait_flow_solution_on_grid_h
 
+#include <strait/flow/point_rows.h>
 #include <strait/interface/grid_deposit.h>
 
 #include <vector>
@@ -16,23 +17,6 @@ namespace strait
    */
   GridDeposit::Sums pressure_on_grid(const ReynoldsSolver &solver,
                                      const SlabLayoutPtr  &layout);
-
-  /** Rows of equally spaced points, in units of the grid's spacings. */
-  struct PointRows
-  {
-    double x0   = 0.;
-    double y0   = 0.;
-    double step = 1.;
-    int    nx   = 0;
-    int    ny   = 0;
-  };
-
-  /** The grid points in steps of @p stride that are counted from 0, without the seam's
-   *  copies. */
-  PointRows rows_of_grid(const PeriodicGrid &grid, int stride);
-
-  /** The points of window @p window. */
-  PointRows rows_of_window(const SlabLayout &layout, int window);
 
   /** The flow at some points, row by row. */
   struct FlowAtPoints
