@@ -167,6 +167,23 @@ def headline(about, units):
                           for name, (value, unit) in words.items() if value != "nan")
 
 
+def add_window(axes, fields, about):
+    """The gap in the finest window around the worst constriction, as an inset."""
+    if "window_gap" not in fields:
+        return
+    x, y, lx, ly = (about[f"window_{name}"] for name in ("x", "y", "lx", "ly"))
+    right, top = about["worst_x"] > about["lx"] / 2, about["worst_y"] > about["ly"] / 2
+    inset = axes.inset_axes((0.02 if right else 0.6, 0.02 if top else 0.6, 0.38, 0.38))
+    zoomed = {"gap": fields["window_gap"], "open": fields["window_open"].astype(np.uint8)}
+    scale = {"gap": colour_scales(zoomed, {"percolates": 0.0})["gap"]}
+    inset.imshow(paint_gap(zoomed, scale), origin="lower", aspect="auto")
+    inset.set(xticks=[], yticks=[])
+    inset.set_title(f"{scientific(lx)} × {scientific(ly)}", fontsize=7, pad=2)
+    for spine in inset.spines.values():
+        spine.set(color="white", linewidth=1.5)
+    axes.add_patch(patches.Rectangle((x, y), lx, ly, fill=False, color="white", linewidth=0.8))
+
+
 def draw_picture(path, units):
     """picture-STEP.png from picture-STEP.h5: the contact, and the flow (or load) in it."""
     fields, about = read_picture(path)
@@ -179,6 +196,7 @@ def draw_picture(path, units):
     show_box(left, paint_gap(fields, scales), about, units, outline)
     add_colour_bars(left, inches, [(scales["gap"], with_unit("Gap", "length", units))])
     add_legend(left, inches, about)
+    add_window(left, fields, about)
     dry = np.isnan(about["percolates"])
     show_box(right, (paint_load if dry else paint_flow)(fields, scales), about, units, outline)
     add_colour_bars(right, inches, [(scales[key], labels[key]) for key in labels if key in scales])

@@ -78,6 +78,27 @@ namespace strait
   }
 
   void
+  ZoomParameters::bind(ParameterSection section)
+  {
+    section.add("Enabled",
+                enabled,
+                "Solve the contact on finer points around the throats that matter, in "
+                "windows refined threefold a level, and tell the error of the whole "
+                "leak rate.");
+    section.add(
+      "Points along throat",
+      points_along_throat,
+      any_number.at_least(4.),
+      "Levels are added until a throat has so many points along the flow, from where the "
+      "gap is twice that of its narrowest point to where it is again [1].");
+    section.add("Maximum levels",
+                maximum_levels,
+                any_number.at_least(1).at_most(10),
+                "No throat gets more, each of a third of the spacing of the one before "
+                "[1].");
+  }
+
+  void
   ContactParameters::bind(ParameterSection section)
   {
     section.add(
@@ -132,6 +153,7 @@ namespace strait
       any_number.at_least(1),
       "Iterations on the fine grid after which a step counts as not converged [1].");
     adhesion.bind(section.subsection("Adhesion"));
+    zoom.bind(section.subsection("Zoom"));
   }
 
   void

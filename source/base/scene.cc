@@ -122,6 +122,35 @@ namespace strait
       if (!simulates)
         check_theory_alone(scene);
     }
+
+    /** What windows of finer points cannot be combined with, and why. */
+    void
+    check_zoom(const Scene &scene)
+    {
+      if (!scene.contact.zoom.enabled)
+        return;
+      const auto refuse = [](const std::string &reason) {
+        throw InputError("Contact/Zoom " + reason);
+      };
+      if (!scene.contact.enabled || !scene.fluid.enabled)
+        refuse(
+          "resolves the throats of a contact that a fluid flows through; it needs "
+          "Contact/Enabled and Fluid/Enabled.");
+      if (scene.contact.adhesion.enabled)
+        refuse(
+          "solves for the pressure, which does not determine the state of a contact "
+          "with adhesion; switch Contact/Adhesion off.");
+      if (scene.fluid.feedback.enabled)
+        refuse(
+          "needs the pressure of the fluid on the finer points as well, which "
+          "Fluid/Wall feedback knows on the contact grid only; switch it off.");
+      if (!scene.fluid.mesh_file.empty())
+        refuse(
+          "follows the flow through the box and not through Fluid/Mesh; remove one "
+          "of them.");
+      if (scene.contact.control != ContactControl::load)
+        refuse("needs Contact/Control = load.");
+    }
   } // namespace
 
   void
@@ -150,6 +179,7 @@ namespace strait
     realisations.check();
     check_programme(*this);
     check_theory(*this);
+    check_zoom(*this);
     check_leak_rate_units(*this);
 
     if (fluid.feedback.enabled && (!contact.enabled || !fluid.enabled))

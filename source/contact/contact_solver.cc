@@ -3,6 +3,7 @@
 #include <strait/contact/contact_area.h>
 #include <strait/contact/contact_solver.h>
 #include <strait/contact/grid_transfer.h>
+#include <strait/contact/zoom_in.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,24 +69,62 @@ namespace strait
 
     const double of_solid = share_of_solid(target);
     // Only states under the same fluid lie on a line.
-    const bool             is_dry   = fluid_pressure == nullptr;
-    const bool             starts   = from != nullptr && is_near(*from, of_solid);
-    SlabField              pressure = starts ? start_from(*from, of_solid, is_dry)
-                                             : start_from_coarser_grid(wall.heights(), of_solid);
-    SlabField              gap(wall.layout());
+    const bool           is_dry = fluid_pressure == nullptr;
+    const bool           starts = from != nullptr && is_near(*from, of_solid);
+    const SlabLayoutPtr &layout =
+      from != nullptr ? from->gap.layout_pointer() : wall.layout();
+    SlabField pressure =
+      starts ? start_from(*from, of_solid, is_dry) : start_without(layout, of_solid);
+    SlabField              gap(layout);
+    DualProblem           &contact   = problem_on(layout);
     const ContactTolerance tolerance = tolerance_for(of_solid);
-    const long             n_before  = problem.n_applications();
+    const long             n_before  = contact.n_applications();
     const ContactSolution  solution =
-      optimise(problem, of_solid, tolerance, pressure, gap);
+      optimise(contact, of_solid, tolerance, pressure, gap);
 
     ContactState state = state_of(solution, std::move(pressure), std::move(gap));
     if (loads())
       state.nominal_pressure = target; // the mean, without its rounding
-    state.fft_pairs = problem.n_applications() - n_before;
+    state.fft_pairs = contact.n_applications() - n_before;
     state.approach  = starts && is_dry
                         ? Approach(of_solid, from->pressure, from->approach.target())
                         : Approach(of_solid);
     return state;
+  }
+
+  /** The problem on the grid, or with the windows of @p layout as well. Collective. */
+  DualProblem &
+  ContactSolver::problem_on(const SlabLayoutPtr &layout)
+  {
+    if (layout->windows().empty())
+      {
+        zoomed.reset();
+        return problem;
+      }
+    if (zoomed == nullptr || !(zoomed->layout().windows() == layout->windows()))
+      {
+        SlabField heights(layout);
+        std::copy(wall.heights().begin(), wall.heights().end(), heights.begin());
+        fill_windows(heights);
+        zoomed.reset(); // before the next one needs its memory
+        zoomed = std::make_unique<ZoomedProblem>(std::move(heights),
+                                                 parameters.effective_modulus);
+      }
+    return *zoomed;
+  }
+
+  /** A start without a state near to it. Collective. */
+  SlabField
+  ContactSolver::start_without(const SlabLayoutPtr &layout, const double target)
+  {
+    SlabField start = start_from_coarser_grid(wall.heights(), target);
+    if (layout->windows().empty())
+      return start;
+    ContactState on_grid;
+    on_grid.pressure = std::move(start);
+    on_grid.gap      = SlabField(wall.layout());
+    optimise(problem, target, tolerance_for(target), on_grid.pressure, on_grid.gap);
+    return zoom_in(std::move(on_grid), layout->windows()).pressure;
   }
 
   bool
@@ -159,7 +198,7 @@ namespace strait
   {
     const auto optimiser =
       make_dual_optimiser(parameters.method, on_grid, constraint_for(target), tolerance);
-    note_memory(optimiser->memory_consumption());
+    note_memory(optimiser->memory_consumption(), grid_gap.size());
     const ContactSolution solution =
       optimiser->solve(grid_pressure.data(), grid_gap.data());
     if (report)
@@ -226,6 +265,8 @@ namespace strait
   {
     for (std::size_t i = 0; i < gap.size(); ++i)
       gap[i] = pressure[i] > 0 ? 0. : std::max(gap[i], 0.);
+    copy_to_covered(pressure);
+    copy_to_covered(gap);
 
     const ContactArea area = contact_area(pressure);
     ContactState      state;
@@ -256,12 +297,14 @@ namespace strait
   }
 
   void
-  ContactSolver::note_memory(const std::size_t optimiser_bytes)
+  ContactSolver::note_memory(const std::size_t optimiser_bytes,
+                             const std::size_t n_values)
   {
     // Pressure and gap; the coarser grids hold a quarter of this.
-    const std::size_t bytes = wall.memory_consumption() +
-                              2 * wall.heights().size() * sizeof(double) +
-                              problem.memory_consumption() + optimiser_bytes;
+    const std::size_t bytes = wall.memory_consumption() + 2 * n_values * sizeof(double) +
+                              problem.memory_consumption() +
+                              (zoomed ? zoomed->memory_consumption() : 0) +
+                              optimiser_bytes;
     peak_memory = std::max(peak_memory, bytes);
   }
 } // namespace strait

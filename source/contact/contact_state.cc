@@ -78,7 +78,7 @@ namespace strait
     archive.value(state.iterations);
     archive.value(state.fft_pairs);
     archive.value(state.converged);
-    state.approach.transfer(archive, *layout);
+    state.approach.transfer(archive, state.pressure.layout());
     if (!transfer_presence(archive, state.adhesion))
       return;
     archive.value(state.adhesion->adhesive_energy);

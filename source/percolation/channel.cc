@@ -25,8 +25,10 @@ namespace strait
       const int         nx = gap.grid().nx, ny = gap.grid().ny;
       const bool        has_first = layout.n_rows() > 0 && layout.first_row() == 0;
       const bool        along_x   = direction == FlowDirection::x;
+      const std::size_t n_on_grid = layout.n_local_points();
       const auto        on_seam   = [=](const std::size_t k) {
-        return along_x ? k % nx == 0 : has_first && k < static_cast<std::size_t>(nx);
+        return k < n_on_grid &&
+               (along_x ? k % nx == 0 : has_first && k < static_cast<std::size_t>(nx));
       };
       for (std::size_t k = 0; k < gap.size(); ++k)
         if (!on_seam(k) && is_dead_end(clusters.states[k]))
@@ -36,7 +38,7 @@ namespace strait
       const std::vector<double> last_row =
         fetch_rows(gap,
                    !along_x && has_first ? std::vector<int>{ny - 1} : std::vector<int>{});
-      for (std::size_t k = 0; k < gap.size(); ++k)
+      for (std::size_t k = 0; k < n_on_grid; ++k)
         if (on_seam(k) && is_dead_end(clusters.states[k]) &&
             !((along_x ? gap[k + nx - 1] : last_row[k]) > 0))
           gap[k] = 0.;
@@ -78,6 +80,22 @@ namespace strait
           }
     }
 
+    /** @p value or, if it is closed, no less than minus the smallest open one around
+     *  (@p ix, @p row), of @p at(ix, row). */
+    template <class Gap>
+    double
+    limited(const double value, const int ix, const int row, const Gap &at)
+    {
+      if (!(value < 0))
+        return value;
+      double smallest = std::numeric_limits<double>::infinity();
+      for (int b = row - 1; b <= row + 1; ++b)
+        for (int a = ix - 1; a <= ix + 1; ++a)
+          if (const double neighbour = at(a, b); neighbour > 0)
+            smallest = std::min(smallest, neighbour);
+      return std::max(value, -smallest);
+    }
+
     /**
      * Raise closed values such that the interpolant stays open for half a spacing around
      * every open point, however deep its neighbours are closed.
@@ -85,9 +103,10 @@ namespace strait
     void
     limit_closed_values(SlabField &gap)
     {
-      const int        nx = gap.grid().nx, n_rows = gap.layout().n_rows();
-      const int        begin = gap.layout().first_row();
-      std::vector<int> beyond;
+      const SlabLayout &layout = gap.layout();
+      const int         nx = gap.grid().nx, n_rows = layout.n_rows();
+      const int         begin = layout.first_row();
+      std::vector<int>  beyond;
       if (n_rows > 0)
         beyond = {begin - 1, begin + n_rows};
       const std::vector<double> halo = fetch_rows(gap, beyond);
@@ -96,17 +115,29 @@ namespace strait
                               : row == n_rows ? halo.data() + nx
                                               : gap.data() + static_cast<std::size_t>(row) * nx;
       };
+      const auto on_grid = [&](const int ix, const int row) {
+        return line(row)[(ix + nx) % nx];
+      };
       for (int row = 0; row < n_rows; ++row)
         for (int ix = 0; ix < nx; ++ix)
-          if (gap(ix, row) < 0)
-            {
-              double smallest = std::numeric_limits<double>::infinity();
-              for (int b = row - 1; b <= row + 1; ++b)
-                for (int a = ix - 1; a <= ix + 1; ++a)
-                  if (const double value = line(b)[(a + nx) % nx]; value > 0)
-                    smallest = std::min(smallest, value);
-              gap(ix, row) = std::max(gap(ix, row), -smallest);
-            }
+          gap(ix, row) = limited(gap(ix, row), ix, row, on_grid);
+      for (std::size_t w = 0; w < layout.windows().size(); ++w)
+        {
+          const ZoomWindow &window    = layout.windows()[w];
+          const int         n_columns = window.n_columns(), n_lines = window.n_rows();
+          double           *values    = gap.data() + layout.start_of_window(w);
+          const auto        in_window = [=](const int ix, const int iy) {
+            const bool exists = ix >= 0 && ix < n_columns && iy >= 0 && iy < n_lines;
+            return exists ? values[static_cast<std::size_t>(iy) * n_columns + ix] : 0.;
+          };
+          for (int iy = 0; iy < n_lines; ++iy)
+            for (int ix = 0; ix < n_columns; ++ix)
+              {
+                double &value = values[static_cast<std::size_t>(iy) * n_columns + ix];
+                value         = limited(value, ix, iy, in_window);
+              }
+        }
+      copy_to_covered(gap);
     }
   } // namespace
 
@@ -150,5 +181,29 @@ namespace strait
       return;
     channel.paths          = find_flow_paths(channel.gap, channel.domain, n_paths);
     channel.n_paths_sought = n_paths;
+  }
+
+  std::vector<ThroatOnPath>
+  throats(const Channel &channel)
+  {
+    std::vector<ThroatOnPath> result;
+    for (const FlowPath &path : channel.paths)
+      for (const Constriction &c : divide_into_constrictions(path.gaps))
+        {
+          const auto first     = path.gaps.begin() + static_cast<std::ptrdiff_t>(c.first);
+          const auto last      = path.gaps.begin() + static_cast<std::ptrdiff_t>(c.last);
+          const auto narrowest = std::min_element(first, last + 1) - path.gaps.begin();
+          const GridPoint &point   = path.points[narrowest];
+          const auto       is_here = [&point](const ThroatOnPath &other) {
+            return other.point == point;
+          };
+          if (std::any_of(result.begin(), result.end(), is_here))
+            continue;
+          const double fraction =
+            (path.resistances[c.last] - path.resistances[c.first]) / path.resistance();
+          result.push_back(
+            {point, fraction, measure_throat(channel.gap, 0., point).points});
+        }
+    return result;
   }
 } // namespace strait

@@ -3,6 +3,7 @@
 #include <strait/percolation/clusters.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -65,32 +66,144 @@ namespace strait
       return all;
     }
 
-    /** Labels that are right within each slab: the global index of the root. */
+    /** The window that covers each point of row @p row of @p parent, −1 for none. */
+    std::vector<int>
+    covering_windows(const SlabLayout &layout, const int parent, const int row)
+    {
+      const std::vector<ZoomWindow> &windows = layout.windows();
+      std::vector<int> result(parent < 0 ? layout.grid().nx : windows[parent].n_columns(),
+                              -1);
+      const auto n = static_cast<int>(result.size());
+      for (std::size_t w = 0; w < windows.size(); ++w)
+        {
+          const ZoomWindow &window = windows[w];
+          if (window.parent != parent)
+            continue;
+          const int ny = layout.grid().ny;
+          const int b  = parent < 0 ? (row - window.y + ny) % ny : row - window.y;
+          if (b >= 0 && b < window.ny)
+            for (int a = 0; a < window.nx; ++a)
+              result[(window.x + a + n) % n] = static_cast<int>(w);
+        }
+      return result;
+    }
+
+    /** Whether finer edges of a window stand for that between two points of its parent.
+     */
+    bool
+    is_refined(const int window, const int window_of_neighbour)
+    {
+      return window >= 0 && window == window_of_neighbour;
+    }
+
+    /** Points of one level, row by row. */
+    struct PointRows
+    {
+      int         window; // −1: the grid
+      std::size_t begin;  // position of the first value
+      int         n_columns;
+      int         n_rows;
+      int         rim; // width of the rim of points that have no edges
+    };
+
+    /** Join the open neighbours among @p points. */
+    void
+    join_neighbours(const SlabField &gap, const PointRows &points, DisjointSets &sets)
+    {
+      const SlabLayout &layout = gap.layout();
+      std::vector<int>  below(points.n_columns, -1), here(below);
+      for (int row = points.rim; row < points.n_rows - points.rim; ++row)
+        {
+          if (!layout.windows().empty())
+            {
+              const int number = (points.window < 0 ? layout.first_row() : 0) + row;
+              below.swap(here);
+              here = covering_windows(layout, points.window, number);
+            }
+          const std::size_t first =
+            points.begin + static_cast<std::size_t>(row) * points.n_columns;
+          for (int ix = points.rim; ix < points.n_columns - points.rim; ++ix)
+            {
+              const std::size_t k = first + ix;
+              if (!(gap[k] > 0))
+                continue;
+              if (ix > points.rim && gap[k - 1] > 0 &&
+                  !is_refined(here[ix], here[ix - 1]))
+                sets.join(k, k - 1);
+              if (row > points.rim && gap[k - points.n_columns] > 0 &&
+                  !is_refined(here[ix], below[ix]))
+                sets.join(k, k - points.n_columns);
+            }
+        }
+    }
+
+    /** Join the open points of the windows with each other. */
+    void
+    join_in_windows(const SlabField &gap, DisjointSets &sets)
+    {
+      const SlabLayout &layout    = gap.layout();
+      const auto        join_open = [&](const std::size_t a, const std::size_t b) {
+        if (gap[a] > 0 && gap[b] > 0)
+          sets.join(a, b);
+      };
+      for (int w = 0; w < static_cast<int>(layout.windows().size()); ++w)
+        {
+          const ZoomWindow &window    = layout.windows()[w];
+          const int         n_columns = window.n_columns(), n_rows = window.n_rows();
+          const PointRows   points{w, layout.start_of_window(w), n_columns, n_rows, 1};
+          join_neighbours(gap, points, sets);
+          // The outermost points follow those inside of them.
+          const auto follow = [&](const int ix, const int iy) {
+            const auto at = [&](const int column, const int row) {
+              return points.begin + static_cast<std::size_t>(row) * n_columns + column;
+            };
+            join_open(at(ix, iy),
+                      at(std::clamp(ix, 1, n_columns - 2),
+                         std::clamp(iy, 1, n_rows - 2)));
+          };
+          for (int ix = 0; ix < n_columns; ++ix)
+            for (const int iy : {0, n_rows - 1})
+              follow(ix, iy);
+          for (int iy = 1; iy < n_rows - 1; ++iy)
+            for (const int ix : {0, n_columns - 1})
+              follow(ix, iy);
+          if (window.parent >= 0)
+            layout.for_each_covered(w, join_open);
+        }
+    }
+
+    /** Labels that are right within each slab, and among the windows: the number of the
+     *  root, where the windows' points follow those of the whole grid. */
     std::vector<Label>
     label_slab(const SlabField &gap, const FlowDirection direction)
     {
-      const int    nx = gap.grid().nx, n_rows = gap.layout().n_rows();
-      DisjointSets sets(gap.size());
-      for (int row = 0; row < n_rows; ++row)
-        for (int ix = 0; ix < nx; ++ix)
-          {
-            const std::size_t here = static_cast<std::size_t>(row) * nx + ix;
-            if (!(gap[here] > 0))
-              continue;
-            if (ix > 0 && gap[here - 1] > 0)
-              sets.join(here, here - 1);
-            if (row > 0 && gap[here - nx] > 0)
-              sets.join(here, here - nx);
-            // The seam is closed across the flow only.
-            if (direction == FlowDirection::y && ix == nx - 1 && gap(0, row) > 0)
-              sets.join(here, here - ix);
-          }
-      const Label first =
-        static_cast<Label>(gap.layout().first_row()) * static_cast<Label>(nx);
+      const SlabLayout &layout = gap.layout();
+      const int         nx = gap.grid().nx, n_rows = layout.n_rows();
+      DisjointSets      sets(gap.size());
+      join_neighbours(gap, {-1, 0, nx, n_rows, 0}, sets);
+      // The seam is closed across the flow only.
+      if (direction == FlowDirection::y)
+        for (int row = 0; row < n_rows; ++row)
+          if (gap(0, row) > 0 && gap(nx - 1, row) > 0)
+            {
+              const int number = layout.first_row() + row;
+              if (!is_refined(layout.covered_by(-1, 0, number),
+                              layout.covered_by(-1, nx - 1, number)))
+                {
+                  const std::size_t first = static_cast<std::size_t>(row) * nx;
+                  sets.join(first, first + nx - 1);
+                }
+            }
+      join_in_windows(gap, sets);
+
+      const Label first_label = static_cast<Label>(layout.first_row()) * nx;
+      const Label of_windows =
+        static_cast<Label>(gap.grid().n_points() - layout.n_local_points());
       std::vector<Label> labels(gap.size(), no_label);
       for (std::size_t k = 0; k < gap.size(); ++k)
         if (gap[k] > 0)
-          labels[k] = first + static_cast<Label>(sets.find(k));
+          labels[k] = static_cast<Label>(sets.find(k)) +
+                      (k < layout.n_local_points() ? first_label : of_windows);
       return labels;
     }
 
@@ -109,7 +222,8 @@ namespace strait
       return fetch_rows(layout, first_row.data(), nx, wanted);
     }
 
-    /** Pairs of labels that meet at the end of this slab. Collective. */
+    /** Pairs of labels that meet at the end of this slab, or at points of the grid that
+     *  a window covers. Collective. */
     std::vector<Label>
     touching_labels(const SlabField          &gap,
                     const std::vector<Label> &labels,
@@ -117,23 +231,34 @@ namespace strait
     {
       const std::vector<double> next   = fetch_next_row(gap, labels);
       const SlabLayout         &layout = gap.layout();
-      const int                 nx = gap.grid().nx, n_rows = layout.n_rows();
+      const int                 nx = gap.grid().nx, ny = gap.grid().ny;
+      const int                 n_rows = layout.n_rows();
       std::vector<Label>        pairs;
-      const bool                at_seam = layout.first_row() + n_rows == gap.grid().ny;
-      if (n_rows == 0 || (at_seam && direction == FlowDirection::y))
-        return pairs;
-      std::pair<Label, Label> last(no_label, no_label);
-      for (int ix = 0; ix < nx; ++ix)
+      std::pair<Label, Label>   last(no_label, no_label);
+      const auto                add = [&](const Label a, const Label b) {
+        if (a == no_label || b == no_label || last == std::make_pair(a, b))
+          return;
+        last = {a, b};
+        pairs.push_back(a);
+        pairs.push_back(b);
+      };
+      const int  end     = layout.first_row() + n_rows;
+      const bool at_seam = end == ny;
+      if (n_rows > 0 && !(at_seam && direction == FlowDirection::y))
         {
-          const Label here  = labels[static_cast<std::size_t>(n_rows - 1) * nx + ix];
-          const Label there = static_cast<Label>(next[ix]);
-          if (here == no_label || there == no_label ||
-              last == std::make_pair(here, there))
-            continue;
-          last = {here, there};
-          pairs.push_back(here);
-          pairs.push_back(there);
+          const std::vector<int> here  = covering_windows(layout, -1, end - 1),
+                                 there = covering_windows(layout, -1, end % ny);
+          for (int ix = 0; ix < nx; ++ix)
+            if (!is_refined(here[ix], there[ix]))
+              add(labels[static_cast<std::size_t>(n_rows - 1) * nx + ix],
+                  static_cast<Label>(next[ix]));
         }
+      for (std::size_t w = 0; w < layout.windows().size(); ++w)
+        if (layout.windows()[w].parent < 0)
+          layout.for_each_covered(static_cast<int>(w),
+                                  [&](const std::size_t k, const std::size_t in_window) {
+                                    add(labels[k], labels[in_window]);
+                                  });
       return pairs;
     }
 
@@ -249,8 +374,7 @@ namespace strait
     merge_slabs(open_gap, labels, direction);
     const ReservoirLabels reservoirs = find_reservoir_labels(open_gap, labels, direction);
 
-    Clusters  clusters;
-    long long n_open = 0, n_percolating = 0;
+    Clusters clusters;
     clusters.states.assign(labels.size(), NodeState::closed);
     for (std::size_t k = 0; k < labels.size(); ++k)
       if (labels[k] != no_label)
@@ -261,15 +385,23 @@ namespace strait
                                : in      ? NodeState::inlet_side
                                : out     ? NodeState::outlet_side
                                          : NodeState::trapped;
-          ++n_open;
-          n_percolating += in && out;
         }
-    MPI_Comm   comm               = open_gap.layout().communicator();
+    std::array<double, 2> areas = {}; // open and percolating
+    for (const SlabLayout::Range &range : open_gap.layout().ranges())
+      {
+        const auto begin =
+          clusters.states.begin() + static_cast<std::ptrdiff_t>(range.begin);
+        const auto end = clusters.states.begin() + static_cast<std::ptrdiff_t>(range.end);
+        const auto n_closed      = std::count(begin, end, NodeState::closed);
+        const auto n_percolating = std::count(begin, end, NodeState::percolating);
+        areas[0] += range.area * static_cast<double>(end - begin - n_closed);
+        areas[1] += range.area * static_cast<double>(n_percolating);
+      }
+    sum_in_place(open_gap.layout().communicator(), areas.data(), areas.size());
     const auto n_points           = static_cast<double>(open_gap.grid().n_points());
-    n_percolating                 = sum(comm, n_percolating);
-    clusters.percolates           = n_percolating > 0;
-    clusters.open_fraction        = static_cast<double>(sum(comm, n_open)) / n_points;
-    clusters.percolating_fraction = static_cast<double>(n_percolating) / n_points;
+    clusters.percolates           = areas[1] > 0;
+    clusters.open_fraction        = areas[0] / n_points;
+    clusters.percolating_fraction = areas[1] / n_points;
     return clusters;
   }
 } // namespace strait

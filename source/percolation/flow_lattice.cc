@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/flow_lattice.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace strait
 {
   FlowLattice::FlowLattice(const std::vector<double> &whole,
@@ -8,17 +11,24 @@ namespace strait
                            const FlowDomain          &domain)
     : region(domain.region)
     , along_x(region != nullptr || domain.direction == FlowDirection::x)
-    , n_along((along_x ? grid.nx : grid.ny) + 1)
-    , across((along_x ? grid.ny : grid.nx) + (region != nullptr ? 1 : 0))
-    , step_along(along_x ? grid.dx() : grid.dy())
-    , step_across(along_x ? grid.dy() : grid.dx())
-    , values(static_cast<std::size_t>(n_along) * across)
   {
-    const int period = along_x ? grid.ny : grid.nx;
-    for (int b = 0; b < across; ++b)
-      for (int a = 0; a < n_along; ++a)
+    const double dx = grid.dx(), dy = grid.dy();
+    const int    period = along_x ? grid.ny : grid.nx;
+    levels.push_back({0,
+                      (along_x ? grid.nx : grid.ny) + 1,
+                      period + (region != nullptr ? 1 : 0),
+                      {{along_x ? dx : dy,
+                        along_x ? dy : dx,
+                        std::hypot(along_x ? dx : dy, along_x ? dy : dx)}},
+                      -1,
+                      0,
+                      0});
+    n_on_grid = static_cast<std::size_t>(width()) * n_across();
+    values.resize(n_on_grid);
+    for (int b = 0; b < n_across(); ++b)
+      for (int a = 0; a < width(); ++a)
         {
-          const int         a0 = a % (n_along - 1), b0 = b % period;
+          const int         a0 = a % (width() - 1), b0 = b % period;
           const std::size_t k = index(a, b);
           if (is_point(k))
             values[k] = along_x ? whole[static_cast<std::size_t>(b0) * grid.nx + a0]
@@ -26,18 +36,163 @@ namespace strait
         }
   }
 
+  FlowLattice::FlowLattice(const std::vector<double> &whole,
+                           const SlabField           &field,
+                           const FlowDomain          &domain)
+    : FlowLattice(whole, field.grid(), domain)
+  {
+    const int n_windows = static_cast<int>(field.layout().windows().size());
+    for (int w = 0; w < n_windows; ++w)
+      add_window(field, w);
+  }
+
+  void
+  FlowLattice::add_window(const SlabField &field, const int w)
+  {
+    const SlabLayout &layout   = field.layout();
+    const ZoomWindow &window   = layout.windows()[w];
+    const double      fraction = std::pow(3., -window.level);
+    Level             level    = levels.front();
+    level.begin                = values.size();
+    level.n_along              = along_x ? window.n_columns() : window.n_rows();
+    level.n_across             = along_x ? window.n_rows() : window.n_columns();
+    level.parent               = window.parent + 1;
+    level.along                = along_x ? window.x : window.y;
+    level.across               = along_x ? window.y : window.x;
+    for (double &length : level.lengths)
+      length *= fraction;
+    levels.push_back(level);
+
+    const std::size_t begin = layout.start_of_window(w);
+    for (int b = 0; b < level.n_across; ++b)
+      for (int a = 0; a < level.n_along; ++a)
+        {
+          const std::size_t ix = along_x ? a : b, iy = along_x ? b : a;
+          values.push_back(field[begin + iy * window.n_columns() + ix]);
+        }
+    is_covered.resize(values.size(), false);
+    for (int b = 1; b < level.n_across; b += 3)
+      for (int a = 1; a < level.n_along; a += 3)
+        {
+          const Place place                       = {w + 1, a, b};
+          is_covered[number_of(on_parent(place))] = true;
+        }
+  }
+
+  FlowLattice::Place
+  FlowLattice::on_parent(const Place &p) const
+  {
+    const Level &level = levels[p.level];
+    return {level.parent, level.along + p.along / 3, level.across + p.across / 3};
+  }
+
+  std::size_t
+  FlowLattice::finer(const std::size_t k) const
+  {
+    const Place p = place_of(k);
+    for (std::size_t l = 1; l < levels.size(); ++l)
+      {
+        const Level &level = levels[l];
+        if (level.parent != p.level)
+          continue;
+        const int a = p.along - level.along;
+        int       b = p.across - level.across;
+        if (p.level == 0)
+          b = (b + n_across()) % n_across();
+        if (a >= 0 && 3 * a < level.n_along && b >= 0 && 3 * b < level.n_across)
+          return number_of({static_cast<int>(l), 3 * a + 1, 3 * b + 1});
+      }
+    return none;
+  }
+
+  std::size_t
+  FlowLattice::on_parent_of_rim(const int l, const std::size_t k) const
+  {
+    const Level &level  = levels[l];
+    const Place  p      = place_of(k);
+    const bool   on_rim = p.along == 1 || p.along == level.n_along - 2 || p.across == 1 ||
+                        p.across == level.n_across - 2;
+    return on_rim && p.along % 3 == 1 && p.across % 3 == 1 ? number_of(on_parent(p))
+                                                           : none;
+  }
+
+  std::size_t
+  FlowLattice::start_of(const std::size_t k, const std::uint8_t number) const
+  {
+    Place      end          = place_of(k);
+    const bool is_on_parent = number >= into_window;
+    if (is_on_parent)
+      end = on_parent(end);
+    const auto [da, db] = directions[is_on_parent ? number - into_window : number];
+    return finest(number_of({end.level, end.along - da, end.across - db}));
+  }
+
+  std::vector<std::size_t>
+  FlowLattice::points_around(const std::size_t k, const int reach) const
+  {
+    Place centre = place_of(k);
+    while (centre.level > 0)
+      centre = on_parent(centre);
+    std::vector<std::size_t> points;
+    const int                reach_across = std::min(reach, n_across());
+    for (int a = std::max(centre.along - reach, 0);
+         a <= std::min(centre.along + reach, width() - 1);
+         ++a)
+      for (int b = centre.across - reach_across; b <= centre.across + reach_across; ++b)
+        if (is_periodic() || (b >= 0 && b < n_across()))
+          points.push_back(index(a, b));
+    if (!is_covered.empty())
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (is_covered[points[i]])
+          {
+            const Place middle = place_of(finer(points[i]));
+            for (const int b : {-1, 0, 1})
+              for (const int a : {-1, 0, 1})
+                points.push_back(
+                  number_of({middle.level, middle.along + a, middle.across + b}));
+          }
+    return points;
+  }
+
   std::vector<std::size_t>
   FlowLattice::inlet_points() const
   {
     std::vector<std::size_t> points;
     if (region == nullptr)
-      for (int b = 0; b < across; ++b)
+      for (int b = 0; b < n_across(); ++b)
         points.push_back(index(0, b));
     else
       for (std::size_t k = 0; k < size(); ++k)
         if (region->is_inlet(k))
           points.push_back(k);
     return points;
+  }
+
+  GridPoint
+  FlowLattice::point(const std::size_t k) const
+  {
+    const Place p = place_of(k);
+    return along_x ? GridPoint{p.along, p.across, p.level - 1}
+                   : GridPoint{p.across, p.along, p.level - 1};
+  }
+
+  std::size_t
+  FlowLattice::index_of(const GridPoint &p) const
+  {
+    return finest(along_x ? number_of({p.window + 1, p.ix, p.iy})
+                          : number_of({p.window + 1, p.iy, p.ix}));
+  }
+
+  bool
+  FlowLattice::can_go_around(const std::size_t k,
+                             const int         d_along,
+                             const int         d_across,
+                             const bool        first_along) const
+  {
+    const int         da = first_along ? d_along : 0, db = first_along ? 0 : d_across;
+    const std::size_t corner = index(along(k) + da, across_of(k) + db);
+    return region->is_joined(k, da, db) &&
+           region->is_joined(corner, d_along - da, d_across - db);
   }
 
   bool

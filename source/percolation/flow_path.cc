@@ -3,7 +3,6 @@
 #include <strait/percolation/flow_path.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -16,14 +15,6 @@ namespace strait
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    struct Step
-    {
-      int along;
-      int across;
-    };
-
-    constexpr std::array<Step, 8> steps = {
-      {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
     constexpr std::uint8_t start_of_path = 255;
 
     /** Searches for paths on the gap, and bars the way to later ones. */
@@ -55,7 +46,7 @@ namespace strait
         return g > 0 ? 1. / (g * g * g) : infinity;
       }
 
-      double step_resistance(int a, int b, const Step &step) const;
+      double step_resistance(const FlowLattice::Step &step) const;
 
       FlowPath trace_back(std::size_t                      end,
                           const std::vector<std::uint8_t> &came_by) const;
@@ -66,30 +57,24 @@ namespace strait
     };
 
     double
-    PathSearch::step_resistance(const int a, const int b, const Step &step) const
+    PathSearch::step_resistance(const FlowLattice::Step &step) const
     {
-      const std::size_t here  = gap.index(a, b);
-      const std::size_t there = gap.index(a + step.along, b + step.across);
-      if (!is_open(there))
+      if (!is_open(step.point))
         return infinity;
-      const double mean_ends = .5 * (resistivity(gap[here]) + resistivity(gap[there]));
-      if (step.along == 0)
-        return mean_ends * gap.spacing_across();
-      if (step.across == 0)
-        return mean_ends * gap.spacing_along();
+      const double here = gap[step.from], there = gap[step.to];
+      const double mean_ends = .5 * (resistivity(here) + resistivity(there));
+      if (step.d_along == 0 || step.d_across == 0)
+        return mean_ends * step.length;
       // Two corners that merely touch are no channel.
-      const auto side = [&](const int da, const int db) {
-        return gap.can_go_around(here, step.along, step.across, da != 0)
-                 ? gap[gap.index(a + da, b + db)]
-                 : 0.;
-      };
-      const double side_1 = side(step.along, 0), side_2 = side(0, step.across);
+      const double side_1 =
+        gap.can_go_around(step, true) ? gap[step.from + step.d_along] : 0.;
+      const double side_2 =
+        gap.can_go_around(step, false) ? gap[step.to - step.d_along] : 0.;
       if (!(side_1 > 0) && !(side_2 > 0))
         return infinity;
       const double middle =
-        .25 * (gap[here] + gap[there] + std::max(side_1, 0.) + std::max(side_2, 0.));
-      return std::max(mean_ends, resistivity(middle)) *
-             std::hypot(gap.spacing_along(), gap.spacing_across());
+        .25 * (here + there + std::max(side_1, 0.) + std::max(side_2, 0.));
+      return std::max(mean_ends, resistivity(middle)) * step.length;
     }
 
     FlowPath
@@ -111,22 +96,18 @@ namespace strait
           queue.pop();
           if (so_far > resistance[k])
             continue;
-          const int a = gap.along(k), b = gap.across_of(k);
           if (gap.is_outlet(k))
             return trace_back(k, came_by);
-          for (std::size_t s = 0; s < steps.size(); ++s)
-            {
-              if (!gap.can_step(k, steps[s].along, steps[s].across))
-                continue;
-              const double total = so_far + step_resistance(a, b, steps[s]);
-              const auto   to    = gap.index(a + steps[s].along, b + steps[s].across);
-              if (total < resistance[to])
-                {
-                  resistance[to] = total;
-                  came_by[to]    = static_cast<std::uint8_t>(s);
-                  queue.emplace(total, to);
-                }
-            }
+          const double here = so_far;
+          gap.for_each_step(k, 8, [&](const FlowLattice::Step &step) {
+            const double total = here + step_resistance(step);
+            if (total < resistance[step.point])
+              {
+                resistance[step.point] = total;
+                came_by[step.point]    = step.number;
+                queue.emplace(total, step.point);
+              }
+          });
         }
       return {};
     }
@@ -149,8 +130,7 @@ namespace strait
             }
           if (came_by[k] == start_of_path)
             break;
-          const Step &step = steps[came_by[k]];
-          k = gap.index(gap.along(k) - step.along, gap.across_of(k) - step.across);
+          k = gap.start_of(k, came_by[k]);
         }
       std::reverse(path.points.begin(), path.points.end());
       std::reverse(path.gaps.begin(), path.gaps.end());
@@ -165,18 +145,10 @@ namespace strait
       // Half of that bars wider places, which other paths may share; double of it lets
       // the next path run beside this one.
       const double threshold = .05 * resistivity(path.bottleneck_gap);
-      const int    reach     = std::min(2, gap.n_across());
       for (const GridPoint &point : path.points)
-        {
-          const std::size_t k = gap.index_of(point);
-          if (resistivity(gap[k]) <= threshold)
-            continue;
-          const int a = gap.along(k), b = gap.across_of(k);
-          for (int i = std::max(a - 2, 0); i <= std::min(a + 2, gap.width() - 1); ++i)
-            for (int j = b - reach; j <= b + reach; ++j)
-              if (gap.is_periodic() || (j >= 0 && j < gap.n_across()))
-                blocked[gap.index(i, j)] = true;
-        }
+        if (const std::size_t k = gap.index_of(point); resistivity(gap[k]) > threshold)
+          for (const std::size_t near : gap.points_around(k, 2))
+            blocked[near] = true;
     }
 
     void
@@ -234,7 +206,7 @@ namespace strait
     const std::vector<double> whole         = gather_on_root(gap);
     std::vector<FlowPath>     paths;
     run_on_root(comm, [&]() {
-      const FlowLattice lattice(whole, gap.grid(), domain);
+      const FlowLattice lattice(whole, gap, domain);
       PathSearch        search(lattice);
       while (paths.size() < n_paths)
         {
@@ -273,17 +245,13 @@ namespace strait
         {
           const std::size_t k = waiting[place].back();
           waiting[place].pop_back();
-          const int a = gap.along(k), b = gap.across_of(k);
-          for (const auto &[da, db] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
-            {
-              if (!gap.can_step(k, da, db))
-                continue;
-              const std::size_t to = gap.index(a + da, b + db);
-              if (!(gap[to] > 0) || pressure[to] != unknown)
-                continue;
-              pressure[to] = pressure[k];
-              waiting[std::min(place, scale.place(gap[to]))].push_back(to);
-            }
+          gap.for_each_step(k, 4, [&](const FlowLattice::Step &step) {
+            const std::size_t to = step.point;
+            if (!(gap[to] > 0) || pressure[to] != unknown)
+              return;
+            pressure[to] = pressure[k];
+            waiting[std::min(place, scale.place(gap[to]))].push_back(to);
+          });
         }
     return pressure;
   }

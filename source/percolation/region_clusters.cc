@@ -28,12 +28,10 @@ namespace strait
         {
           const std::size_t k = sources.back();
           sources.pop_back();
-          for (const auto &[da, db] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
-            if (gap.can_step(k, da, db))
-              if (const std::size_t to =
-                    gap.index(gap.along(k) + da, gap.across_of(k) + db);
-                  visit(to))
-                sources.push_back(to);
+          gap.for_each_step(k, 4, [&](const FlowLattice::Step &step) {
+            if (visit(step.point))
+              sources.push_back(step.point);
+          });
         }
       return reached;
     }

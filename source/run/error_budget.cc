@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/contact/grid_transfer.h>
+#include <strait/contact/zoom_in.h>
 #include <strait/run/error_budget.h>
+#include <strait/seal/dry_seal.h>
 #include <strait/seal/flow_stage.h>
+#include <strait/seal/zoom_placement.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +31,20 @@ namespace strait
   ErrorBudget::ErrorBudget(const Scene &scene_, const SlabField &heights)
     : scene(scene_)
     , rms_height(rms(heights))
+    , silent(heights.layout().communicator(), true)
   {
+    if (scene.contact.zoom.enabled && can_be_coarsened(heights.grid()))
+      coarser_zoomed = std::make_unique<ZoomedSeal>(
+        std::make_unique<DrySeal>(
+          std::make_unique<ContactSolver>(scene.contact, restrict_by_injection(heights))),
+        scene.contact.zoom,
+        scene.fluid.direction,
+        silent);
     // What a contact remembers, and what a fluid does to it, is not that of a coarser
     // grid at the same load alone.
     if (!scene.output.error_budget || !scene.contact.enabled ||
-        scene.contact.adhesion.enabled || scene.fluid.feedback.enabled)
+        scene.contact.zoom.enabled || scene.contact.adhesion.enabled ||
+        scene.fluid.feedback.enabled)
       return;
     SlabField grid_heights = heights;
     while (coarser.size() < 2 && can_be_coarsened(grid_heights.grid()))
@@ -87,8 +99,49 @@ namespace strait
     errors.items.push_back({"contact grid", error, "Contact/Grid points"});
   }
 
+  void
+  ErrorBudget::add_zoom(const Step &step, SealModel &seal, StepErrors &errors)
+  {
+    const double fine = step.flow->leakage.rate, slip = step.state.control.slip_length;
+    const auto   change = [&](const SlabField &gap) {
+      return std::abs(leak_rate_of(gap, slip, scene.fluid) / fine - 1.);
+    };
+    const SlabLayout &layout = step.state.gap().layout();
+    if (!layout.windows().empty())
+      {
+        SealState fewer;
+        fewer.control = step.state.control;
+        fewer.contact = zoom_in(*step.state.contact, without_finest(layout));
+        fewer         = seal.solve(fewer.control, &fewer, Aim::comparison);
+        errors.items.push_back(
+          {"zoom levels", .5 * change(fewer.gap()), "Contact/Zoom/Points along throat"});
+      }
+    if (coarser_zoomed)
+      {
+        coarser_state = coarser_zoomed->solve(step.state.control,
+                                              coarser_state ? &*coarser_state : nullptr,
+                                              Aim::leak_rate);
+        errors.items.push_back(
+          {"contact grid", change(coarser_state->gap()), "Contact/Grid points"});
+      }
+  }
+
+  void
+  ErrorBudget::add_interpolation(const Step &step, StepErrors &errors) const
+  {
+    FluidParameters other = scene.fluid;
+    other.interpolation   = scene.fluid.interpolation == GapInterpolation::monotone_cubic
+                              ? GapInterpolation::bilinear
+                              : GapInterpolation::monotone_cubic;
+    const double leak =
+      leak_rate_of(step.state.gap(), step.state.control.slip_length, other);
+    errors.items.push_back({"gap interpolation",
+                            std::abs(leak / step.flow->leakage.rate - 1.),
+                            "Contact/Grid points"});
+  }
+
   StepErrors
-  ErrorBudget::assess(const Step &step)
+  ErrorBudget::assess(const Step &step, SealModel &seal)
   {
     StepErrors     errors;
     const Leakage &leakage = step.flow->leakage;
@@ -110,20 +163,12 @@ namespace strait
                                 scene.fluid.feedback.tolerance,
                                 "Fluid/Wall feedback/Tolerance"});
       }
-    if (scene.output.error_budget)
-      {
-        add_contact_grid(step, errors);
-        FluidParameters other = scene.fluid;
-        other.interpolation =
-          scene.fluid.interpolation == GapInterpolation::monotone_cubic
-            ? GapInterpolation::bilinear
-            : GapInterpolation::monotone_cubic;
-        const double leak =
-          leak_rate_of(step.state.gap(), step.state.control.slip_length, other);
-        errors.items.push_back({"gap interpolation",
-                                std::abs(leak / leakage.rate - 1.),
-                                "Contact/Grid points"});
-      }
+    if (scene.contact.zoom.enabled)
+      add_zoom(step, seal, errors);
+    else if (scene.output.error_budget)
+      add_contact_grid(step, errors);
+    if (scene.contact.zoom.enabled || scene.output.error_budget)
+      add_interpolation(step, errors);
     std::stable_sort(errors.items.begin(),
                      errors.items.end(),
                      [](const ErrorItem &a, const ErrorItem &b) {

@@ -212,6 +212,32 @@ namespace strait
     }
   } // namespace
 
+  double
+  Scaling::law_exponent(const ClosingLaw  &law,
+                        const Quantity     quantity,
+                        const ExponentFit &slope,
+                        const double       slip_length)
+  {
+    if (slip_length > 0)
+      return std::nan("");
+    // An immobile layer cuts the throat off where it is still wide and smooth.
+    const bool   is_smooth    = slip_length < 0;
+    const double reduced_load = std::sqrt(slope.from * slope.to);
+    switch (quantity)
+      {
+        case leak_rate:
+          return is_smooth ? 3. : law.leak_rate_exponent(reduced_load);
+        case throat_gap:
+          return is_smooth ? 1. : law.gap_exponent(reduced_load);
+        case throat_length:
+          return is_smooth ? .5 : law.length_exponent(reduced_load);
+        case throat_width:
+          return is_smooth ? .5 : law.width_exponent(reduced_load);
+        default:
+          return std::nan("");
+      }
+  }
+
   std::vector<FitRow>
   Scaling::fits(Log &log) const
   {
@@ -223,17 +249,26 @@ namespace strait
     std::set<double> slip_lengths;
     for (const Sample &sample : samples)
       slip_lengths.insert(sample.slip_length);
-    std::vector<FitRow> rows;
+    std::vector<FitRow>            rows;
+    std::vector<ClosingLaw::Slope> closing;
+    for (const ExponentFit &slope : local_slopes(series(leak_rate, 0., true)))
+      if (slope.to <= largest)
+        closing.push_back({std::sqrt(slope.from * slope.to), slope.exponent});
+    const ClosingLaw law = ClosingLaw::fit(closing);
     for (const double slip_length : slip_lengths)
       for (const auto &[quantity, name] : quantities)
         {
           for (const ExponentFit &slope : local_slopes(series(quantity, slip_length)))
-            rows.push_back({slope, name, slip_length, "local"});
+            rows.push_back({slope,
+                            name,
+                            slip_length,
+                            "local",
+                            law_exponent(law, quantity, slope, slip_length)});
           const auto        trusted = series(quantity, slip_length, true);
           const ExponentFit fit     = fit_exponent(trusted, largest);
           if (fit.n_points < 2)
             continue;
-          rows.push_back({fit, name, slip_length, "fit"});
+          rows.push_back({fit, name, slip_length, "fit", std::nan("")});
           report_fit(name, fit, local_slopes(trusted), log);
         }
     return rows;

@@ -7,7 +7,9 @@
 #include <deal.II/base/hdf5.h>
 #include <deal.II/numerics/data_out.h>
 
+#include <array>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -42,8 +44,16 @@ namespace strait
     std::vector<double>
     local_values(const SlabField &field)
     {
-      return {field.begin(), field.end()};
+      return {field.data(), field.data() + field.layout().n_local_points()};
     }
+
+    /** A piece of the plane of z = 0 with the values of data sets at regular points. */
+    struct GridPiece
+    {
+      std::string           path; // in the HDF5 file, with a slash at its end
+      int                   nx, ny;
+      std::array<double, 2> origin, spacing;
+    };
 
     /** A data set of shape (ny, nx) in an HDF5 file. */
     struct GridDataset
@@ -52,44 +62,114 @@ namespace strait
       bool        is_whole = false; // of whole numbers of 4 bytes, else doubles
     };
 
-    /**
-     * The text of an XDMF file (version 2, as ParaView reads it) beside the HDF5 file
-     * @p file, with each of @p datasets at the points of @p grid in the plane z = 0.
-     *
-     * A slice of a three-dimensional grid: ParaView lays a two-dimensional one out in
-     * another plane.
-     */
-    std::string
-    grid_description(const std::string              &file,
-                     const PeriodicGrid             &grid,
-                     const std::vector<GridDataset> &datasets)
+    /** One of the grids of an XDMF file: a slice of a three-dimensional grid, as ParaView
+     *  lays a two-dimensional one out in another plane. */
+    void
+    describe_piece(std::ostream                   &out,
+                   const std::string              &file,
+                   const GridPiece                &piece,
+                   const std::vector<GridDataset> &datasets)
     {
       const std::string shape =
-        "\"1 " + std::to_string(grid.ny) + " " + std::to_string(grid.nx) + "\"";
-      std::ostringstream out;
-      out.precision(17);
+        "\"1 " + std::to_string(piece.ny) + " " + std::to_string(piece.nx) + "\"";
       const char *const three_numbers =
         "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">";
-      out
-        << "<?xml version=\"1.0\"?>\n"
-        << "<Xdmf Version=\"2.0\">\n<Domain>\n<Grid Name=\"grid\" GridType=\"Uniform\">\n"
-        << "  <Topology TopologyType=\"3DCoRectMesh\" Dimensions=" << shape << "/>\n"
-        << "  <Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n"
-        << "    " << three_numbers
-        << "0 0 0</DataItem>\n"
-        // From the slowest index to the fastest; the first one does not matter.
-        << "    " << three_numbers << grid.dx() << ' ' << grid.dy() << ' ' << grid.dx()
-        << "</DataItem>\n  </Geometry>\n";
+      out << "<Grid Name=\"grid\" GridType=\"Uniform\">\n"
+          << "  <Topology TopologyType=\"3DCoRectMesh\" Dimensions=" << shape << "/>\n"
+          << "  <Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n"
+          // From the slowest index to the fastest; the first spacing does not matter.
+          << "    " << three_numbers << "0 " << piece.origin[1] << ' ' << piece.origin[0]
+          << "</DataItem>\n"
+          << "    " << three_numbers << piece.spacing[0] << ' ' << piece.spacing[1] << ' '
+          << piece.spacing[0] << "</DataItem>\n  </Geometry>\n";
       for (const GridDataset &dataset : datasets)
         out << "  <Attribute Name=\"" << dataset.name
             << "\" AttributeType=\"Scalar\" Center=\"Node\">\n    <DataItem Dimensions="
             << shape << " NumberType="
             << (dataset.is_whole ? "\"Int\" Precision=\"4\""
                                  : "\"Float\" Precision=\"8\"")
-            << " Format=\"HDF\">" << file << ":/" << dataset.name
+            << " Format=\"HDF\">" << file << ":/" << piece.path << dataset.name
             << "</DataItem>\n  </Attribute>\n";
-      out << "</Grid>\n</Domain>\n</Xdmf>\n";
+      out << "</Grid>\n";
+    }
+
+    /**
+     * The text of an XDMF file (version 2, as ParaView reads it) beside the HDF5 file
+     * @p file, with each of @p datasets at the points of @p pieces in the plane z = 0.
+     */
+    std::string
+    grid_description(const std::string              &file,
+                     const std::vector<GridPiece>   &pieces,
+                     const std::vector<GridDataset> &datasets)
+    {
+      std::ostringstream out;
+      out.precision(17);
+      out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
+      if (pieces.size() > 1)
+        out << "<Grid Name=\"windows\" GridType=\"Collection\" "
+               "CollectionType=\"Spatial\">\n";
+      for (const GridPiece &piece : pieces)
+        describe_piece(out, file, piece, datasets);
+      if (pieces.size() > 1)
+        out << "</Grid>\n";
+      out << "</Domain>\n</Xdmf>\n";
       return out.str();
+    }
+
+    /** Values of one window, which all ranks hold, written by one of them. */
+    template <typename Number, typename Values>
+    void
+    write_window(dealii::HDF5::Group &group,
+                 const std::string   &name,
+                 const SlabLayout    &layout,
+                 const int            w,
+                 const Values        &values)
+    {
+      const auto  nx      = static_cast<hsize_t>(layout.windows()[w].n_columns());
+      const auto  ny      = static_cast<hsize_t>(layout.windows()[w].n_rows());
+      auto        dataset = group.create_dataset<Number>(name, {ny, nx});
+      const auto *begin   = values.data() + layout.start_of_window(w);
+      if (layout.rank() == 0)
+        dataset.write_hyperslab(std::vector<Number>(begin, begin + nx * ny),
+                                {0, 0},
+                                {ny, nx});
+      else
+        dataset.template write_none<Number>();
+    }
+
+    /** The windows of a step in groups of the file, and a description of each level for
+     *  ParaView. Collective. */
+    void
+    write_windows(const std::string              &directory,
+                  dealii::HDF5::File             &file,
+                  const Step                     &step,
+                  const std::vector<int>         &labels,
+                  const std::vector<GridDataset> &datasets)
+    {
+      const SlabLayout                     &layout = step.state.gap().layout();
+      std::map<int, std::vector<GridPiece>> pieces; // of the levels
+      for (int w = 0; w < static_cast<int>(layout.windows().size()); ++w)
+        {
+          const ZoomWindow &window = layout.windows()[w];
+          const std::string name   = "window-" + std::to_string(w + 1);
+          auto              group  = file.create_group(name);
+          write_window<double>(group, "gap", layout, w, step.state.gap());
+          write_window<double>(
+            group, "pressure", layout, w, step.state.contact->pressure);
+          write_window<int>(group, "labels", layout, w, labels);
+          group.set_attribute("level", window.level);
+          pieces[window.level].push_back({name + "/",
+                                          window.n_columns(),
+                                          window.n_rows(),
+                                          layout.position(w, 0, 0),
+                                          layout.spacing(w)});
+        }
+      const std::string base = "fields-" + std::to_string(step.number);
+      run_on_root(layout.communicator(), [&]() {
+        for (const auto &[level, of_level] : pieces)
+          write_text(directory + "/" + base + "-level-" + std::to_string(level) + ".xmf",
+                     grid_description(base + ".h5", of_level, datasets));
+      });
     }
 
     /** A list that every rank knows. */
@@ -122,6 +202,7 @@ namespace strait
     dealii::HDF5::File       file(name,
                             dealii::HDF5::File::FileAccessMode::create,
                             layout.communicator());
+    std::vector<int>         labels;
     std::vector<GridDataset> datasets = {{"gap", false}};
     write_slabs(file, "gap", layout, local_values(step.state.gap()));
     if (step.state.contact)
@@ -132,10 +213,14 @@ namespace strait
       }
     if (step.flow)
       {
-        std::vector<int> labels;
         for (const NodeState state : step.flow->channel.clusters.states)
           labels.push_back(static_cast<int>(state));
-        write_slabs(file, "labels", layout, labels);
+        write_slabs(file,
+                    "labels",
+                    layout,
+                    std::vector<int>(labels.begin(),
+                                     labels.begin() + static_cast<std::ptrdiff_t>(
+                                                        layout.n_local_points())));
         datasets.push_back({"labels", true});
         file.set_attribute("leak_rate", step.flow->leakage.rate);
       }
@@ -146,9 +231,13 @@ namespace strait
     file.set_attribute("units", std::string("those of the scene"));
     run_on_root(layout.communicator(), [&]() {
       const std::string base = "fields-" + std::to_string(step.number);
-      write_text(directory + "/" + base + ".xmf",
-                 grid_description(base + ".h5", grid, datasets));
+      write_text(
+        directory + "/" + base + ".xmf",
+        grid_description(base + ".h5",
+                         {{"", grid.nx, grid.ny, {0., 0.}, {grid.dx(), grid.dy()}}},
+                         datasets));
     });
+    write_windows(directory, file, step, labels, datasets);
   }
 
   void

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/run/leakage_table.h>
-#include <strait/surface/resolution.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -44,11 +45,19 @@ namespace strait
       };
     };
 
+    std::array<double, 2>
+    place_of_bottleneck(const Step &step)
+    {
+      if (step.flow->channel.paths.empty())
+        return {not_a_number, not_a_number};
+      return position_of(step.state.gap().layout(),
+                      step.flow->channel.paths.front().bottleneck);
+    }
+
     void
     add_leak_rates(Table<Step> &table, const Scene &scene, const Condition &with_flow)
     {
       const FluidParameters fluid = scene.fluid;
-      const PeriodicGrid    grid  = grid_of(scene);
       table.when(with_flow)
         .add(
           of_leakage(&Leakage::rate),
@@ -61,6 +70,14 @@ namespace strait
              "changed of it through the gap")
         .add(of_leakage(&Leakage::upper),
              "leak_rate_upper [length³/time]: upper bound, likewise");
+      table
+        .when({"with `Contact/Zoom` or `Output/Error budget`",
+               scene.fluid.enabled &&
+                 (scene.contact.zoom.enabled || scene.output.error_budget)})
+        .add([](const Step &step) { return step.errors.sum(); },
+             "leak_rate_error [1]: relative error of the leak rate: mesh, contact grid, "
+             "zoom levels, gap interpolation and tolerances together, see "
+             "[run.json](#runjson); `nan` if nothing percolates");
       table.when({"with `Output/Leak rate units`", scene.fluid.enabled});
       for (const std::string &name : scene.output.leak_rate_units)
         {
@@ -81,14 +98,32 @@ namespace strait
           "effective_gap [length]: (12 η K_eff)^(1/3) with K_eff = Q L/(W Δp), or in a "
           "mesh ([meshes](meshes.md)) Q/(S Δp) with Q = S K Δp at a uniform K: smooth "
           "plates with this gap leak as much")
-        .add(of_path([grid](const FlowPath &p) { return p.bottleneck.ix * grid.dx(); }),
+        .add([](const Step &step) { return place_of_bottleneck(step)[0]; },
              "worst_constriction_x [length]: narrowest grid point of the path of least "
              "resistance ∫ds/g³; at the outlet, the copy of x = 0 at x = Lx; `nan` if "
              "nothing percolates")
-        .add(of_path([grid](const FlowPath &p) { return p.bottleneck.iy * grid.dy(); }),
+        .add([](const Step &step) { return place_of_bottleneck(step)[1]; },
              "worst_constriction_y [length]: its y, likewise")
         .add(of_path(&FlowPath::bottleneck_gap),
              "worst_constriction_gap [length]: the gap that the fluid sees there");
+      table
+        .when({"with `Contact/Zoom`", scene.fluid.enabled && scene.contact.zoom.enabled})
+        .add(
+          [](const Step &step) {
+            int levels = 0;
+            for (const ZoomWindow &window : step.state.gap().layout().windows())
+              levels = std::max(levels, window.level);
+            return levels;
+          },
+          "zoom_levels [1]: how often the spacing of the contact grid is divided by "
+          "three where it is finest")
+        .add(
+          [](const Step &step) {
+            return step.flow->channel.paths.empty() ? not_a_number
+                                                    : step.flow->channel.throat.points;
+          },
+          "points_along_throat [1]: finest points along the flow at the worst "
+          "constriction, where the gap is at most twice as large as there");
     }
   } // namespace
 

@@ -81,9 +81,11 @@ namespace strait
     const auto   scope  = timers.scope("threshold");
     thresholds =
       search->find_critical_loads(factor * contact.effective_modulus * rms_slope);
-    // A channel that a fluid has opened is not closed again before the first step; a
-    // path on which contacts alone remember begins without a past.
-    if (scene.fluid.feedback.enabled && !scene.contact.adhesion.enabled)
+    // A channel that a fluid has opened is not closed again before the first step, and
+    // the throat is seen on the points that it was lost on; a path on which contacts
+    // alone remember begins without a past.
+    if ((scene.fluid.feedback.enabled && !scene.contact.adhesion.enabled) ||
+        scene.contact.zoom.enabled)
       start = search->take_state();
     return thresholds;
   }
@@ -199,7 +201,7 @@ namespace strait
     compare_with_threshold(step);
     compare_with_theory(step);
     step.errors =
-      step.flow && step.flow->solution ? error_budget->assess(step) : StepErrors();
+      step.flow && step.flow->solution ? error_budget->assess(step, *seal) : StepErrors();
     converged = converged && step.converged();
   }
 

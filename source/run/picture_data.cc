@@ -170,12 +170,44 @@ namespace strait
       file.set_attribute("percolates", step.flow->channel.percolates() ? 1. : 0.);
       if (!step.flow->channel.paths.empty())
         {
-          const FlowPath &path = step.flow->channel.paths.front();
-          file.set_attribute("worst_x",
-                             path.bottleneck.ix * step.state.gap().grid().dx());
-          file.set_attribute("worst_y",
-                             path.bottleneck.iy * step.state.gap().grid().dy());
+          const auto [x, y] = position_of(step.state.gap().layout(),
+                                          step.flow->channel.paths.front().bottleneck);
+          file.set_attribute("worst_x", x);
+          file.set_attribute("worst_y", y);
         }
+    }
+
+    /** The window in which the worst constriction lies, if it lies in one. */
+    void
+    write_window(dealii::HDF5::File &file, const Step &step)
+    {
+      if (!step.flow || step.flow->channel.paths.empty() ||
+          step.flow->channel.paths.front().bottleneck.window < 0)
+        return;
+      const int                 w   = step.flow->channel.paths.front().bottleneck.window;
+      const SlabField          &gap = step.state.gap();
+      const SlabLayout         &layout = gap.layout();
+      const ZoomWindow         &window = layout.windows()[w];
+      const std::vector<double> open   = openness(step);
+      const auto                write  = [&](const char *name, const auto &field) {
+        const auto *begin = &field[layout.start_of_window(w)];
+        file
+          .create_dataset<float>(name,
+                                 {static_cast<hsize_t>(window.n_rows()),
+                                  static_cast<hsize_t>(window.n_columns())})
+          .write(std::vector<float>(begin,
+                                    begin + static_cast<std::ptrdiff_t>(
+                                              layout.start_of_window(w + 1) -
+                                              layout.start_of_window(w))));
+      };
+      write("window_gap", gap);
+      write("window_open", open);
+      const auto [x, y]   = layout.position(w, 0, 0);
+      const auto [dx, dy] = layout.spacing(w);
+      file.set_attribute("window_x", x);
+      file.set_attribute("window_y", y);
+      file.set_attribute("window_lx", window.n_columns() * dx);
+      file.set_attribute("window_ly", window.n_rows() * dy);
     }
   } // namespace
 
@@ -201,6 +233,7 @@ namespace strait
       write_dataset(file, "fluid_pressure", raster, fields.fluid_pressure);
       write_dataset(file, "current", raster, fields.current);
       write_outline(file, step);
+      write_window(file, step);
       write_attributes(file, step, fluid);
     });
   }

@@ -31,10 +31,11 @@ namespace strait
       return {"with the section `Realisations`", scene.realisations.enabled()};
     }
 
-    GridPoint
-    bottleneck_of(const Step &step)
+    std::array<double, 2>
+    place_of_bottleneck(const Step &step)
     {
-      return step.flow->channel.paths.front().bottleneck;
+      return position_of(step.state.gap().layout(),
+                      step.flow->channel.paths.front().bottleneck);
     }
 
     /** Entries of the report on a step's constrictions, and of the throat in it. */
@@ -53,8 +54,7 @@ namespace strait
   Table<Transition>
   threshold_table(const Scene &scene)
   {
-    const PeriodicGrid grid = grid_of(scene);
-    Table<Transition>  table("threshold.csv",
+    Table<Transition> table("threshold.csv",
                             with_threshold(scene),
                             "One row for each slip length; loads are nominal pressures.");
     table
@@ -64,10 +64,9 @@ namespace strait
            "critical_load_upper [pressure]: smallest load known to seal")
       .add(&Transition::contact_area,
            "contact_area [1]: fraction in contact at the former")
-      .add([=](const Transition &t) { return t.bottleneck.ix * grid.dx(); },
+      .add([](const Transition &t) { return t.bottleneck[0]; },
            "x [length]: place of the last constriction at the former")
-      .add([=](const Transition &t) { return t.bottleneck.iy * grid.dy(); },
-           "y [length]: likewise")
+      .add([](const Transition &t) { return t.bottleneck[1]; }, "y [length]: likewise")
       .add(&Transition::slip_length, "slip_length [length]: d0")
       .add(&Transition::n_solves, "contact_solves [1]: loads that were tried")
       .add(&Transition::fft_pairs, "fft_pairs [1]: of these solves");
@@ -77,8 +76,7 @@ namespace strait
   Table<Step>
   constriction_table(const Scene &scene)
   {
-    const PeriodicGrid grid = grid_of(scene);
-    Table<Step>        table("constrictions.csv",
+    Table<Step> table("constrictions.csv",
                       with_threshold(scene),
                       "One row for each step that leaks: where the pressure drops.");
     table.add(&Step::number, "step [1]: as in leakage.csv")
@@ -88,9 +86,9 @@ namespace strait
            "slip_length [length]: d0")
       .add([](const Step &step) { return step.reduced_load.value_or(std::nan("")); },
            "reduced_load [1]: 1 − L/L_c")
-      .add([=](const Step &step) { return bottleneck_of(step).ix * grid.dx(); },
+      .add([](const Step &step) { return place_of_bottleneck(step)[0]; },
            "x [length]: narrowest point of the path of least resistance")
-      .add([=](const Step &step) { return bottleneck_of(step).iy * grid.dy(); },
+      .add([](const Step &step) { return place_of_bottleneck(step)[1]; },
            "y [length]: likewise")
       .add(of_throat(&Throat::gap), "gap [length]: g0 of the throat there")
       .add(of_throat(&Throat::length),
@@ -125,19 +123,26 @@ namespace strait
       .add(&FitRow::to, "to [1]: largest ε")
       .add(&FitRow::exponent, "exponent [1]: β of quantity ∝ ε^β")
       .add(&FitRow::error, "error [1]: standard error of the fit; 0 for two steps")
-      .add(&FitRow::n_points, "points [1]: number of steps");
+      .add(&FitRow::n_points, "points [1]: number of steps")
+      .when({"with `Contact/Zoom` or `Theory/Enabled`",
+             scene.programme.find_threshold &&
+               (scene.contact.zoom.enabled || scene.theory.enabled)})
+      .add(
+        &FitRow::law,
+        "closing_law [1]: of a local exponent: what the law of closing says of it, with "
+        "its one constant fitted to those of the leak rate up to `Largest reduced load "
+        "of fits`; see [theory.md](theory.md)");
     return table;
   }
 
   Table<BlowOut>
   blow_out_table(const Scene &scene)
   {
-    const PeriodicGrid grid = grid_of(scene);
-    Table<BlowOut>     table("blow_out.csv",
+    Table<BlowOut> table("blow_out.csv",
                          {"with `Load programme/Find blow-out`",
-                              scene.programme.find_blow_out},
+                          scene.programme.find_blow_out},
                          "One row for each of `Pressures`.");
-    const auto         of_opening = [](auto member) {
+    const auto     of_opening = [](auto member) {
       return
         [member](const BlowOut &found) { return std::invoke(member, found.opening); };
     };
@@ -151,9 +156,9 @@ namespace strait
         "it leaks by itself")
       .add(of_opening(&Transition::contact_area),
            "contact_area [1]: fraction in contact at the former")
-      .add([=](const BlowOut &found) { return found.opening.bottleneck.ix * grid.dx(); },
+      .add([](const BlowOut &found) { return found.opening.bottleneck[0]; },
            "x [length]: the point that opens")
-      .add([=](const BlowOut &found) { return found.opening.bottleneck.iy * grid.dy(); },
+      .add([](const BlowOut &found) { return found.opening.bottleneck[1]; },
            "y [length]: likewise")
       .add(of_opening(&Transition::n_solves), "solves [1]: of contact and flow")
       .when({"with `Find re-sealing`", scene.programme.find_resealing})

@@ -18,11 +18,6 @@ namespace strait
     // double of it change the leak rate by less than that.
     constexpr double floor_fraction = 1e-8;
 
-    // The mesh starts fine at the throats of so many paths. Where more channels share the
-    // flow refinement finds the others: half as many take it more meshes, twice as many
-    // take a search each.
-    constexpr unsigned int n_paths_wanted = 3;
-
     // On the way to another gap, where the channel may be about to close, no mesh is
     // refined beyond this: with half of it the fluid's pressure on the wall is coarser,
     // which more rounds on finer meshes make up for, with double of it more is spent on

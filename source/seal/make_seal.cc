@@ -6,6 +6,7 @@
 #include <strait/seal/coupled_seal.h>
 #include <strait/seal/dry_seal.h>
 #include <strait/seal/make_seal.h>
+#include <strait/seal/zoomed_seal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +96,15 @@ namespace strait
     std::unique_ptr<ContactModel> model =
       make_contact(scene, contact, std::move(heights));
     if (!scene.fluid.feedback.enabled)
-      return std::make_unique<DrySeal>(std::move(model));
+      {
+        auto dry = std::make_unique<DrySeal>(std::move(model));
+        if (!scene.contact.zoom.enabled)
+          return dry;
+        return std::make_unique<ZoomedSeal>(std::move(dry),
+                                            scene.contact.zoom,
+                                            scene.fluid.direction,
+                                            log);
+      }
     return std::make_unique<CoupledSeal>(scene, std::move(model), layout, *flow, log);
   }
 

@@ -20,8 +20,8 @@ namespace strait
     {
       archive.value(probe.openness);
       archive.value(probe.contact_area);
-      archive.value(probe.bottleneck.ix);
-      archive.value(probe.bottleneck.iy);
+      for (double &coordinate : probe.bottleneck)
+        archive.value(coordinate);
       archive.value(probe.fft_pairs);
     }
 
@@ -32,8 +32,8 @@ namespace strait
       archive.value(transition.lower);
       archive.value(transition.upper);
       archive.value(transition.contact_area);
-      archive.value(transition.bottleneck.ix);
-      archive.value(transition.bottleneck.iy);
+      for (double &coordinate : transition.bottleneck)
+        archive.value(coordinate);
       archive.value(transition.n_solves);
       archive.value(transition.fft_pairs);
     }
@@ -99,7 +99,8 @@ namespace strait
     const int    n_before     = search.n_asked();
     const long   pairs_before = search.n_fft_pairs();
     const double level        = -2. * slip_length;
-    Passage      found        = search.enclose(first, level);
+    Passage      found = scene.contact.zoom.enabled ? search.enclose_surely(first, level)
+                                                    : search.enclose(first, level);
     if (model.depends_on_path())
       {
         const bool from_open = side_of_path() == Side::open;
@@ -276,7 +277,7 @@ namespace strait
   }
 
   double
-  SealSearch::openness(const SealState &state, GridPoint &place) const
+  SealSearch::openness(const SealState &state, std::array<double, 2> &place) const
   {
     // Under pressure a point is closed the more firmly the more its own spacing is
     // indented: a length, like the gap, and of one slope with it.
@@ -288,7 +289,7 @@ namespace strait
       if (state.contact->pressure[k] > 0)
         signed_gap[k] = -softness * state.contact->pressure[k];
     const Bottleneck bottleneck = find_bottleneck(signed_gap, domain);
-    place                       = bottleneck.point;
+    place                       = position_of(signed_gap.layout(), bottleneck.point);
     return bottleneck.value;
   }
 

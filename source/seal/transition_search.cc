@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -164,6 +165,33 @@ namespace strait
         bisect = is_between && known.width() > .5 * width;
       }
     return {known.open.back().value, known.sealed.back().value};
+  }
+
+  Passage
+  TransitionSearch::enclose_surely(const double first, const double level)
+  {
+    while (true)
+      {
+        const Passage found = enclose(first, level);
+        bool          stays = true;
+        for (const double value : {found.before, found.beyond})
+          {
+            const bool was_open = at(value).openness > level;
+            const bool is_open  = ask_at(value).openness > level;
+            if (is_open == was_open)
+              continue;
+            stays = false;
+            for (auto other = asked.begin(); other != asked.end();)
+              {
+                const bool contradicts = (other->first < value) == is_open &&
+                                         other->first != value &&
+                                         (other->second.openness > level) != is_open;
+                other = contradicts ? asked.erase(other) : std::next(other);
+              }
+          }
+        if (stays)
+          return found;
+      }
   }
 
   std::optional<Passage>

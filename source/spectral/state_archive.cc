@@ -2,6 +2,8 @@
 #include <strait/base/collective.h>
 #include <strait/spectral/state_archive.h>
 
+#include <algorithm>
+
 namespace strait
 {
   namespace
@@ -49,10 +51,39 @@ namespace strait
   {
     bool exists = !values.empty();
     value(exists);
-    if (exists != !values.empty())
-      values = exists ? SlabField(layout) : SlabField();
-    if (exists)
-      rows(values.data(), sizeof(double), *layout);
+    if (!exists)
+      {
+        values = SlabField();
+        return;
+      }
+    std::vector<ZoomWindow> windows;
+    if (!is_reading())
+      windows = values.layout().windows();
+    transfer_all(*this, windows, [this](ZoomWindow &window) {
+      for (int *number :
+           {&window.parent, &window.level, &window.x, &window.y, &window.nx, &window.ny})
+        value(*number);
+    });
+    if (is_reading())
+      values = SlabField(windows.empty() ? layout
+                                         : with_windows(*layout, std::move(windows)));
+    all_values(values.data(), values.layout());
+  }
+
+  template <typename Number>
+  void
+  StateArchive::all_values(Number *local, const SlabLayout &layout)
+  {
+    rows(local, sizeof(Number), layout);
+    Number           *in_windows = local + layout.n_local_points();
+    const std::size_t n          = layout.n_values() - layout.n_local_points();
+    if (n == 0)
+      return;
+    std::vector<double> exact(in_windows, in_windows + n);
+    value(exact);
+    std::transform(exact.begin(), exact.end(), in_windows, [](const double number) {
+      return static_cast<Number>(number);
+    });
   }
 
   template <typename Number>
@@ -63,9 +94,9 @@ namespace strait
     bool exists = maximum(layout.communicator(), values.empty() ? 0. : 1.) > 0;
     value(exists);
     if (is_reading())
-      values = std::vector<Number>(exists ? layout.n_local_points() : 0);
+      values = std::vector<Number>(exists ? layout.n_values() : 0);
     if (exists)
-      rows(values.data(), sizeof(Number), layout);
+      all_values(values.data(), layout);
   }
 
   void

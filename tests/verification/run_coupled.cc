@@ -245,7 +245,7 @@ namespace strait
       const BlowOut found   = silent.loads.find_blow_outs().front();
       const double  opening = found.opening.upper;
       EXPECT_LE(found.opening.relative_width(), 1e-3);
-      EXPECT_NEAR(found.opening.bottleneck.ix / 64., .5, 2. / 64);
+      EXPECT_NEAR(found.opening.bottleneck[0], .5, 2. / 64);
       // One constriction has no hysteresis.
       ASSERT_TRUE(found.closing);
       EXPECT_LE(found.closing->relative_width(), 1e-3);
@@ -318,7 +318,7 @@ namespace strait
           SilentSweep      silent(scene);
           const Transition threshold = silent.loads.find_thresholds().front();
           EXPECT_NEAR(threshold.middle() / 1.436526, expected.ratio, expected.tolerance);
-          EXPECT_NEAR(threshold.bottleneck.ix / 128. - .5, expected.shift, 1. / 128);
+          EXPECT_NEAR(threshold.bottleneck[0] - .5, expected.shift, 1. / 128);
           EXPECT_TRUE(silent.loads.run([&rounds](const Step &step) {
             rounds.push_back(step.state.fluid->rounds);
             return true;

@@ -58,6 +58,16 @@ namespace strait
     polonsky_keer
   };
 
+  /** The section Contact/Zoom of a scene: windows of finer points around throats. */
+  struct ZoomParameters
+  {
+    bool   enabled             = false;
+    double points_along_throat = 12.;
+    int    maximum_levels      = 8;
+
+    void bind(ParameterSection section);
+  };
+
   /** The section Contact of a scene: elastic half-space against the substrate. */
   struct ContactParameters
   {
@@ -71,6 +81,7 @@ namespace strait
     double              tolerance          = 1e-8; // residual in units of h_rms
     int                 maximum_iterations = 1000;
     AdhesionParameters  adhesion;
+    ZoomParameters      zoom;
 
     void bind(ParameterSection section);
 

@@ -7,6 +7,7 @@
 #include <strait/contact/half_space_problem.h>
 #include <strait/contact/make_optimiser.h>
 #include <strait/contact/wall.h>
+#include <strait/contact/zoomed_problem.h>
 
 #include <functional>
 #include <string>
@@ -18,7 +19,7 @@ namespace strait
    *
    * A problem starts from the state that is given if the load (or mean gap) changes
    * little, and from those on coarser grids otherwise. The result depends on the start
-   * within the tolerance only.
+   * within the tolerance only; it has the windows of the state that is given.
    */
   class ContactSolver : public ContactModel
   {
@@ -76,13 +77,18 @@ namespace strait
                              const ContactTolerance &tolerance,
                              SlabField              &grid_pressure,
                              SlabField              &grid_gap);
-    void            note_memory(std::size_t optimiser_bytes);
+    DualProblem    &problem_on(const SlabLayoutPtr &layout);
+    SlabField       start_without(const SlabLayoutPtr &layout, double target);
+    void            note_memory(std::size_t optimiser_bytes, std::size_t n_values);
 
     const ContactParameters parameters;
     const Report            report;
     Wall                    wall;
     HalfSpaceProblem        problem;
-    std::size_t             peak_memory = 0;
+
+    // With windows, those of the last state.
+    std::unique_ptr<ZoomedProblem> zoomed;
+    std::size_t                    peak_memory = 0;
   };
 } // namespace strait
 

@@ -2,9 +2,9 @@
 #ifndef strait_percolation_channel_h
 #define strait_percolation_channel_h
 
-#include <strait/percolation/bottleneck.h>
 #include <strait/percolation/clusters.h>
 #include <strait/percolation/flow_path.h>
+#include <strait/percolation/throat.h>
 
 #include <vector>
 
@@ -53,6 +53,18 @@ namespace strait
   /** Find up to @p n_paths paths, unless as many were sought before. Collective. */
   void find_paths(Channel &channel, unsigned int n_paths);
 
+  /** A constriction on one of a channel's paths. */
+  struct ThroatOnPath
+  {
+    GridPoint point;      // the narrowest
+    double fraction = 0.; // of the path's ∫ ds / gap³, an estimate of the pressure drop
+    double points   = 0.; // of its level along it, as of Throat
+  };
+
+  /** The constrictions of @p channel, path after path from inlet to outlet; one that
+   *  several paths pass is listed with the first. Collective. */
+  std::vector<ThroatOnPath> throats(const Channel &channel);
+
   /**
    * What the flow solver may see of an open gap: its value at percolating points, zero at
    * other open points, and the value itself (<= 0) at closed points, so that an
@@ -63,7 +75,8 @@ namespace strait
    * A point on the seam belongs to the inlet and, as a copy, to the outlet; it is kept if
    * either of the two percolates. Points outside a region that are no more than two
    * spacings from a percolating one keep their value, since the gap between that and the
-   * outline is interpolated with them. Collective.
+   * outline is interpolated with them. All this holds on each level among its own points;
+   * a point that a window covers has the window's value. Collective.
    */
   SlabField
   percolating_gap(SlabField open_gap, const Clusters &clusters, const FlowDomain &domain);

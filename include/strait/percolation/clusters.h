@@ -38,10 +38,10 @@ namespace strait
   /** The clusters of open grid points, and whether one of them leaks. */
   struct Clusters
   {
-    std::vector<NodeState> states; // one per local grid point
-    bool                   percolates           = false;
-    double                 open_fraction        = 0.; // of all points of the domain
-    double                 percolating_fraction = 0.;
+    std::vector<NodeState> states; // one per value of a field
+    bool                   percolates    = false;
+    double                 open_fraction = 0.; // of the points of the domain,
+    double percolating_fraction          = 0.; // each by the area that it stands for
   };
 
   /**
@@ -50,6 +50,11 @@ namespace strait
    * coordinate 0 touch the inlet, and a point of the last line touches the outlet
    * if the point behind it, across the periodic seam, is open as well. In a region
    * neighbours, inlet and outlet are those of FlowRegion; all is done on rank 0.
+   *
+   * Where the layout has windows, neighbours are points of one level, and coinciding
+   * points are one and the same. Points that the same window covers are joined by the
+   * window's finer points alone. The outermost points of a window join nothing, and are
+   * of the cluster of the point inside of them.
    *
    * This function is the one place that decides what is open. Distributed union–find;
    * collective.

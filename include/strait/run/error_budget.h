@@ -6,6 +6,7 @@
 #include <strait/base/scene.h>
 #include <strait/contact/contact_solver.h>
 #include <strait/run/step.h>
+#include <strait/seal/zoomed_seal.h>
 
 #include <memory>
 #include <string>
@@ -28,6 +29,13 @@ namespace strait
    *   leak and the differences shrink, the observed order extrapolates to a spacing
    *   of zero, and the distance to there is the error; else it is the difference;
    * - gap interpolation: bilinear in place of monotone cubic, or the reverse.
+   *
+   * Where the contact is solved in windows of finer points that is done in any case, but
+   * for the contact grid:
+   * - zoom levels: half of what it changes to take the finest window from every throat,
+   *   as if the error fell with the spacing, which is divided by three;
+   * - contact grid: what the same step on every second point changes, with windows of its
+   *   own that resolve the throats as well.
    */
   class ErrorBudget
   {
@@ -36,18 +44,25 @@ namespace strait
      *  object. */
     ErrorBudget(const Scene &scene, const SlabField &heights);
 
-    /** The errors of a step that leaks. Collective. */
-    StepErrors assess(const Step &step);
+    /** The errors of a step that leaks, whose state @p seal has made. Collective. */
+    StepErrors assess(const Step &step, SealModel &seal);
 
   private:
     /** The leak rate of the step on a coarser grid; 0 if that seals. */
     double leak_on(int halvings, const Step &step);
 
     void add_contact_grid(const Step &step, StepErrors &errors);
+    void add_zoom(const Step &step, SealModel &seal, StepErrors &errors);
+    void add_interpolation(const Step &step, StepErrors &errors) const;
 
     const Scene                                &scene;
     double                                      rms_height;
     std::vector<std::unique_ptr<ContactSolver>> coarser; // N/2, N/4
+
+    // With windows: N/2, and the last state there.
+    Log                         silent;
+    std::unique_ptr<ZoomedSeal> coarser_zoomed;
+    std::optional<SealState>    coarser_state;
   };
 
   /** The errors for run.json. */

@@ -3,8 +3,10 @@
 #define strait_run_exponent_fit_h
 
 #include <strait/base/log.h>
+#include <strait/theory/closing_law.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -35,7 +37,8 @@ namespace strait
   {
     std::string quantity;
     double      slip_length = 0.;
-    std::string kind; // local or fit
+    std::string kind;               // local or fit
+    double      law = std::nan(""); // what the law of closing says of a local one
   };
 
   /** log–log slopes between neighbouring points, in the order of falling ε. */
@@ -109,6 +112,12 @@ namespace strait
     /** The known values of a quantity at one slip length, in the order of the steps. */
     std::vector<ScalingPoint>
     series(Quantity quantity, double slip_length, bool only_trusted = false) const;
+
+    /** What the law of closing says of a slope; not a number where it says nothing. */
+    static double law_exponent(const ClosingLaw  &law,
+                               Quantity           quantity,
+                               const ExponentFit &slope,
+                               double             slip_length);
 
     /** The smallest slip at which a quantity is known; not a number if it never is. */
     double smallest_slip(Quantity quantity) const;

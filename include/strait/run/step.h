@@ -7,6 +7,7 @@
 #include <strait/seal/seal_state.h>
 #include <strait/seal/step_flow.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,16 @@ namespace strait
     std::vector<ErrorItem> items;
     std::optional<double>  grid_order;   // observed from contact grid to contact grid
     std::optional<double>  extrapolated; // leak rate at a grid spacing of zero
+
+    /** All of them together; not a number if the leak rate is 0. */
+    double
+    sum() const
+    {
+      double total = 0.;
+      for (const ErrorItem &item : items)
+        total += item.relative;
+      return items.empty() ? std::numeric_limits<double>::quiet_NaN() : total;
+    }
   };
 
   /** One step of the load programme, with all that its output may need. */

@@ -17,6 +17,13 @@ namespace strait
   class FlowStage
   {
   public:
+    /**
+     * The mesh starts fine at the throats of so many paths, and the contact's windows lie
+     * around them. Where more channels share the flow refinement finds the others: half
+     * as many take it more meshes, twice as many take a search each.
+     */
+    static constexpr unsigned int n_paths_wanted = 3;
+
     /** @p log and @p timers must outlive this object. */
     FlowStage(const FluidParameters &fluid,
               const SlabLayoutPtr   &layout,

@@ -21,12 +21,12 @@ namespace strait
   {
     double slip_length = 0.;
     // With hysteresis these are on the path that the search follows.
-    double    lower        = 0.;
-    double    upper        = 0.;
-    double    contact_area = 0.; // at lower
-    GridPoint bottleneck;        // in the open state
-    int       n_solves  = 0;     // states that were asked for
-    long      fft_pairs = 0;     // of those
+    double                lower        = 0.;
+    double                upper        = 0.;
+    double                contact_area = 0.;         // at lower
+    std::array<double, 2> bottleneck   = {{0., 0.}}; // place in the open state [length]
+    int                   n_solves     = 0;          // states that were asked for
+    long                  fft_pairs    = 0;          // of those
 
     double
     middle() const
@@ -128,7 +128,7 @@ namespace strait
     Side       side_of_path() const;
     Probe      ask(const Control &control, Side path_comes_from);
     Probe      probe(const Control &control, Side path_comes_from);
-    double     openness(const SealState &state, GridPoint &place) const;
+    double     openness(const SealState &state, std::array<double, 2> &place) const;
     std::optional<SealState> &place_of(Side side);
     void                      report(const SealState &state, bool leaks) const;
 

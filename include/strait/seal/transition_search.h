@@ -4,6 +4,7 @@
 
 #include <strait/percolation/flow_lattice.h>
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -16,10 +17,10 @@ namespace strait
   {
     /** > 0: it leaks, and this is the gap of the bottleneck; else how firmly it is
      * closed, likewise as a length. */
-    double    openness     = 0.;
-    double    contact_area = 0.;
-    GridPoint bottleneck;
-    long      fft_pairs = 0;
+    double                openness     = 0.;
+    double                contact_area = 0.;
+    std::array<double, 2> bottleneck   = {{0., 0.}}; // its place [length]
+    long                  fft_pairs    = 0;
   };
 
   /** Between two values of what varies along a path, a load or a pressure. */
@@ -62,6 +63,13 @@ namespace strait
      * brackets it. Collective if asking is.
      */
     Passage enclose(double first, double level);
+
+    /**
+     * The same where the openness is known the better the nearer to the transition it is
+     * asked for: both ends are asked again until they keep their sides. Answers that
+     * contradict a later one are forgotten.
+     */
+    Passage enclose_surely(double first, double level);
 
     /**
      * Enclose where the state that is there at `known.before` is lost on the way to

@@ -109,6 +109,11 @@ namespace strait
      *  unless the window crosses the seam. */
     std::array<double, 2> position(int w, int ix, int iy) const;
 
+    /** Call visit(k_parent, k_window) with the positions of the values of both for each
+     *  point of this rank that window @p w covers. */
+    template <class Visit>
+    void for_each_covered(int w, const Visit &visit) const;
+
     /** The window that covers point (@p ix, @p iy) of window (or grid) @p parent, or −1.
      */
     int covered_by(int parent, int ix, int iy) const;
@@ -145,6 +150,30 @@ namespace strait
     std::vector<std::size_t> starts_of_windows;
     std::vector<Range>       own_ranges;
   };
+
+  template <class Visit>
+  void
+  SlabLayout::for_each_covered(const int w, const Visit &visit) const
+  {
+    const ZoomWindow &window  = zoom_windows[w];
+    const bool        on_grid = window.parent < 0;
+    const int         nx = periodic_grid.nx, ny = periodic_grid.ny;
+    const int         n_parent = on_grid ? nx : zoom_windows[window.parent].n_columns();
+    for (int b = 0; b < window.ny; ++b)
+      {
+        const int row = on_grid ? (window.y + b + ny) % ny - first_row() : window.y + b;
+        if (on_grid && (row < 0 || row >= n_rows()))
+          continue;
+        const std::size_t parent_row = (on_grid ? 0 : starts_of_windows[window.parent]) +
+                                       static_cast<std::size_t>(row) * n_parent;
+        const std::size_t window_row =
+          starts_of_windows[w] +
+          static_cast<std::size_t>(3 * b + 1) * window.n_columns() + 1;
+        for (int a = 0; a < window.nx; ++a)
+          visit(parent_row + (on_grid ? (window.x + a + nx) % nx : window.x + a),
+                window_row + 3 * a);
+      }
+  }
 
   /** Layouts are shared by the fields that use them. */
   using SlabLayoutPtr = std::shared_ptr<const SlabLayout>;
@@ -305,6 +334,9 @@ namespace strait
    * Fourier series: exact for what the grid resolves. Collective.
    */
   void fill_windows(SlabField &field);
+
+  /** Give each point that a window covers the value of the window's point that it is. */
+  void copy_to_covered(SlabField &field);
 
   /** The field height(x, y) at the points of this rank; no communication. */
   template <class Height>

@@ -47,10 +47,10 @@ namespace strait
     /** A yes or no. */
     void value(bool &flag);
 
-    /** A field, which may be empty(). */
+    /** A field on the grid of @p layout, which may be empty(), with its windows. */
     void field(SlabField &values, const SlabLayoutPtr &layout);
 
-    /** One value per grid point, in slabs like @p layout, or none on any rank. */
+    /** The values of a field like @p layout, windows included, or none on any rank. */
     void field(std::vector<double> &values, const SlabLayout &layout);
 
     /** The same in single precision. */
@@ -61,6 +61,8 @@ namespace strait
     virtual void rows(void *local, std::size_t point_size, const SlabLayout &layout) = 0;
 
   private:
+    template <typename Number>
+    void all_values(Number *local, const SlabLayout &layout);
     template <typename Number>
     void field_of(std::vector<Number> &values, const SlabLayout &layout);
   };

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_window_transfer_h
+#define strait_contact_window_transfer_h
+
+#include <strait/spectral/zoom_window.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * Between a window and the patch of its parent that it covers, with a rim of
+   * ZoomWindow::margin points around it: interpolation by polynomials through the eight
+   * nearest points each way, and its adjoint.
+   */
+  class WindowTransfer
+  {
+  public:
+    explicit WindowTransfer(const ZoomWindow &window);
+
+    /** Columns and rows of the patch. */
+    int
+    patch_columns() const
+    {
+      return nx + 2 * ZoomWindow::margin;
+    }
+
+    int
+    patch_rows() const
+    {
+      return ny + 2 * ZoomWindow::margin;
+    }
+
+    /** The window's values from those of @p patch. */
+    void interpolate(const std::vector<double> &patch, std::vector<double> &window);
+
+    /** The parent's pressure that stands for that of @p window: the adjoint of
+     *  interpolate(), over the nine of the window's points to one of the parent's. */
+    void deposit(const std::vector<double> &window, std::vector<double> &patch);
+
+  private:
+    static constexpr int n_support = 2 * ZoomWindow::margin;
+
+    int                           nx, ny;
+    std::array<double, n_support> weights; // of the points around, a third away from one
+    std::vector<double>           between; // the window's rows, the patch's columns
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_zoomed_problem_h
+#define strait_contact_zoomed_problem_h
+
+#include <strait/contact/contact_problem.h>
+#include <strait/spectral/fourier_transform.h>
+#include <strait/spectral/slab_field.h>
+
+#include <memory>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * The contact of a half-space with heights on a periodic grid and nested windows of
+   * finer points, one problem over all points: each is unknown on the finest level that
+   * has it, and stands for the area of its level.
+   *
+   * The pressure of a window acts on all that is around it as its mean on the parent's
+   * points does, which the interpolation's adjoint spreads. Inside, the displacement is
+   * interpolated from the parent's, less what that mean makes of it there, plus what the
+   * pressure itself makes. Both are found in a periodic box of the window's own, a little
+   * larger than it: images and means cancel in the difference, so that no kernel of free
+   * space is needed. The operator is symmetric in the scalar product that is weighted by
+   * area. The same with the half-space's stiffness preconditions it.
+   */
+  class ZoomedProblem : public DualProblem
+  {
+  public:
+    /** @p heights on a layout with windows [length]; @p contact_modulus is E* > 0.
+     *  Collective. */
+    ZoomedProblem(SlabField heights, double contact_modulus);
+    ~ZoomedProblem() override;
+
+    const SlabLayout &
+    layout() const
+    {
+      return surface.layout();
+    }
+
+    std::size_t               size() const override;
+    const std::vector<Block> &blocks() const override;
+    const double             *heights() const override;
+    double                    apply(const double   *pressure,
+                                    double         *displacement,
+                                    const Pass     &before,
+                                    const WorkPass &after) override;
+    void    precondition(double *values, const Pass &before, const Pass &after) override;
+    double *scratch() override;
+    long    n_applications() const override;
+    void    sum_over_ranks(double *values, int count) const override;
+    double  largest_over_ranks(double value) const override;
+
+    /** Bytes on this rank, the heights included. */
+    std::size_t memory_consumption() const;
+
+  private:
+    class Window;
+
+    /** What waves of the number q are multiplied with. */
+    enum class Symbol
+    {
+      compliance, // 2/(qE*)
+      stiffness   // qE*/2
+    };
+
+    void multiply(double *values, Symbol symbol);
+    void gather_from_windows(double *values);
+    void spread_to_windows(double *values, Symbol symbol);
+    void transform(FourierTransform &box, double *values, Symbol symbol) const;
+
+    const SlabField                      surface;
+    const double                         modulus;
+    FourierTransform                     grid_transform;
+    std::vector<std::unique_ptr<Window>> windows;
+    std::vector<Block>                   own_points;
+    std::vector<double>                  room;
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_percolation_throat_h
+#define strait_percolation_throat_h
+
+#include <strait/percolation/flow_lattice.h>
+#include <strait/spectral/slab_field.h>
+
+#include <limits>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * The shape of a constriction at its narrowest point, where the gap is a saddle
+   *   g = g0 (1 + s²/length²) (1 − t²/width²)
+   * with s along and t across the channel: the gap doubles at a distance of one
+   * length along it, and would vanish at one width across it. From second
+   * differences of the gap at the point, among those of its level; not a number where
+   * these do not tell of a saddle.
+   *
+   * Close to the walls the gap of a contact follows another law, g ~ (t0 − t)^(3/2).
+   * Where points resolve that, two distances are measured along straight lines through
+   * the point as well, in the directions of the largest and the smallest second
+   * derivative: means of both sides, not a number where one is unknown.
+   */
+  struct Throat
+  {
+    double gap    = 0.;
+    double length = 0.;
+    double width  = 0.;
+    double doubling_length =
+      std::numeric_limits<double>::quiet_NaN();                   // to the double gap
+    double half_width = std::numeric_limits<double>::quiet_NaN(); // to a vanishing gap,
+                                                                  // three points or more
+
+    /** Number of points of its level between those where the gap has doubled: 0 if the
+     *  points do not tell, infinite if the gap does not grow along the channel. */
+    double points = 0.;
+  };
+
+  /** The throat at @p point of the open gap of a contact's @p gap. Collective. */
+  Throat measure_throat(const SlabField &gap, double slip_length, const GridPoint &point);
+
+  /** A stretch of a path with one narrowest point. */
+  struct Constriction
+  {
+    std::size_t first = 0; // position on the path
+    std::size_t last  = 0; // the first of the next stretch, or the end of the path
+  };
+
+  /**
+   * Divide a path with the given @p gaps into constrictions. Two minima of the gap
+   * are different constrictions if the channel between them widens to more than
+   * 1.5 times the gap of the wider one; they are divided where it is widest.
+   */
+  std::vector<Constriction> divide_into_constrictions(const std::vector<double> &gaps);
+} // namespace strait
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_seal_zoom_placement_h
+#define strait_seal_zoom_placement_h
+
+#include <strait/base/contact_parameters.h>
+#include <strait/percolation/channel.h>
+#include <strait/spectral/slab_field.h>
+
+#include <vector>
+
+namespace strait
+{
+  /**
+   * The windows that a gap needs so that its throats have as many points along the flow
+   * as the scene wants: those that @p layout has, and what the @p throats of a channel
+   * lack, one level more for each at a time. A throat that matters less than
+   * `negligible_share` gets none. Returns those of @p layout where nothing is lacking.
+   *
+   * A new window that would touch another one of its level is joined with it or, where
+   * that would be too large, takes its place.
+   */
+  std::vector<ZoomWindow> place_windows(const SlabLayout                &layout,
+                                        const std::vector<ThroatOnPath> &throats,
+                                        const ZoomParameters            &zoom,
+                                        FlowDirection                    direction);
+
+  /** Those of @p layout without the finest around each throat. */
+  std::vector<ZoomWindow> without_finest(const SlabLayout &layout);
+} // namespace strait
+
+#endif

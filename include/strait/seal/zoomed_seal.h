@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_seal_zoomed_seal_h
+#define strait_seal_zoomed_seal_h
+
+#include <strait/base/contact_parameters.h>
+#include <strait/base/log.h>
+#include <strait/percolation/flow_region.h>
+#include <strait/seal/seal_model.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace strait
+{
+  /**
+   * A dry seal whose throats are resolved: where a channel percolates, the state gets the
+   * windows that its throats lack, one level after the other, and is solved again. It
+   * keeps those of the state that it came from, so that neighbouring states have the same
+   * points.
+   */
+  class ZoomedSeal : public SealModel
+  {
+  public:
+    /** @p log must outlive this object. */
+    ZoomedSeal(std::unique_ptr<SealModel> seal_,
+               const ZoomParameters      &zoom_,
+               const FlowDirection        direction_,
+               Log                       &log_)
+      : seal(std::move(seal_))
+      , zoom(zoom_)
+      , direction(direction_)
+      , log(log_)
+    {
+    }
+
+    SealState solve(const Control &control, const SealState *from, Aim aim) override;
+
+    bool
+    are_alike(const Control &a, const Control &b) const override
+    {
+      return seal->are_alike(a, b);
+    }
+
+    bool
+    depends_on_path() const override
+    {
+      return seal->depends_on_path();
+    }
+
+    std::size_t
+    memory_consumption() const override
+    {
+      return seal->memory_consumption();
+    }
+
+  private:
+    std::unique_ptr<SealModel> seal;
+    const ZoomParameters       zoom;
+    const FlowDirection        direction;
+    Log                       &log;
+  };
+} // namespace strait
+
+#endif

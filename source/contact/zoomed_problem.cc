@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/contact/window_transfer.h>
+#include <strait/contact/zoomed_problem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    /** The grid of a window's box at the spacing of the parent, or @p refined times
+     *  finer. */
+    PeriodicGrid
+    box_grid(const SlabLayout &layout, const ZoomWindow &window, const int refined)
+    {
+      // Points of the parent around the window in its box. Half of it lets the images of
+      // the box disturb the critical load by 2e-5, double of it costs a third more.
+      constexpr int padding = 8;
+      const auto [dx, dy]   = layout.spacing(window.parent);
+      const int nx = window.nx + 2 * padding, ny = window.ny + 2 * padding;
+      return {refined * nx, refined * ny, nx * dx, ny * dy};
+    }
+
+    /** Copy an array of rows into the middle of a larger one, or back. */
+    template <class Copy>
+    void
+    for_rows_in_the_middle(const int   n_columns,
+                           const int   n_rows,
+                           const int   of_columns,
+                           const int   of_rows,
+                           const Copy &copy)
+    {
+      const int x = (of_columns - n_columns) / 2, y = (of_rows - n_rows) / 2;
+      for (int iy = 0; iy < n_rows; ++iy)
+        copy(static_cast<std::size_t>(iy) * n_columns,
+             static_cast<std::size_t>(iy + y) * of_columns + x);
+    }
+  } // namespace
+
+  /** One window's share of the operator. */
+  class ZoomedProblem::Window
+  {
+  public:
+    Window(const SlabLayout &layout_, const int w)
+      : place(layout_.windows()[w])
+      , layout(layout_)
+      , transfer(place)
+      , coarse_box(make_layout(box_grid(layout, place, 1), MPI_COMM_SELF))
+      , fine_box(make_layout(box_grid(layout, place, 3), MPI_COMM_SELF))
+      , patch(static_cast<std::size_t>(transfer.patch_columns()) * transfer.patch_rows())
+      , own(static_cast<std::size_t>(place.n_columns()) * place.n_rows())
+      , in_coarse_box(coarse_box.layout().n_local_points())
+      , in_fine_box(fine_box.layout().n_local_points())
+    {
+    }
+
+    /** Call visit(position in the patch, position among the values of this rank) for the
+     *  points of the patch that this rank has. */
+    template <class Visit>
+    void
+    for_each_of_patch(const Visit &visit) const
+    {
+      constexpr int margin = ZoomWindow::margin;
+      std::size_t   k      = 0;
+      for (int b = place.y - margin; b < place.y + place.ny + margin; ++b)
+        for (int a = place.x - margin; a < place.x + place.nx + margin; ++a, ++k)
+          if (place.parent >= 0)
+            visit(k,
+                  layout.start_of_window(place.parent) +
+                    static_cast<std::size_t>(b) *
+                      layout.windows()[place.parent].n_columns() +
+                    a);
+          else
+            {
+              const int nx = layout.grid().nx, ny = layout.grid().ny;
+              const int row = (b + ny) % ny - layout.first_row();
+              if (row >= 0 && row < layout.n_rows())
+                visit(k, static_cast<std::size_t>(row) * nx + (a + nx) % nx);
+            }
+    }
+
+    const ZoomWindow    place;
+    const SlabLayout   &layout;
+    WindowTransfer      transfer;
+    FourierTransform    coarse_box, fine_box;
+    std::vector<double> patch, own;                 // of the parent; of the window
+    std::vector<double> in_coarse_box, in_fine_box; // the same in their boxes
+  };
+
+  ZoomedProblem::ZoomedProblem(SlabField heights, const double contact_modulus)
+    : surface(std::move(heights))
+    , modulus(contact_modulus)
+    , grid_transform(surface.layout_pointer())
+    , room(surface.size())
+  {
+    const auto n_points = static_cast<double>(surface.grid().n_points());
+    for (const SlabLayout::Range &range : layout().ranges())
+      own_points.push_back({range.begin, range.end, range.area / n_points});
+    for (std::size_t w = 0; w < layout().windows().size(); ++w)
+      windows.push_back(std::make_unique<Window>(layout(), static_cast<int>(w)));
+  }
+
+  ZoomedProblem::~ZoomedProblem() = default;
+
+  std::size_t
+  ZoomedProblem::size() const
+  {
+    return surface.size();
+  }
+
+  const std::vector<ContactProblem::Block> &
+  ZoomedProblem::blocks() const
+  {
+    return own_points;
+  }
+
+  const double *
+  ZoomedProblem::heights() const
+  {
+    return surface.data();
+  }
+
+  double *
+  ZoomedProblem::scratch()
+  {
+    return room.data();
+  }
+
+  long
+  ZoomedProblem::n_applications() const
+  {
+    return grid_transform.n_pairs();
+  }
+
+  void
+  ZoomedProblem::sum_over_ranks(double *values, const int count) const
+  {
+    sum_in_place(layout().communicator(), values, count);
+  }
+
+  double
+  ZoomedProblem::largest_over_ranks(const double value) const
+  {
+    return maximum(layout().communicator(), value);
+  }
+
+  double
+  ZoomedProblem::apply(const double   *pressure,
+                       double         *displacement,
+                       const Pass     &before,
+                       const WorkPass &after)
+  {
+    std::fill_n(displacement, size(), 0.);
+    for (const Block &block : own_points)
+      {
+        before(block);
+        std::copy(pressure + block.begin,
+                  pressure + block.end,
+                  displacement + block.begin);
+      }
+    multiply(displacement, Symbol::compliance);
+    const auto [work] = weighted_sums<1>(*this, [=](const std::size_t i, auto &sums) {
+      sums[0] += pressure[i] * displacement[i];
+    });
+    for (const Block &block : own_points)
+      after(block, work);
+    return work;
+  }
+
+  void
+  ZoomedProblem::precondition(double *values, const Pass &before, const Pass &after)
+  {
+    std::size_t end = 0;
+    for (const Block &block : own_points)
+      {
+        std::fill(values + end, values + block.begin, 0.); // at covered points
+        before(block);
+        end = block.end;
+      }
+    std::fill(values + end, values + size(), 0.);
+    multiply(values, Symbol::stiffness);
+    for (const Block &block : own_points)
+      after(block);
+  }
+
+  /** Of values that are 0 at covered points. */
+  void
+  ZoomedProblem::multiply(double *values, const Symbol symbol)
+  {
+    gather_from_windows(values);
+    transform(grid_transform, values, symbol);
+    spread_to_windows(values, symbol);
+  }
+
+  /** Give each parent the mean of what its windows have. */
+  void
+  ZoomedProblem::gather_from_windows(double *values)
+  {
+    for (std::size_t w = windows.size(); w-- > 0;)
+      {
+        Window       &window = *windows[w];
+        const double *begin  = values + layout().start_of_window(static_cast<int>(w));
+        std::copy_n(begin, window.own.size(), window.own.begin());
+        window.transfer.deposit(window.own, window.patch);
+        window.for_each_of_patch([&](const std::size_t k, const std::size_t at) {
+          values[at] += window.patch[k];
+        });
+      }
+  }
+
+  /** Refine what the parents have found in their windows. */
+  void
+  ZoomedProblem::spread_to_windows(double *values, const Symbol symbol)
+  {
+    for (std::size_t w = 0; w < windows.size(); ++w)
+      {
+        Window             &window     = *windows[w];
+        const ZoomWindow   &place      = window.place;
+        const PeriodicGrid &coarse     = window.coarse_box.layout().grid();
+        const PeriodicGrid &fine       = window.fine_box.layout().grid();
+        const int           n_patch[2] = {window.transfer.patch_columns(),
+                                          window.transfer.patch_rows()};
+
+        std::fill(window.in_coarse_box.begin(), window.in_coarse_box.end(), 0.);
+        for_rows_in_the_middle(n_patch[0],
+                               n_patch[1],
+                               coarse.nx,
+                               coarse.ny,
+                               [&](const std::size_t from, const std::size_t to) {
+                                 std::copy_n(&window.patch[from],
+                                             n_patch[0],
+                                             &window.in_coarse_box[to]);
+                               });
+        transform(window.coarse_box, window.in_coarse_box.data(), symbol);
+
+        std::fill(window.patch.begin(), window.patch.end(), 0.);
+        window.for_each_of_patch([&](const std::size_t k, const std::size_t at) {
+          window.patch[k] = values[at];
+        });
+        if (place.parent < 0)
+          sum_over_ranks(window.patch.data(), static_cast<int>(window.patch.size()));
+        for_rows_in_the_middle(n_patch[0],
+                               n_patch[1],
+                               coarse.nx,
+                               coarse.ny,
+                               [&](const std::size_t patch, const std::size_t box) {
+                                 for (int ix = 0; ix < n_patch[0]; ++ix)
+                                   window.patch[patch + ix] -=
+                                     window.in_coarse_box[box + ix];
+                               });
+
+        std::fill(window.in_fine_box.begin(), window.in_fine_box.end(), 0.);
+        for_rows_in_the_middle(place.n_columns(),
+                               place.n_rows(),
+                               fine.nx,
+                               fine.ny,
+                               [&](const std::size_t from, const std::size_t to) {
+                                 std::copy_n(&window.own[from],
+                                             place.n_columns(),
+                                             &window.in_fine_box[to]);
+                               });
+        transform(window.fine_box, window.in_fine_box.data(), symbol);
+
+        double *result = values + layout().start_of_window(static_cast<int>(w));
+        window.transfer.interpolate(window.patch, window.own);
+        for_rows_in_the_middle(place.n_columns(),
+                               place.n_rows(),
+                               fine.nx,
+                               fine.ny,
+                               [&](const std::size_t own, const std::size_t box) {
+                                 for (int ix = 0; ix < place.n_columns(); ++ix)
+                                   result[own + ix] =
+                                     window.own[own + ix] + window.in_fine_box[box + ix];
+                               });
+      }
+  }
+
+  void
+  ZoomedProblem::transform(FourierTransform &box,
+                           double           *values,
+                           const Symbol      symbol) const
+  {
+    // q = 2π |(kx/lx, ky/ly)|, in units of lx so that tiny boxes do not overflow.
+    const PeriodicGrid &grid   = box.layout().grid();
+    const double        aspect = grid.lx / grid.ly;
+    const double        unit   = M_PI * modulus / grid.lx; // E* q / 2 of the longest wave
+    box.multiply(values, values, [=](const int kx, const int ky) {
+      const double y = ky * aspect;
+      const double q = std::sqrt(static_cast<double>(kx) * kx + y * y) * unit;
+      return symbol == Symbol::stiffness ? q : q > 0 ? 1. / q : 0.;
+    });
+  }
+
+  std::size_t
+  ZoomedProblem::memory_consumption() const
+  {
+    std::size_t bytes = (surface.size() + room.size()) * sizeof(double) +
+                        grid_transform.memory_consumption();
+    for (const auto &window : windows)
+      bytes += window->coarse_box.memory_consumption() +
+               window->fine_box.memory_consumption() +
+               (window->patch.size() + window->own.size() + window->in_coarse_box.size() +
+                window->in_fine_box.size()) *
+                 sizeof(double);
+    return bytes;
+  }
+} // namespace strait

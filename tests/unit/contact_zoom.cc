@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/contact/zoom_in.h>
+#include <strait/contact/zoomed_problem.h>
+
+#include <gtest/gtest.h>
+
+#include "contact_tools.h"
+
+namespace
+{
+  using namespace contact_tests;
+
+  ZoomWindow
+  window_at(const int parent,
+            const int level,
+            const int x,
+            const int y,
+            const int nx,
+            const int ny)
+  {
+    ZoomWindow window;
+    window.parent = parent;
+    window.level  = level;
+    window.x      = x;
+    window.y      = y;
+    window.nx     = nx;
+    window.ny     = ny;
+    return window;
+  }
+
+  /** Two windows of the grid, the first across the seam and with one of its own. */
+  SlabLayoutPtr
+  nested_layout()
+  {
+    return with_windows(*make_layout({64, 64, 1., 1.}, MPI_COMM_WORLD),
+                        {window_at(-1, 1, -6, 20, 24, 20),
+                         window_at(0, 2, 20, 17, 20, 24),
+                         window_at(-1, 1, 30, 10, 20, 20)});
+  }
+
+  /** Rough values at all points that no finer ones cover, the same on all ranks. */
+  SlabField
+  rough_values(const SlabLayoutPtr &layout, const double a)
+  {
+    SlabField values = sample(layout, [a](const double x, const double y) {
+      return std::sin(a * (3571 * x + 911 * y)) * std::cos(a * (1277 * x - 2789 * y));
+    });
+    SlabField result(layout);
+    for (const SlabLayout::Range &range : layout->ranges())
+      for (std::size_t k = range.begin; k < range.end; ++k)
+        result[k] = values[k];
+    return result;
+  }
+
+  double
+  weighted(const DualProblem &problem, const SlabField &a, const SlabField &b)
+  {
+    return weighted_sums<1>(problem, [&](const std::size_t k, auto &sums) {
+      sums[0] += a[k] * b[k];
+    })[0];
+  }
+
+  TEST(Zoom, PointsStandForTheWholeBoxOnce)
+  {
+    EXPECT_NEAR(mean(SlabField(nested_layout(), 3.)), 3., 1e-14);
+  }
+
+  TEST(Zoom, FourierSeriesIsExactForWhatTheGridResolves)
+  {
+    const SlabField expected =
+      sample(nested_layout(), [](const double x, const double y) {
+        return std::cos(2 * pi * (3 * x + 2 * y)) +
+               .2 * std::sin(2 * pi * (5 * x - 7 * y) + .3);
+      });
+    SlabField field = expected;
+    for (std::size_t k = field.layout().n_local_points(); k < field.size(); ++k)
+      field[k] = 7.;
+    fill_windows(field);
+    for (std::size_t k = 0; k < field.size(); ++k)
+      EXPECT_NEAR(field[k], expected[k], 1e-13);
+  }
+
+  TEST(Zoom, OperatorsAreSymmetricToRounding)
+  {
+    const SlabLayoutPtr layout = nested_layout();
+    ZoomedProblem       problem(SlabField(layout), 2.);
+    const SlabField     a = rough_values(layout, 1.), b = rough_values(layout, 1.7);
+    SlabField           Ga(layout), Gb(layout), Ma = a, Mb = b;
+    const double        work = problem.apply(a.data(), Ga.data(), no_pass, no_work_pass);
+    problem.apply(b.data(), Gb.data(), no_pass, no_work_pass);
+    EXPECT_GT(work, 0.);
+    EXPECT_NEAR(weighted(problem, a, Ga), work, 1e-14 * work);
+    const double Gbb = weighted(problem, b, Gb);
+    EXPECT_NEAR(weighted(problem, a, Gb),
+                weighted(problem, b, Ga),
+                1e-14 * std::sqrt(work * Gbb));
+    problem.precondition(Ma.data(), no_pass, no_pass);
+    problem.precondition(Mb.data(), no_pass, no_pass);
+    const double Maa = weighted(problem, a, Ma), Mbb = weighted(problem, b, Mb);
+    EXPECT_GT(Maa, 0.);
+    EXPECT_NEAR(weighted(problem, a, Mb),
+                weighted(problem, b, Ma),
+                1e-14 * std::sqrt(Maa * Mbb));
+  }
+
+  // A pressure that the grid itself hardly resolves, within a window.
+  TEST(Zoom, DisplacementIsThatOfTheFineGrid)
+  {
+    const int  n      = 64;
+    const auto narrow = [](const double x, const double y) {
+      return std::exp(-(std::pow(x - .5, 2) + std::pow(y - .4, 2)) / 4e-4);
+    };
+    const SlabLayoutPtr layout =
+      with_windows(*make_layout({n, n, 1., 1.}, MPI_COMM_WORLD),
+                   {window_at(-1, 1, 20, 14, 24, 24)});
+    SlabField p = sample(layout, narrow), u(layout);
+    layout->for_each_covered(0, [&](const std::size_t parent, std::size_t) {
+      p[parent] = 0.;
+    });
+    ZoomedProblem problem(SlabField(layout), 1.);
+    problem.apply(p.data(), u.data(), no_pass, no_work_pass);
+
+    const SlabField fine_p = sampled({3 * n, 3 * n, 1., 1.}, narrow);
+    SlabField       fine_u(fine_p.layout_pointer());
+    HalfSpace(fine_p.layout_pointer(), 1.).apply(fine_p.data(), fine_u.data());
+    const std::vector<double> line = fetch_rows(fine_u, {3 * 26});
+    const double              most = max_value(fine_u);
+    // Row 26 of the grid, at y = 0.4, in the window and beside it.
+    const ZoomWindow &window = layout->windows()[0];
+    const std::size_t row =
+      layout->start_of_window(0) +
+      static_cast<std::size_t>(3 * (26 - window.y) + 1) * window.n_columns();
+    for (int ix = 0; ix < window.n_columns(); ++ix)
+      EXPECT_NEAR(u[row + ix], line[3 * window.x - 1 + ix], 1e-3 * most) << ix;
+    const std::vector<double> beside = fetch_rows(u, {26});
+    for (const int ix : {0, 10, 19, 44, 50, 63})
+      EXPECT_NEAR(beside[ix], line[3 * ix], 1e-3 * most) << ix;
+  }
+
+  TEST(Zoom, SaddleIsThatOfTheFineGrid)
+  {
+    const int          n    = 128;
+    const double       load = .98 * 1.43637; // of the critical load
+    ContactSolver      fine(contact_parameters(1e-9), saddle_heights(3 * n));
+    ContactSolver      solver(contact_parameters(1e-9), saddle_heights(n));
+    const ContactState on_grid  = solver.solve(load);
+    const ContactState start    = zoom_in(on_grid, {window_at(-1, 1, 24, -40, 80, 80)});
+    const ContactState zoomed   = solver.solve(load, &start);
+    const ContactState expected = fine.solve(load);
+    const auto         saddle   = [](const SlabField &gap) {
+      return fetch_rows(gap, {0})[gap.grid().nx / 2];
+    };
+    const double gap = saddle(expected.gap);
+    EXPECT_TRUE(zoomed.converged);
+    EXPECT_LE(zoomed.iterations, 30);
+    EXPECT_NEAR(mean(zoomed.pressure), load, 1e-13);
+    // What is left is the error of the contact around the window.
+    const ZoomWindow         &window = zoomed.gap.layout().windows()[0];
+    const std::vector<double> line   = fetch_rows(expected.gap, {0});
+    const std::size_t         row    = zoomed.gap.layout().start_of_window(0) +
+                            static_cast<std::size_t>(3 * 40 + 1) * window.n_columns();
+    for (int ix = 0; ix < window.n_columns(); ++ix)
+      EXPECT_NEAR(zoomed.gap[row + ix], line[3 * window.x - 1 + ix], 2e-3 * gap) << ix;
+
+    // The way to the next load begins where the last two lead.
+    const ContactState next = solver.solve(1.002 * load, &zoomed);
+    EXPECT_TRUE(next.gap.layout().windows() == start.gap.layout().windows());
+    const ContactState third = solver.solve(1.004 * load, &next);
+    EXPECT_LE(third.iterations, next.iterations);
+    EXPECT_NEAR(saddle(third.gap), saddle(fine.solve(1.004 * load).gap), 2e-3 * gap);
+
+    // From far away, or without a window again.
+    const ContactState far = solver.solve(.5 * load, &third);
+    EXPECT_NEAR(far.mean_gap, fine.solve(.5 * load).mean_gap, 1e-4 * far.mean_gap);
+    const ContactState out = solver.solve(load);
+    EXPECT_TRUE(out.gap.layout().windows().empty());
+    EXPECT_EQ(saddle(out.gap), saddle(on_grid.gap));
+  }
+} // namespace
