@@ -32,13 +32,13 @@ namespace strait
   double
   GridCoefficient::mean(const std::size_t cell) const
   {
-    return answers[cell].moments[0];
+    return answers[cell][0];
   }
 
   void
   GridCoefficient::stiffness(const std::size_t cell, FullMatrix<double> &matrix) const
   {
-    element.stiffness(answers[cell].moments,
+    element.stiffness(answers[cell],
                       mesh.width(cells[cell]),
                       mesh.height(cells[cell]),
                       matrix);
@@ -70,7 +70,7 @@ namespace strait
   {
     double sum = 0;
     for (std::size_t child = 0; child < 4; ++child)
-      sum += answers[4 * cell + child].moments[0];
+      sum += answers[4 * cell + child][0];
     return .25 * sum;
   }
 
@@ -81,7 +81,7 @@ namespace strait
     matrix = 0.;
     for (std::size_t child = 0; child < 4; ++child)
       {
-        element.stiffness(answers[4 * cell + child].moments,
+        element.stiffness(answers[4 * cell + child],
                           mesh.width(cells[cell]),
                           mesh.height(cells[cell]),
                           small);
@@ -147,7 +147,7 @@ namespace strait
           low            = std::min(low, box.first[1]);
           high           = std::max(high, box.second[1]);
         }
-    const GapWindow window = gap.window(low, high);
+    const GapRows rows = gap.rows(low, high);
     means.clear();
     entries.clear();
     std::vector<double> sums(n * (n + 1) / 2);
@@ -162,7 +162,7 @@ namespace strait
             {
               const Point<2> &x = at.quadrature_point(q);
               const double    c =
-                gap.coefficient_of(coefficient, window(x[0], x[1])) * at.JxW(q);
+                gap.coefficient_of(coefficient, rows(x[0], x[1])) * at.JxW(q);
               area += at.JxW(q);
               total += c;
               if (!(c > 0))

@@ -6,7 +6,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <utility>
 
@@ -17,12 +16,23 @@ namespace strait
     /** The fluid's pressure, 1 at the inlet and 0 at the outlet, at the points of
      *  @p path, the same on all ranks. Collective. */
     std::vector<double>
-    pressure_along(const ReynoldsSolver &solver, const FlowPath &path)
+    pressure_along(const ReynoldsSolver &solver,
+                   const SlabLayout     &layout,
+                   const FlowPath       &path)
     {
-      constexpr double                           unknown = -1.;
-      std::map<std::pair<int, int>, std::size_t> wanted;
+      constexpr double unknown = -1.;
+      // The points of each level, the grid first, by their place on the path.
+      using Places                 = std::map<std::pair<int, int>, std::size_t>;
+      const int           n_levels = static_cast<int>(layout.windows().size()) + 1;
+      std::vector<Places> wanted(n_levels);
       for (std::size_t k = 0; k < path.points.size(); ++k)
-        wanted[{path.points[k].ix, path.points[k].iy}] = k;
+        wanted[path.points[k].window + 1][{path.points[k].ix, path.points[k].iy}] = k;
+      std::vector<PointRows> rows = {rows_of_grid(layout.grid(), 1)};
+      for (int w = 0; w + 1 < n_levels; ++w)
+        rows.push_back(rows_of_window(layout, w));
+      // The outline of a seal mesh may run along the far edges of the box.
+      ++rows.front().nx;
+      ++rows.front().ny;
       // Of cells that hold the point, and of those beside it, which serve where no other
       // does, on any rank.
       std::vector<double>    result(path.points.size(), unknown), beside(result);
@@ -30,12 +40,15 @@ namespace strait
       dealii::Vector<double> corners(dofs.get_fe().n_dofs_per_cell());
       for (const auto &cell : dofs.active_cell_iterators())
         if (cell->is_locally_owned())
-          for (const PointInCell &p : points_in_cell(solver.mesh(), *cell))
-            if (const auto point = wanted.find({p.ix, p.iy}); point != wanted.end())
-              {
-                cell->get_dof_values(solver.pressure().solution(), corners);
-                (p.inside ? result : beside)[point->second] = p.interpolate(corners);
-              }
+          for (int level = 0; level < n_levels; ++level)
+            if (const Places &places = wanted[level]; !places.empty())
+              for (const PointInCell &p :
+                   points_in_cell(solver.mesh(), *cell, rows[level]))
+                if (const auto point = places.find({p.ix, p.iy}); point != places.end())
+                  {
+                    cell->get_dof_values(solver.pressure().solution(), corners);
+                    (p.inside ? result : beside)[point->second] = p.interpolate(corners);
+                  }
       for (std::vector<double> *values : {&result, &beside})
         dealii::Utilities::MPI::max(*values,
                                     solver.mesh().triangulation().get_communicator(),
@@ -56,27 +69,37 @@ namespace strait
   ConstrictionReport
   report_constrictions(const Channel &channel, const ReynoldsSolver &solver)
   {
-    const FlowPath     &path = channel.paths.front();
-    const PeriodicGrid &grid = channel.gap.grid();
-    ConstrictionReport  report;
+    const FlowPath    &path   = channel.paths.front();
+    const SlabLayout  &layout = channel.gap.layout();
+    ConstrictionReport report;
     report.throat       = channel.throat;
-    report.points_along = report.throat.length / std::max(grid.dx(), grid.dy());
+    const auto [dx, dy] = layout.spacing(path.bottleneck.window);
+    report.points_along = report.throat.length / std::max(dx, dy);
 
-    const std::vector<double> pressure = pressure_along(solver, path);
-    std::vector<double>       drops;
-    double                    total = 0;
+    const std::vector<double>  pressure = pressure_along(solver, layout, path);
+    std::vector<PressureDrop> &drops    = report.drops;
+    double                     total    = 0;
     for (const Constriction &c : divide_into_constrictions(path.gaps))
       {
-        drops.push_back(std::max(pressure[c.first] - pressure[c.last], 0.));
-        total += drops.back();
+        const auto first = path.gaps.begin() + static_cast<std::ptrdiff_t>(c.first);
+        const auto end   = path.gaps.begin() + static_cast<std::ptrdiff_t>(c.last) + 1;
+        const auto narrowest = std::min_element(first, end);
+        drops.push_back({path.points[narrowest - path.gaps.begin()],
+                         *narrowest,
+                         std::max(pressure[c.first] - pressure[c.last], 0.)});
+        total += drops.back().fraction;
       }
-    std::sort(drops.begin(), drops.end(), std::greater<>());
+    std::sort(drops.begin(), drops.end(), [](const auto &a, const auto &b) {
+      return a.fraction > b.fraction;
+    });
     report.n_constrictions = static_cast<int>(drops.size());
     if (!(total > 0))
       return report;
-    report.fraction_at_worst = drops.front() / total;
-    for (double carried = 0; carried < .9 * total; ++report.n_for_90_percent)
-      carried += drops[report.n_for_90_percent];
+    for (PressureDrop &drop : drops)
+      drop.fraction /= total;
+    report.fraction_at_worst = drops.front().fraction;
+    for (double carried = 0; carried < .9; ++report.n_for_90_percent)
+      carried += drops[report.n_for_90_percent].fraction;
     return report;
   }
 } // namespace strait

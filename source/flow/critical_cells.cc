@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/flow/critical_cells.h>
+#include <strait/flow/throat_cells.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,27 +87,26 @@ namespace strait
       std::vector<Cell> cells;
     };
 
-    /** ∫ (g/g0)³ dt across the channel at the bottleneck g0, in spacings, where that
-     *  is least of four directions; @p otherwise where the gap is widest in none. */
+    /** ∫ (g/g0)³ dt across the channel at the bottleneck g0, in spacings of its level,
+     *  where that is least of four directions; @p otherwise where the gap is widest in
+     *  none. @p gap_at(i, j) is g so many points to the right of and above the
+     * bottleneck, as far as @p n_most points, and 0 where there are none. */
+    template <class Gap>
     double
-    width_of_bottleneck(const FlowLattice &gap,
-                        const FlowPath    &path,
-                        const double       otherwise)
+    width_of_bottleneck(const Gap   &gap_at,
+                        const int    n_most,
+                        const double bottleneck_gap,
+                        const double otherwise)
     {
-      constexpr double  infinity = std::numeric_limits<double>::infinity();
-      const std::size_t k        = gap.index_of(path.bottleneck);
-      double            best     = infinity;
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      double           best     = infinity;
       for (const auto &[da, db] : {std::pair(1, 0), {0, 1}, {1, 1}, {1, -1}})
         {
           double width = 1.;
           for (const int side : {-1, 1})
-            for (int s = 1; s < gap.n_across() / 2; ++s)
+            for (int s = 1; s < n_most; ++s)
               {
-                const int a = gap.along(k) + side * s * da;
-                if (a < 0 || a >= gap.width())
-                  break;
-                const int    b = (gap.across_of(k) + side * s * db) % gap.n_across();
-                const double g = gap[gap.index(a, b)] / path.bottleneck_gap;
+                const double g = gap_at(side * s * da, side * s * db) / bottleneck_gap;
                 if (!(g > 0))
                   break;
                 if (g > 1.001) // this is not the way across
@@ -121,18 +121,74 @@ namespace strait
       return std::isfinite(best) ? best : otherwise;
     }
 
+    /** The same of a path in @p gap, of which @p lattice holds the grid [length]. */
+    double
+    bottleneck_width(const SlabField   &gap,
+                     const FlowLattice &lattice,
+                     const FlowPath    &path,
+                     const double       otherwise)
+    {
+      const GridPoint &point = path.bottleneck;
+      if (point.window < 0)
+        {
+          const std::size_t k     = lattice.index_of(point);
+          const auto        value = [&](const int i, const int j) {
+            const int a = lattice.along(k) + i;
+            const int b = (lattice.across_of(k) + j) % lattice.n_across();
+            return a < 0 || a >= lattice.width() ? 0. : lattice[lattice.index(a, b)];
+          };
+          return std::min(lattice.spacing_along(), lattice.spacing_across()) *
+                 width_of_bottleneck(value,
+                                     lattice.n_across() / 2,
+                                     path.bottleneck_gap,
+                                     otherwise);
+        }
+      const SlabLayout &layout = gap.layout();
+      const ZoomWindow &window = layout.windows()[point.window];
+      const double     *values = gap.data() + layout.start_of_window(point.window);
+      const auto        value  = [&](const int i, const int j) {
+        const int  a = point.ix + i, b = point.iy + j;
+        const bool inside =
+          a >= 0 && a < window.n_columns() && b >= 0 && b < window.n_rows();
+        return inside ? values[static_cast<std::size_t>(b) * window.n_columns() + a] : 0.;
+      };
+      const auto [dx, dy] = layout.spacing(point.window);
+      return std::min(dx, dy) * width_of_bottleneck(value,
+                                                    window.n_columns() + window.n_rows(),
+                                                    path.bottleneck_gap,
+                                                    otherwise);
+    }
+
+    /** The path by points of the grid, those that stand for the points of windows. */
+    FlowPath
+    on_grid(FlowPath path, const SlabLayout &layout)
+    {
+      for (GridPoint &point : path.points)
+        if (point.window >= 0)
+          {
+            while (point.window >= 0)
+              {
+                const ZoomWindow &window = layout.windows()[point.window];
+                point = {window.x + point.ix / 3, window.y + point.iy / 3, window.parent};
+              }
+            point = {point.ix % layout.grid().nx, point.iy % layout.grid().ny};
+          }
+      return path;
+    }
+
     /** The search proper, from coarse cells to fine ones. */
     class CellSearch
     {
     public:
       using Cells = std::set<std::pair<int, int>>; // along, across
 
-      CellSearch(const FlowLattice           &lattice,
-                 const std::vector<FlowPath> &paths_,
-                 const int                    largest_exponent)
+      CellSearch(const Channel     &channel,
+                 const FlowLattice &lattice,
+                 const int          largest_exponent)
         : gap(lattice)
-        , paths(paths_)
       {
+        for (const FlowPath &path : channel.paths)
+          paths.push_back(on_grid(path, channel.gap.layout()));
         const std::vector<float> pressure   = estimate_pressure(gap, paths.front());
         const double             bottleneck = paths.front().bottleneck_gap;
         const int                n_along    = gap.width() - 1;
@@ -154,11 +210,12 @@ namespace strait
         // What each path would let through on its own. If the first is in no channel, the
         // flow is as wide as the box; another one may run beside the first in the same
         // channel, and counts for little.
-        const double spacing = std::min(gap.spacing_along(), gap.spacing_across());
-        for (const FlowPath &path : paths)
-          conductances.push_back(
-            width_of_bottleneck(gap, path, conductances.empty() ? n_across : 1.) *
-            spacing / path.resistance() / std::pow(bottleneck, 3));
+        for (const FlowPath &path : channel.paths)
+          conductances.push_back(bottleneck_width(channel.gap,
+                                                  gap,
+                                                  path,
+                                                  conductances.empty() ? n_across : 1.) /
+                                 path.resistance() / std::pow(bottleneck, 3));
       }
 
       /** The cells of each exponent, from 1, that are too coarse. */
@@ -220,18 +277,17 @@ namespace strait
             }
       }
 
-      const FlowLattice           &gap;
-      const std::vector<FlowPath> &paths;
-      std::vector<Level>           levels; // levels[e − 1] has cells of exponent e
-      std::vector<double> conductances;    // of the paths, in units of g0³Δp/(12 η)
+      const FlowLattice    &gap;
+      std::vector<FlowPath> paths;        // by points of the grid
+      std::vector<Level>    levels;       // levels[e − 1] has cells of exponent e
+      std::vector<double>   conductances; // of the paths, in units of g0³Δp/(12 η)
     };
 
-    /** Sorted. */
+    /** Those told from the grid. */
     std::vector<GridCell>
-    find_on_lattice(const FlowLattice           &gap,
-                    const std::vector<FlowPath> &paths,
-                    const FlowDirection          direction,
-                    const int                    largest_exponent)
+    find_on_lattice(const Channel     &channel,
+                    const FlowLattice &gap,
+                    const int          largest_exponent)
     {
       if (largest_exponent < 1)
         return {};
@@ -248,21 +304,18 @@ namespace strait
       // for a path that carries little of the flow.
       const std::size_t most     = std::max<std::size_t>(gap.size() / 256, 1000);
       double            fraction = short_cut_fraction;
-      CellSearch        search(gap, paths, largest_exponent);
+      CellSearch        search(channel, gap, largest_exponent);
       while (true)
         {
           const std::vector<CellSearch::Cells> found = search.run(fraction);
           std::vector<GridCell>                cells;
           for (std::size_t e = 0; e < found.size(); ++e)
             for (const auto &[a, b] : found[e])
-              cells.push_back(direction == FlowDirection::x
+              cells.push_back(channel.domain.direction == FlowDirection::x
                                 ? GridCell{static_cast<int>(e) + 1, a, b}
                                 : GridCell{static_cast<int>(e) + 1, b, a});
           if (cells.size() <= most || fraction > 1e3)
-            {
-              std::sort(cells.begin(), cells.end());
-              return cells;
-            }
+            return cells;
           fraction *= 4.;
         }
     }
@@ -287,9 +340,8 @@ namespace strait
     const PeriodicGrid       &grid  = channel.gap.grid();
     const std::vector<double> whole = gather_on_root(channel.gap);
     run_on_root(comm, [&]() {
-      cells = find_on_lattice(FlowLattice(whole, grid, channel.domain),
-                              channel.paths,
-                              channel.domain.direction,
+      cells = find_on_lattice(channel,
+                              FlowLattice(whole, grid, channel.domain),
                               largest_start_exponent(grid));
     });
     auto n_cells = static_cast<int>(cells.size());
@@ -297,6 +349,10 @@ namespace strait
     cells.resize(n_cells);
     static_assert(sizeof(GridCell) == 3 * sizeof(int));
     MPI_Bcast(cells.data(), 3 * n_cells, MPI_INT, 0, comm);
+    const std::set<GridCell> in_windows =
+      cells_around_throats(channel, largest_start_exponent(grid));
+    cells.insert(cells.end(), in_windows.begin(), in_windows.end());
+    std::sort(cells.begin(), cells.end());
     return cells;
   }
 } // namespace strait

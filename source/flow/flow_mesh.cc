@@ -109,6 +109,18 @@ namespace strait
       tria.refine_global(n);
   }
 
+  bool
+  FlowMesh::can_be_refined() const
+  {
+    // p4est has 30 levels. The children of the cells are counted as well.
+    constexpr int most_levels = 28, most_bits = 29;
+    const int     level = static_cast<int>(tria.n_global_levels()) - 1;
+    return level < most_levels &&
+           (seal_mesh != nullptr ||
+            std::ldexp(std::max(periodic_grid.nx, periodic_grid.ny),
+                       -exponent_of_level(level)) < std::ldexp(1., most_bits));
+  }
+
   void
   FlowMesh::constrain_periodic(const dealii::DoFHandler<2>       &dofs,
                                dealii::AffineConstraints<double> &constraints) const
@@ -128,7 +140,8 @@ namespace strait
         refine_critical(tria, periodic_grid, critical);
         return;
       }
-    for (int exponent = std::min(largest_exponent, root_exponent); exponent > 0;
+    const int last = critical.empty() ? root_exponent + 1 : critical.front().exponent;
+    for (int exponent = std::min(largest_exponent, root_exponent); exponent >= last;
          --exponent)
       {
         for (const auto &cell : tria.active_cell_iterators())

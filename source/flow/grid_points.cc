@@ -36,63 +36,74 @@ namespace strait
       return {{s, t}};
     }
 
-    /** From the first to before the last of the points, along one axis of the box. */
+    /** Of points at x0 + k·step those in a cell along one axis of the box, from the first
+     *  to before the last. */
     struct Range
     {
-      Range(const int cell_index, const int exponent, const int stride)
+      Range(const double low,
+            const double size,
+            const double x0,
+            const double step,
+            const int    n_points)
+        : first(std::max(static_cast<int>(std::ceil((low - x0) / step)), 0))
+        , end(std::min(static_cast<int>(std::ceil((low + size - x0) / step)), n_points))
       {
-        const auto raise = [stride](const int k) {
-          return (k + stride - 1) / stride * stride;
-        };
-        if (exponent >= 0)
-          {
-            first = raise(cell_index << exponent);
-            end   = (cell_index + 1) << exponent;
-          }
-        else
-          {
-            const int n = 1 << -exponent;
-            first       = raise((cell_index + n - 1) / n);
-            end         = cell_index % n == 0 ? cell_index / n + 1 : 0;
-          }
       }
 
       int first, end;
     };
 
-    std::vector<PointInCell>
-    points_in_cell_of_box(const GridCell &cell, const int stride)
+    /** Of the image of the cell that is moved by @p shift_x and @p shift_y spacings. */
+    void
+    add_points_in_cell_of_box(const GridCell           &cell,
+                              const int                 shift_x,
+                              const int                 shift_y,
+                              const PointRows          &rows,
+                              std::vector<PointInCell> &points)
     {
-      const Range              x(cell.i, cell.exponent, stride);
-      const Range              y(cell.j, cell.exponent, stride);
-      const double             size = std::ldexp(1., cell.exponent);
-      std::vector<PointInCell> points;
-      for (int iy = y.first; iy < y.end; iy += stride)
-        for (int ix = x.first; ix < x.end; ix += stride)
-          points.push_back({ix, iy, ix / size - cell.i, iy / size - cell.j});
-      return points;
+      const double size  = std::ldexp(1., cell.exponent);
+      const double low_x = cell.i * size + shift_x, low_y = cell.j * size + shift_y;
+      const Range  x(low_x, size, rows.x0, rows.step, rows.nx);
+      const Range  y(low_y, size, rows.y0, rows.step, rows.ny);
+      for (int iy = y.first; iy < y.end; ++iy)
+        for (int ix = x.first; ix < x.end; ++ix)
+          points.push_back({ix,
+                            iy,
+                            (rows.x0 + ix * rows.step - low_x) / size,
+                            (rows.y0 + iy * rows.step - low_y) / size});
     }
   } // namespace
 
   std::vector<PointInCell>
   points_in_cell(const FlowMesh                &mesh,
                  const dealii::CellAccessor<2> &cell,
-                 const int                      stride)
+                 const PointRows               &rows)
   {
+    const PeriodicGrid      &grid = mesh.grid();
+    std::vector<PointInCell> points;
     if (mesh.seal() == nullptr)
-      return points_in_cell_of_box(mesh.grid_cell(cell), stride);
+      {
+        const bool along_x = mesh.direction() == FlowDirection::x;
+        for (const int period : {0, 1})
+          add_points_in_cell_of_box(mesh.grid_cell(cell),
+                                    along_x ? 0 : period * grid.nx,
+                                    along_x ? period * grid.ny : 0,
+                                    rows,
+                                    points);
+        return points;
+      }
     // In units of the cell: a point so near to an edge lies on it. Half and double of it
     // decide alike, unless a point happens to lie as near as that.
     constexpr double rounding = 1e-9;
     // In units of the cell: so far beside a cell at the outline, whose edge may be curved
     // away from them, points are taken for its own. Half of it leaves points out beside
     // coarse cells on arcs, double of it looks at more points for nothing.
-    constexpr double    beside      = 1. / 3;
-    const PeriodicGrid &grid        = mesh.grid();
-    const double        slack       = cell.at_boundary() ? beside : rounding;
-    const double        spacing[2]  = {grid.dx() * stride, grid.dy() * stride};
-    const int           n_points[2] = {grid.nx / stride, grid.ny / stride};
-    int                 first[2], last[2];
+    constexpr double beside      = 1. / 3;
+    const double     slack       = cell.at_boundary() ? beside : rounding;
+    const double     spacing[2]  = {grid.dx() * rows.step, grid.dy() * rows.step};
+    const double     origin[2]   = {grid.dx() * rows.x0, grid.dy() * rows.y0};
+    const int        n_points[2] = {rows.nx, rows.ny};
+    int              first[2], last[2];
     for (unsigned int d = 0; d < 2; ++d)
       {
         double low = cell.vertex(0)[d], high = low;
@@ -102,24 +113,23 @@ namespace strait
             high = std::max(high, cell.vertex(v)[d]);
           }
         const double margin = slack * (high - low);
-        first[d] = std::max(static_cast<int>(std::ceil((low - margin) / spacing[d])), 0);
-        last[d]  = std::min(static_cast<int>(std::floor((high + margin) / spacing[d])),
-                           n_points[d]);
+        const auto   index = [&](const double x) { return (x - origin[d]) / spacing[d]; };
+        first[d] = std::max(static_cast<int>(std::ceil(index(low - margin))), 0);
+        last[d] =
+          std::min(static_cast<int>(std::floor(index(high + margin))), n_points[d] - 1);
       }
-    std::vector<PointInCell> points;
     for (int j = first[1]; j <= last[1]; ++j)
       for (int i = first[0]; i <= last[0]; ++i)
         {
-          const auto [s, t] = invert(cell, Point<2>(i * spacing[0], j * spacing[1]));
+          const auto [s, t] =
+            invert(cell,
+                   Point<2>(origin[0] + i * spacing[0], origin[1] + j * spacing[1]));
           const auto within = [s = s, t = t](const double d) {
             return s >= -d && s <= 1 + d && t >= -d && t <= 1 + d;
           };
           if (within(slack))
-            points.push_back({i * stride,
-                              j * stride,
-                              std::clamp(s, 0., 1.),
-                              std::clamp(t, 0., 1.),
-                              within(rounding)});
+            points.push_back(
+              {i, j, std::clamp(s, 0., 1.), std::clamp(t, 0., 1.), within(rounding)});
         }
     return points;
   }

@@ -215,9 +215,6 @@ namespace strait
   std::string
   ReynoldsSolver::obstacle(const Leakage &leakage)
   {
-    // By then cells are as small as 2⁻³⁴ grid spacings: it only ends what would go on for
-    // ever, and double of it would do so later; half of it might end what still narrows.
-    constexpr unsigned int max_refinements = 40;
     // While a barrier or a channel is being resolved the bracket may rest for a mesh
     // or two before it narrows again. Half of the patience gives up while it rests;
     // double of it, or a progress closer to one, makes more meshes in vain where the grid
@@ -228,8 +225,8 @@ namespace strait
     // and double of it matter only where there is none to be found.
     constexpr unsigned long long many_unknowns = 50000;
     widths.push_back(leakage.relative_width());
-    if (leakage.refinements == max_refinements)
-      return "the mesh was refined " + std::to_string(max_refinements) + " times";
+    if (!flow_mesh.can_be_refined())
+      return "the smallest cells cannot be divided any further";
     if (leakage.unknowns > many_unknowns && widths.size() > patience &&
         widths.back() > progress * widths[widths.size() - 1 - patience])
       return "the bracket no longer narrows: the grid of the contact does not resolve "

@@ -94,15 +94,13 @@ namespace strait
     return deposit.collect();
   }
 
-  FlowOnRaster
-  flow_on_raster(const ReynoldsSolver &solver, const int stride)
+  FlowAtPoints
+  flow_at_points(const ReynoldsSolver &solver, const PointRows &rows)
   {
     const FlowMesh    &mesh = solver.mesh();
     const auto        &dofs = solver.pressure().dof_handler();
-    const int          nx   = (mesh.grid().nx + stride - 1) / stride;
-    const int          ny   = (mesh.grid().ny + stride - 1) / stride;
-    std::vector<float> nothing(static_cast<std::size_t>(nx) * ny, 0.F);
-    FlowOnRaster       result{nothing, nothing};
+    std::vector<float> nothing(static_cast<std::size_t>(rows.nx) * rows.ny, 0.F);
+    FlowAtPoints       result{nothing, nothing};
     const auto         slope = vertex_slopes(solver.stream_function());
     Vector<double>     pressures(dofs.get_fe().n_dofs_per_cell());
     Vector<double>     slopes(pressures.size());
@@ -110,15 +108,14 @@ namespace strait
     for (const auto &cell : dofs.active_cell_iterators())
       {
         if (cell->is_locally_owned())
-          if (const auto points = points_in_cell(mesh, *cell, stride); !points.empty())
+          if (const auto points = points_in_cell(mesh, *cell, rows); !points.empty())
             {
               cell->get_dof_values(solver.pressure().solution(), pressures);
               psi_cell->get_dof_values(slope, slopes);
               for (const PointInCell &p : points)
                 {
-                  const int         i = p.ix / stride, j = p.iy / stride;
-                  const std::size_t k = static_cast<std::size_t>(j) * nx + i;
-                  if (i < nx && j < ny && (p.inside || result.current[k] == 0.F))
+                  const std::size_t k = static_cast<std::size_t>(p.iy) * rows.nx + p.ix;
+                  if (p.inside || result.current[k] == 0.F)
                     {
                       result.pressure[k] = static_cast<float>(p.interpolate(pressures));
                       result.current[k]  = static_cast<float>(p.interpolate(slopes));

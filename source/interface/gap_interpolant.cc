@@ -122,9 +122,10 @@ namespace strait
   GapInterpolant::range(const GapStencil &gap,
                         const double      x0,
                         const double      y0,
-                        const double      edge) const
+                        const double      width,
+                        const double      height) const
   {
-    const double x[2] = {x0, x0 + edge}, y[2] = {y0, y0 + edge};
+    const double x[2] = {x0, x0 + width}, y[2] = {y0, y0 + height};
     double       values[8];
     unsigned int n = 0;
     if (kind == GapInterpolation::bilinear)
@@ -151,10 +152,10 @@ namespace strait
     return {std::max(*lowest, 0.), std::max(*highest, 0.)};
   }
 
-  GapWindow::GapWindow(const PeriodicGrid   &grid_,
-                       const GapInterpolant &interpolant_,
-                       const int             first_row_,
-                       std::vector<double>   rows_)
+  GapRows::GapRows(const PeriodicGrid   &grid_,
+                   const GapInterpolant &interpolant_,
+                   const int             first_row_,
+                   std::vector<double>   rows_)
     : grid(grid_)
     , interpolant(interpolant_)
     , first_row(first_row_)
@@ -163,7 +164,7 @@ namespace strait
   }
 
   double
-  GapWindow::operator()(const double x, const double y) const
+  GapRows::operator()(const double x, const double y) const
   {
     const double s = x / grid.dx(), t = y / grid.dy();
     const int    n_rows = static_cast<int>(rows.size()) / grid.nx;

@@ -19,9 +19,8 @@ namespace strait
         level.n_columns = layout->grid().nx >> e;
         level.first_row = begin >> e;
         level.n_rows    = end > begin ? ((end - 1) >> e) + 1 - level.first_row : 0;
-        const auto n    = static_cast<std::size_t>(level.n_columns) * level.n_rows;
-        level.moments.resize(n * set.size());
-        level.flags.resize(n);
+        level.moments.resize(static_cast<std::size_t>(level.n_columns) * level.n_rows *
+                             set.size());
       }
   }
 
@@ -29,10 +28,7 @@ namespace strait
   MomentPyramid::build(const Leaf &leaf)
   {
     for (Level &level : levels)
-      {
-        std::fill(level.moments.begin(), level.moments.end(), 0.);
-        std::fill(level.flags.begin(), level.flags.end(), 0);
-      }
+      std::fill(level.moments.begin(), level.moments.end(), 0.);
     if (levels.empty())
       return;
     sum_grid_cells(leaf);
@@ -56,9 +52,7 @@ namespace strait
           {
             const std::size_t parent = start + (ix >> 1);
             std::fill(child.begin(), child.end(), 0.);
-            const unsigned char flags = leaf(ix, row, child.data());
-            level.flags[parent] |= flags;
-            if ((flags & 1U) != 0)
+            if (leaf(ix, row, child.data()))
               set.add_child(level.moments.data() + parent * set.size(),
                             child.data(),
                             ix & 1,
@@ -79,7 +73,6 @@ namespace strait
           {
             const std::size_t child  = static_cast<std::size_t>(row) * fine.n_columns + i;
             const std::size_t parent = start + (i >> 1);
-            coarse.flags[parent] |= fine.flags[child];
             set.add_child(coarse.moments.data() + parent * set.size(),
                           fine.moments.data() + child * set.size(),
                           i & 1,
@@ -102,50 +95,29 @@ namespace strait
         const auto begins_inside = [e](const int grid_row) {
           return grid_row != ((grid_row >> e) << e);
         };
-        std::vector<MPI_Request> requests(2, MPI_REQUEST_NULL);
+        MPI_Request request = MPI_REQUEST_NULL;
         if (level.n_rows > 0 && begins_inside(layout->first_row()))
-          {
-            const int owner = layout->owner_of_row(level.first_row << e);
-            MPI_Isend(level.moments.data(),
-                      n_values,
-                      MPI_DOUBLE,
-                      owner,
-                      2 * e,
-                      comm,
-                      &requests[0]);
-            MPI_Isend(level.flags.data(),
-                      level.n_columns,
-                      MPI_UNSIGNED_CHAR,
-                      owner,
-                      2 * e + 1,
-                      comm,
-                      &requests[1]);
-          }
-        std::vector<double>        shares(n_values);
-        std::vector<unsigned char> share_flags(level.n_columns);
+          MPI_Isend(level.moments.data(),
+                    n_values,
+                    MPI_DOUBLE,
+                    layout->owner_of_row(level.first_row << e),
+                    e,
+                    comm,
+                    &request);
+        std::vector<double> shares(n_values);
         for (int r = layout->rank() + 1; r < layout->n_ranks(); ++r)
           {
             const int begin = layout->first_row_of(r);
             if (begin == layout->first_row_of(r + 1) || !begins_inside(begin) ||
                 layout->owner_of_row((begin >> e) << e) != layout->rank())
               continue;
-            MPI_Recv(
-              shares.data(), n_values, MPI_DOUBLE, r, 2 * e, comm, MPI_STATUS_IGNORE);
-            MPI_Recv(share_flags.data(),
-                     level.n_columns,
-                     MPI_UNSIGNED_CHAR,
-                     r,
-                     2 * e + 1,
-                     comm,
-                     MPI_STATUS_IGNORE);
+            MPI_Recv(shares.data(), n_values, MPI_DOUBLE, r, e, comm, MPI_STATUS_IGNORE);
             const std::size_t start =
               static_cast<std::size_t>((begin >> e) - level.first_row) * level.n_columns;
             for (int v = 0; v < n_values; ++v)
               level.moments[start * set.size() + v] += shares[v];
-            for (int i = 0; i < level.n_columns; ++i)
-              level.flags[start + i] |= share_flags[i];
           }
-        MPI_Waitall(2, requests.data(), MPI_STATUSES_IGNORE);
+        MPI_Wait(&request, MPI_STATUS_IGNORE);
       }
   }
 
@@ -162,19 +134,12 @@ namespace strait
     return level.moments.data() + position(level, cell) * set.size();
   }
 
-  unsigned char
-  MomentPyramid::flags(const GridCell &cell) const
-  {
-    const Level &level = levels[cell.exponent - 1];
-    return level.flags[position(level, cell)];
-  }
-
   std::size_t
   MomentPyramid::memory_consumption() const
   {
     std::size_t bytes = 0;
     for (const Level &level : levels)
-      bytes += level.moments.size() * sizeof(double) + level.flags.size();
+      bytes += level.moments.size() * sizeof(double);
     return bytes;
   }
 } // namespace strait

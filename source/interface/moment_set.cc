@@ -22,24 +22,59 @@ namespace strait
             exponents.push_back({a, b});
           }
 
-    // A child's coordinate x lies at (right + x)/2 of its parent: expand the power.
-    const auto coefficient = [](const int n, const int k, const int offset) {
-      return offset == 0 && k < n ? 0. : boost::math::binomial_coefficient<double>(n, k);
-    };
+    // The coordinate x of a part lies at x0 + edge·x of the cell: expand the power.
+    using boost::math::binomial_coefficient;
+    for (int to = 0; to < size(); ++to)
+      for (int from = 0; from < size(); ++from)
+        {
+          const auto [a, b] = exponents[to];
+          const auto [s, t] = exponents[from];
+          if (s <= a && t <= b)
+            shifts.push_back(
+              {to,
+               from,
+               a - s,
+               b - t,
+               s + t + 2,
+               binomial_coefficient<double>(a, s) * binomial_coefficient<double>(b, t)});
+        }
     for (int upper = 0; upper < 2; ++upper)
       for (int right = 0; right < 2; ++right)
-        for (int to = 0; to < size(); ++to)
-          for (int from = 0; from < size(); ++from)
-            {
-              const auto [a, b] = exponents[to];
-              const auto [s, t] = exponents[from];
-              if (s > a || t > b)
-                continue;
-              const double factor = coefficient(a, s, right) * coefficient(b, t, upper) *
-                                    .25 * std::ldexp(1., -(a + b));
-              if (factor != 0)
-                transfers[2 * upper + right].push_back({to, from, factor});
-            }
+        for (const Shift &shift : shifts)
+          {
+            const double factor = shift.factor * std::pow(.5 * right, shift.power_of_x0) *
+                                  std::pow(.5 * upper, shift.power_of_y0) *
+                                  std::pow(.5, shift.power_of_edge);
+            if (factor != 0)
+              transfers[2 * upper + right].push_back({shift.to, shift.from, factor});
+          }
+  }
+
+  namespace
+  {
+    /** Powers of x from 0 to 8, the highest that a moment of degree 2 needs. */
+    std::array<double, 9>
+    powers_of(const double x)
+    {
+      std::array<double, 9> result{{1.}};
+      for (std::size_t k = 1; k < result.size(); ++k)
+        result[k] = result[k - 1] * x;
+      return result;
+    }
+  } // namespace
+
+  void
+  MomentSet::add_part(double       *cell,
+                      const double *part,
+                      const double  x0,
+                      const double  y0,
+                      const double  edge) const
+  {
+    const auto of_x0 = powers_of(x0), of_y0 = powers_of(y0), of_edge = powers_of(edge);
+    for (const Shift &shift : shifts)
+      cell[shift.to] += shift.factor * of_x0[shift.power_of_x0] *
+                        of_y0[shift.power_of_y0] * of_edge[shift.power_of_edge] *
+                        part[shift.from];
   }
 
   void

@@ -98,9 +98,10 @@ namespace strait
       if (!step.flow || !step.flow->solution)
         return fields;
 
-      const FlowOnRaster flow = flow_on_raster(*step.flow->solution, raster.stride);
-      const double       drop = fluid.inlet_pressure - fluid.outlet_pressure;
-      const double       leak = std::abs(step.flow->leakage.rate);
+      const FlowAtPoints flow =
+        flow_at_points(*step.flow->solution, rows_of_grid(layout.grid(), raster.stride));
+      const double drop = fluid.inlet_pressure - fluid.outlet_pressure;
+      const double leak = std::abs(step.flow->leakage.rate);
       for (std::size_t k = 0; k < fields.gap.size(); ++k)
         {
           const bool leaks = fields.open[k] == 2.F;

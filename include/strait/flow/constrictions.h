@@ -10,14 +10,24 @@ namespace strait
 {
   class ReynoldsSolver;
 
+  /** What one constriction of the path takes of the pressure. */
+  struct PressureDrop
+  {
+    GridPoint narrowest;     // point of the constriction
+    double    gap      = 0.; // there
+    double    fraction = 0.; // of the drop along the whole path
+  };
+
   /** Where the pressure drops, along the path of least resistance. */
   struct ConstrictionReport
   {
     Throat throat;                 // at the bottleneck
-    double points_along      = 0.; // grid points on one length of the throat
+    double points_along      = 0.; // points of its level on one length of the throat
     double fraction_at_worst = 0.; // of the pressure drop, at one constriction
     int    n_for_90_percent  = 0;  // constrictions that carry 90 % of the drop
     int    n_constrictions   = 0;
+
+    std::vector<PressureDrop> drops; // of all constrictions, the largest first
   };
 
   /** @p solver has solved for the flow in @p channel. Collective. */

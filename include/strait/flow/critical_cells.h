@@ -14,9 +14,9 @@ namespace strait
   int largest_start_exponent(const PeriodicGrid &grid);
 
   /**
-   * The cells of the grid's quadtree, of at least two spacings and no larger than those
-   * that a computation starts with, that are too coarse to start it with, told from the
-   * gap of @p channel alone. Sorted, the same on all ranks; none where there is no path.
+   * The cells of the grid's quadtree, no larger than those that a computation starts
+   * with, that are too coarse to start it with, told from the gap of @p channel alone.
+   * Sorted, the same on all ranks; none where there is no path.
    *
    * The pressure is estimated as 1 − r/R, where r is ∫ ds/g³ from the inlet along the
    * first path and R that of the whole path (estimate_pressure()). A cell is too coarse
@@ -26,6 +26,9 @@ namespace strait
    *   thin, and leaves alone those with the same pressure on both sides;
    * - if it blocks a path: where one runs, the mean of 1/K exceeds a fraction of the
    *   path's own resistance.
+   *
+   * Both are told from the grid's points, of cells of two spacings or more. Where the
+   * narrowest point of a constriction lies in a window, cells_around_throats() are added.
    *
    * Runs on rank 0, whose memory it needs for some 40 B a grid point. Collective.
    */

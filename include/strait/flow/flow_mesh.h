@@ -111,15 +111,19 @@ namespace strait
 
     /**
      * Refine to a mesh from which an adaptive cycle finds the leak rate: cells of
-     * 2^@p largest_exponent spacings, and the sorted @p critical ones refined. A
-     * residual alone does not find a barrier or a channel that is thinner than the
-     * cells it starts from.
+     * 2^@p largest_exponent spacings, and the sorted @p critical ones refined, unless
+     * what they lie in is not. A residual alone does not find a barrier or a channel that
+     * is thinner than the cells it starts from.
      */
     void refine_initially(int largest_exponent, const std::vector<GridCell> &critical);
 
     /** Refine every cell until it has 2^exponent grid spacings or, of a seal mesh, at
      *  most that. */
     void refine_uniformly(int exponent);
+
+    /** Whether the smallest cells may be divided: until an int cannot count those of
+     *  their size, or p4est has no more levels. */
+    bool can_be_refined() const;
 
   private:
     int

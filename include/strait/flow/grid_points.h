@@ -3,12 +3,13 @@
 #define strait_flow_grid_points_h
 
 #include <strait/flow/flow_mesh.h>
+#include <strait/flow/point_rows.h>
 
 #include <vector>
 
 namespace strait
 {
-  /** A grid point and the unit coordinates (s, t) that it has in a cell. */
+  /** One of some rows of points and the unit coordinates (s, t) that it has in a cell. */
   struct PointInCell
   {
     int    ix     = 0;
@@ -29,16 +30,17 @@ namespace strait
   };
 
   /**
-   * The grid points of a cell, in steps of @p stride that are counted from 0.
+   * Those of @p rows in a cell.
    *
    * Of the box those that lie in the cell or on its lower edges, so that every point
-   * belongs to one cell. Of a seal mesh those in the cell or on any edge, with edges
-   * taken as straight; hence along the outline those as well that lie beside the cell by
-   * less than a third of it, at the nearest unit coordinates.
+   * belongs to one cell; across the flow the rows may go on beyond the seam. Of a seal
+   * mesh those in the cell or on any edge, with edges taken as straight; hence along the
+   * outline those as well that lie beside the cell by less than a third of it, at the
+   * nearest unit coordinates.
    */
   std::vector<PointInCell> points_in_cell(const FlowMesh                &mesh,
                                           const dealii::CellAccessor<2> &cell,
-                                          int                            stride = 1);
+                                          const PointRows               &rows);
 } // namespace strait
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef strait_flow_solution_on_grid_h
 #define strait_flow_solution_on_grid_h
 
+#include <strait/flow/point_rows.h>
 #include <strait/interface/grid_deposit.h>
 
 #include <vector>
@@ -17,19 +18,19 @@ namespace strait
   GridDeposit::Sums pressure_on_grid(const ReynoldsSolver &solver,
                                      const SlabLayoutPtr  &layout);
 
-  /** The flow at every so many grid points in both directions, row by row. */
-  struct FlowOnRaster
+  /** The flow at some points, row by row. */
+  struct FlowAtPoints
   {
     std::vector<float> pressure; // 1 at the inlet, 0 at the outlet
     std::vector<float> current;  // density of a leak of 1 [1/length]
   };
 
   /**
-   * For pictures: the flow at every @p stride-th grid point from (0, 0) on, complete on
-   * rank 0. The current is |∇ψ| of the stream function: unlike K∇p that does not carry
-   * the grid's fine structure of K across coarse cells. Collective.
+   * For pictures: the flow at the points of @p rows, complete on rank 0. The current is
+   * |∇ψ| of the stream function: unlike K∇p that does not carry the grid's fine structure
+   * of K across coarse cells. Collective.
    */
-  FlowOnRaster flow_on_raster(const ReynoldsSolver &solver, int stride);
+  FlowAtPoints flow_at_points(const ReynoldsSolver &solver, const PointRows &rows);
 } // namespace strait
 
 #endif

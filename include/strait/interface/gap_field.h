@@ -3,47 +3,37 @@
 #define strait_interface_gap_field_h
 
 #include <strait/base/fluid_parameters.h>
-#include <strait/interface/gap_interpolant.h>
+#include <strait/interface/gap_levels.h>
 #include <strait/interface/moment_pyramid.h>
 #include <strait/interface/moment_set.h>
-#include <strait/spectral/slab_field.h>
+#include <strait/spectral/grid_cell.h>
 
 #include <optional>
 #include <vector>
 
 namespace strait
 {
-  /** What the flow solver asks about one cell. */
-  struct CellAnswer
-  {
-    const double *moments = nullptr; // MomentSet order, of the coefficient asked for
-    bool          open    = false;   // the fluid enters some of it …
-    bool          closed  = false;   // … and not all of it
-  };
-
-  /** The answers to a list of cells, in its order. */
+  /** The moments of a list of cells, in its order. */
   class CellAnswers
   {
   public:
     CellAnswers(const int n_moments_, const std::size_t n_cells)
       : n_moments(n_moments_)
-      , values(n_cells * (n_moments_ + 1))
+      , values(n_cells * n_moments_)
     {
     }
 
-    CellAnswer
+    /** Those of one cell, in the order of the MomentSet. */
+    const double *
     operator[](const std::size_t cell) const
     {
-      const double *entry = values.data() + cell * (n_moments + 1);
-      const int     flags = static_cast<int>(entry[n_moments]);
-      return {entry, (flags & 1) != 0, (flags & 2) != 0};
+      return values.data() + cell * n_moments;
     }
 
-    /** The raw entry of a cell, moments first, then its flags. */
     double *
-    entry(const std::size_t cell)
+    operator[](const std::size_t cell)
     {
-      return values.data() + cell * (n_moments + 1);
+      return values.data() + cell * n_moments;
     }
 
   private:
@@ -60,13 +50,18 @@ namespace strait
    * The coefficient is the conductivity K = g³/(12 η), or its reciprocal
    * 1/max(K, K_floor) for the lower bound. Cells of at least two grid spacings are
    * looked up in a pyramid of moments, where K was integrated by Gauss quadrature
-   * at the resolution of the grid; smaller ones are integrated directly. The finer
-   * quadrature, on the quarters of such a square, tells by how much that errs. For
-   * rigorous bounds each such square is divided into 4 × 4, on which K is taken to be as
+   * at the resolution of the grid; smaller ones are integrated directly. Where the gap
+   * has windows of finer points K is that of the finest level present: a cell of the grid
+   * that a window replaces is the sum over the window's cells, of which each is
+   * integrated once, and a smaller cell that over the parts of the levels' cells that lie
+   * in it.
+   *
+   * The finer quadrature, on the quarters of such a part, tells by how much that errs.
+   * For rigorous bounds each part is divided into 4 × 4, on which K is taken to be as
    * large, or for the reciprocal as small, as it is anywhere in it.
    *
    * Where the fluid flows on a mesh of its own there are no such cells and no pyramid;
-   * the mesh's ranks take the rows of the grid that they touch, as a GapWindow.
+   * the mesh's ranks take the rows of the grid that they touch, as GapRows.
    */
   class GapField
   {
@@ -82,14 +77,14 @@ namespace strait
     enum class Quadrature
     {
       standard,
-      finer // on cells of at most one grid spacing; others as standard
+      finer // on cells no larger than the spacing of the finest level; others as standard
     };
 
     GapField(SlabLayoutPtr layout, const FluidParameters &fluid);
 
     /**
-     * Take a new gap (percolating_gap()); @p conductivity_floor > 0 prepares the
-     * resistivity as well. Collective.
+     * Take a new gap (percolating_gap()), on the same grid, whatever its windows;
+     * @p conductivity_floor > 0 prepares the resistivity as well. Collective.
      */
     void update(const SlabField &gap, double conductivity_floor = 0.);
 
@@ -108,7 +103,11 @@ namespace strait
 
     /** The gap for points with @p y_low <= y <= @p y_high; each rank may ask for others.
      *  Collective. */
-    GapWindow window(double y_low, double y_high) const;
+    GapRows
+    rows(const double y_low, const double y_high) const
+    {
+      return levels.rows(interpolant, y_low, y_high);
+    }
 
     /** Of one @p gap. */
     double coefficient_of(Coefficient coefficient, double gap) const;
@@ -129,7 +128,7 @@ namespace strait
     const SlabLayout &
     layout() const
     {
-      return *slab_layout;
+      return levels.layout();
     }
 
     /** Conductivity of a gap, g³/(12 η). */
@@ -143,45 +142,66 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    /** Coefficient at the n × n Gauss points of the square at (x0, y0), as it is to be
+    /** The square that is asked for, in the unit coordinates of the cell of a level. */
+    struct Square
+    {
+      double x0   = 0.;
+      double y0   = 0.;
+      double edge = 1.;
+    };
+
+    /** What is known of one coefficient. */
+    struct Known
+    {
+      MomentPyramid       pyramid;
+      std::vector<double> of_window_cells; // at the position of each cell
+    };
+
+    /** Find the moments of @p coefficient on the grid and on the windows. Collective. */
+    void build(Coefficient coefficient, Known &known) const;
+
+    /** Coefficient at the n × n Gauss points of the rectangle at (x0, y0), as it is to be
      *  weighted: point values, or the value that makes the bound rigorous. */
     void sample(Coefficient       coefficient,
                 const GapStencil &gap,
                 double            x0,
                 double            y0,
-                double            edge,
+                double            width,
+                double            height,
                 double           *values) const;
 
-    /** The stencil of the grid cell at column @p ix of local row @p row. */
-    GapStencil stencil(int ix, int row) const;
+    /** Add to the moments of @p square those of what the cell with @p gap at its corners
+     *  has of it. Returns whether there are any. */
+    bool integrate(Coefficient       coefficient,
+                   Quadrature        quadrature,
+                   const GapStencil &gap,
+                   const Square     &square,
+                   double           *moments) const;
 
-    /** Moments and flags of the square at (x0, y0) of edge @p edge, in the unit
-     *  coordinates of a grid cell. */
-    unsigned char integrate(Coefficient       coefficient,
-                            Quadrature        quadrature,
-                            const GapStencil &gap,
-                            double            x0,
-                            double            y0,
-                            double            edge,
-                            double           *moments) const;
+    /** The same of a cell that windows may replace. */
+    bool add_cell(Coefficient      coefficient,
+                  Quadrature       quadrature,
+                  const LevelCell &cell,
+                  const Square    &square,
+                  const Known     &known,
+                  double          *moments) const;
 
-    /** Entry of a cell that this rank owns. */
+    /** Find the moments, zero so far, of a cell that this rank owns. */
     void answer(Coefficient     coefficient,
                 Quadrature      quadrature,
                 const GridCell &cell,
-                double         *entry) const;
+                double         *moments) const;
 
-    SlabLayoutPtr                slab_layout;
-    MomentSet                    set;
-    GapInterpolant               interpolant;
-    double                       viscosity;
-    bool                         rigorous;
-    double                       floor_value = 0.;
-    int                          halvings    = 0;
-    std::vector<double>          gap_rows; // one row before, two after the own ones
-    std::vector<double>          gauss_points, gauss_weights;
-    MomentPyramid                conductivity;
-    std::optional<MomentPyramid> resistivity;
+    GapLevels            levels;
+    MomentSet            set;
+    GapInterpolant       interpolant;
+    double               viscosity;
+    bool                 rigorous;
+    double               floor_value = 0.;
+    int                  halvings    = 0;
+    std::vector<double>  gauss_points, gauss_weights;
+    Known                conductivity;
+    std::optional<Known> resistivity;
   };
 } // namespace strait
 

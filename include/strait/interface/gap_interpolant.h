@@ -57,13 +57,14 @@ namespace strait
     };
 
     /**
-     * Bounds, not below zero, of the gap on the square at (x0, y0) of edge @p edge
-     * in the unit cell. Bilinear: attained at the corners. Monotone cubic: between
-     * the grid lines the gap is v1 + (v2 − v1) φ(t), where φ lies between the cubics
-     * from 0 to 1 with slopes (0, 2) and (2, 0), the steepest that harmonic means
+     * Bounds, not below zero, of the gap on the rectangle of @p width × @p height at
+     * (x0, y0) in the unit cell. Bilinear: attained at the corners. Monotone cubic:
+     * between the grid lines the gap is v1 + (v2 − v1) φ(t), where φ lies between the
+     * cubics from 0 to 1 with slopes (0, 2) and (2, 0), the steepest that harmonic means
      * of slopes allow; exact on the whole cell.
      */
-    Range range(const GapStencil &gap, double x0, double y0, double edge) const;
+    Range
+    range(const GapStencil &gap, double x0, double y0, double width, double height) const;
 
   private:
     GapInterpolation kind;
@@ -71,17 +72,17 @@ namespace strait
   };
 
   /** The gap between some rows of the grid, for cells that are not the grid's own. */
-  class GapWindow
+  class GapRows
   {
   public:
     /**
      * @p rows holds the grid rows that follow each other from @p first_row on, one
      * before and two after those that points may lie above.
      */
-    GapWindow(const PeriodicGrid   &grid,
-              const GapInterpolant &interpolant,
-              int                   first_row,
-              std::vector<double>   rows);
+    GapRows(const PeriodicGrid   &grid,
+            const GapInterpolant &interpolant,
+            int                   first_row,
+            std::vector<double>   rows);
 
     /** The gap at a point of the box, not below zero. */
     double operator()(double x, double y) const;

@@ -20,9 +20,9 @@ namespace strait
   class MomentPyramid
   {
   public:
-    /** Writes the moments of the grid cell (ix, local row) and returns its flags
-     *  (1: open somewhere, 2: closed somewhere). */
-    using Leaf = std::function<unsigned char(int ix, int row, double *moments)>;
+    /** Writes the moments of the grid cell (ix, local row), which are zero so far, and
+     *  returns whether they no longer are. */
+    using Leaf = std::function<bool(int ix, int row, double *moments)>;
 
     MomentPyramid(SlabLayoutPtr layout, MomentSet set, int n_halvings);
 
@@ -32,9 +32,6 @@ namespace strait
     /** Moments of a cell of this rank with 1 <= exponent <= n_halvings. */
     const double *moments(const GridCell &cell) const;
 
-    /** Flags of such a cell, those of its grid cells joined by or. */
-    unsigned char flags(const GridCell &cell) const;
-
     std::size_t memory_consumption() const;
 
   private:
@@ -42,11 +39,10 @@ namespace strait
     // rank before, which is sent this rank's share of it.
     struct Level
     {
-      int                        n_columns = 0;
-      int                        first_row = 0;
-      int                        n_rows    = 0;
-      std::vector<double>        moments;
-      std::vector<unsigned char> flags;
+      int                 n_columns = 0;
+      int                 first_row = 0;
+      int                 n_rows    = 0;
+      std::vector<double> moments;
     };
 
     void        sum_grid_cells(const Leaf &leaf);

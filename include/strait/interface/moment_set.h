@@ -53,11 +53,29 @@ namespace strait
         parent[t.to] += t.factor * child[t.from];
     }
 
+    /**
+     * The same for any square part of the cell, at (@p x0, @p y0) and of edge @p edge in
+     * the cell's unit coordinates.
+     */
+    void
+    add_part(double *cell, const double *part, double x0, double y0, double edge) const;
+
   private:
     struct Exponents
     {
       int a;
       int b;
+    };
+    // In the moment x^a y^b of a cell, what those x^s y^t of its part contribute:
+    // binomial coefficients times x0^(a − s) y0^(b − t).
+    struct Shift
+    {
+      int    to;
+      int    from;
+      int    power_of_x0;
+      int    power_of_y0;
+      int    power_of_edge;
+      double factor;
     };
     struct Transfer
     {
@@ -69,6 +87,7 @@ namespace strait
     unsigned int                         element_degree;
     std::vector<Exponents>               exponents;
     std::array<std::array<int, 5>, 5>    positions;
+    std::vector<Shift>                   shifts;
     std::array<std::vector<Transfer>, 4> transfers;
   };
 } // namespace strait
