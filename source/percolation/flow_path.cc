@@ -237,6 +237,8 @@ namespace strait
     for (std::size_t p = 0; p < path.points.size(); ++p)
       {
         const std::size_t k = gap.index_of(path.points[p]);
+        if (pressure[k] != unknown) // the copy of a window's point at the outlet
+          continue;
         pressure[k] = static_cast<float>(1. - path.resistances[p] / path.resistance());
         waiting.back().push_back(k);
       }
