@@ -171,12 +171,19 @@ namespace strait
     return finest(number_of({end.level, end.along - da, end.across - db}));
   }
 
+  std::size_t
+  FlowLattice::on_grid(const std::size_t k) const
+  {
+    Place p = place_of(k);
+    while (p.level > 0)
+      p = on_parent(p);
+    return number_of(p);
+  }
+
   std::vector<std::size_t>
   FlowLattice::points_around(const std::size_t k, const int reach) const
   {
-    Place centre = place_of(k);
-    while (centre.level > 0)
-      centre = on_parent(centre);
+    const Place              centre = place_of(k);
     std::vector<std::size_t> points;
     const int                reach_across = std::min(reach, n_across());
     for (int a = std::max(centre.along - reach, 0);

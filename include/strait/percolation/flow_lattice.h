@@ -169,8 +169,11 @@ namespace strait
              can_go_around(step.from, step.d_along, step.d_across, first_along);
     }
 
-    /** The points within @p reach spacings of the grid, each way, from the grid's point
-     *  that stands for point @p k, and the points of windows that these stand for. */
+    /** The point of the grid that stands for point @p k. */
+    std::size_t on_grid(std::size_t k) const;
+
+    /** The points of the grid within @p reach spacings from its point @p k, each way, and
+     *  the points of windows that these stand for. */
     std::vector<std::size_t> points_around(std::size_t k, int reach) const;
 
     double
