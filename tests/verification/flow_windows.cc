@@ -26,18 +26,19 @@ namespace strait
         const dealii::Timer timer;
         const auto n_start = solver.mesh().triangulation().n_global_active_cells();
         flow               = solver.run();
-        std::printf(
-          "%4d² points, %zu windows: %.5g … %.5g, %u meshes, %llu … %llu cells, "
-          "%llu unknowns, %.2f s\n",
-          gap.grid().nx,
-          gap.layout().windows().size(),
-          flow.lower,
-          flow.upper,
-          flow.refinements + 1,
-          static_cast<unsigned long long>(n_start),
-          flow.cells,
-          flow.unknowns,
-          timer.wall_time());
+        if (gap.layout().rank() == 0)
+          std::printf(
+            "%4d² points, %zu windows: %.5g … %.5g, %u meshes, %llu … %llu cells, "
+            "%llu unknowns, %.2f s\n",
+            gap.grid().nx,
+            gap.layout().windows().size(),
+            flow.lower,
+            flow.upper,
+            flow.refinements + 1,
+            static_cast<unsigned long long>(n_start),
+            flow.cells,
+            flow.unknowns,
+            timer.wall_time());
       }
 
       GivenGap       given;
@@ -142,7 +143,8 @@ namespace strait
       const Solved          seam(sample(nested(64, 2, 20, 0), saddle(1e-3, -.5)), fluid);
       EXPECT_EQ(seam.given.field.layout().windows().front().y, 54);
       EXPECT_NEAR(seam.flow.upper / middle.flow.upper, 1., 1e-9);
-      EXPECT_NEAR(seam.flow.lower / middle.flow.lower, 1., 1e-9);
+      // 1/K differs by 1e17 over the box, of which the linear solver leaves a few 1e-6.
+      EXPECT_NEAR(seam.flow.lower / middle.flow.lower, 1., 1e-5);
       EXPECT_NEAR(
         report_constrictions(seam.given.channel, seam.solver).fraction_at_worst,
         report_constrictions(middle.given.channel, middle.solver).fraction_at_worst,
