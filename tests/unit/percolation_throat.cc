@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/bottleneck.h>
-#include <strait/percolation/throat.h>
+#include <strait/percolation/channel.h>
 #include <strait/run/exponent_fit.h>
 
 #include <gtest/gtest.h>

@@ -492,8 +492,8 @@ namespace strait
       const auto found = throats(make_channel(gap, 0., FlowDirection::x, 2));
       ASSERT_EQ(found.size(), 2U);
       EXPECT_EQ(found[0].point.window, 0);
-      EXPECT_NEAR(found[0].points, 3 * 2 * std::sqrt(.3 / 40) * 64, .5);
-      EXPECT_NEAR(found[1].points, 2 * std::sqrt(.2 / 40) * 64, .5);
+      EXPECT_NEAR(found[0].points, 3 * std::sqrt(.3 / 40) * 64, .25);
+      EXPECT_NEAR(found[1].points, std::sqrt(.2 / 40) * 64, .25);
     }
 
     TEST(WindowThroat, IsMeasuredByItsOwnLevelAndBeyond)
@@ -515,12 +515,12 @@ namespace strait
       EXPECT_NEAR(throat.doubling_length, length, 5e-3 * length);
       EXPECT_NEAR(throat.half_width, width, 5e-3 * width);
       EXPECT_NEAR(throat.width, width / std::sqrt(1.5), 1e-3 * width);
-      EXPECT_NEAR(throat.points, 2 * length * 64 * 9, .01 * throat.points);
+      EXPECT_NEAR(throat.points, length * 64 * 9, .01 * throat.points);
       // The grid has too few points across for the width, enough to know the length.
       const Throat coarse =
         measure_throat(sample(layout_with(32, {}), gap), 0., {16, 16});
       EXPECT_TRUE(std::isnan(coarse.half_width));
-      EXPECT_NEAR(coarse.points, 2 * length * 32, .1 * coarse.points);
+      EXPECT_NEAR(coarse.points, length * 32, .1 * coarse.points);
     }
   } // namespace
 } // namespace strait

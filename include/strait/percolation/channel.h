@@ -53,6 +53,20 @@ namespace strait
   /** Find up to @p n_paths paths, unless as many were sought before. Collective. */
   void find_paths(Channel &channel, unsigned int n_paths);
 
+  /** A stretch of a path with one narrowest point. */
+  struct Constriction
+  {
+    std::size_t first = 0; // position on the path
+    std::size_t last  = 0; // the first of the next stretch, or the end of the path
+  };
+
+  /**
+   * Divide a path with the given @p gaps into constrictions. Two minima of the gap
+   * are different constrictions if the channel between them widens to more than
+   * 1.5 times the gap of the wider one; they are divided where it is widest.
+   */
+  std::vector<Constriction> divide_into_constrictions(const std::vector<double> &gaps);
+
   /** A constriction on one of a channel's paths. */
   struct ThroatOnPath
   {

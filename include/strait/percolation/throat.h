@@ -6,7 +6,6 @@
 #include <strait/spectral/slab_field.h>
 
 #include <limits>
-#include <vector>
 
 namespace strait
 {
@@ -40,20 +39,6 @@ namespace strait
 
   /** The throat at @p point of the open gap of a contact's @p gap. Collective. */
   Throat measure_throat(const SlabField &gap, double slip_length, const GridPoint &point);
-
-  /** A stretch of a path with one narrowest point. */
-  struct Constriction
-  {
-    std::size_t first = 0; // position on the path
-    std::size_t last  = 0; // the first of the next stretch, or the end of the path
-  };
-
-  /**
-   * Divide a path with the given @p gaps into constrictions. Two minima of the gap
-   * are different constrictions if the channel between them widens to more than
-   * 1.5 times the gap of the wider one; they are divided where it is widest.
-   */
-  std::vector<Constriction> divide_into_constrictions(const std::vector<double> &gaps);
 } // namespace strait
 
 #endif
