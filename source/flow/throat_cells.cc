@@ -22,10 +22,13 @@ namespace strait
                const int           largest_exponent,
                std::set<GridCell> &cells)
     {
-      const PeriodicGrid &grid    = layout.grid();
-      const double        spacing = std::pow(3., -layout.windows()[throat.window].level);
-      const double        reach   = 1. / fraction_of_distance; // in cells
-      const auto [x, y]           = layout.position(throat.window, throat.ix, throat.iy);
+      // In cells: what touches the circle only is not in it, wherever the box begins.
+      // Half and double of it decide alike.
+      constexpr double    rounding = 1e-6;
+      const PeriodicGrid &grid     = layout.grid();
+      const double        spacing  = std::pow(3., -layout.windows()[throat.window].level);
+      const double        reach    = 1. / fraction_of_distance - rounding; // in cells
+      const auto [x, y]            = layout.position(throat.window, throat.ix, throat.iy);
       for (int e = largest_exponent; std::ldexp(1., e) > spacing; --e)
         {
           const double s = std::ldexp(x / grid.dx(), -e),
