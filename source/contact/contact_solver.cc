@@ -4,6 +4,7 @@
 #include <strait/contact/contact_solver.h>
 #include <strait/contact/grid_transfer.h>
 #include <strait/contact/zoom_in.h>
+#include <strait/spectral/fill_windows.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/channel.h>
 #include <strait/percolation/local_clusters.h>
+#include <strait/spectral/fill_windows.h>
 
 #include <algorithm>
 #include <limits>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace strait
 {
@@ -17,7 +18,7 @@ namespace strait
     // Points of its parent that a window covers each way. Half of it cuts through the
     // contact that shapes the throat, double of it costs four times as much; the critical
     // load depends on neither by more than 1e-6.
-    constexpr int window_points = 80;
+    constexpr int window_points = 48;
 
     using Place = std::array<long, 2>; // x and y
 
@@ -75,8 +76,9 @@ namespace strait
                          window.n_rows() - 1 - point.iy});
       }
 
-      /** A window of @p level around @p centre, on the lattice of the level before. */
-      void
+      /** A window of @p level around @p centre, on the lattice of the level before.
+       *  Returns whether there is room for it. */
+      bool
       open(const int level, const Place &centre)
       {
         Placed window{level, {}, {}};
@@ -86,18 +88,18 @@ namespace strait
             window.n[d]      = static_cast<int>(std::min<long>(window_points, n_box / 2));
             window.first[d]  = centre[d] - window.n[d] / 2;
           }
-        for (bool is_joined = true; is_joined;)
-          {
-            is_joined = false;
-            for (std::size_t k = 0; k < placed.size() && !is_joined; ++k)
-              if (placed[k].level == level && touch(placed[k], window))
-                {
-                  window    = joined(window, placed[k]);
-                  is_joined = true;
-                  placed.erase(placed.begin() + static_cast<std::ptrdiff_t>(k));
-                }
-          }
+        std::vector<Placed> others = placed;
+        const auto          near   = [&](const Placed &other) {
+          return other.level == level && touch(other, window);
+        };
+        for (auto other = others.begin();
+             (other = std::find_if(others.begin(), others.end(), near)) != others.end();
+             others.erase(other))
+          if (!join(window, *other))
+            return false; // there is no room
+        placed = std::move(others);
         placed.push_back(window);
+        return true;
       }
 
       /** All that have a parent to lie in. */
@@ -159,24 +161,28 @@ namespace strait
         return true;
       }
 
-      /** The rectangle around both; @p window alone if that is too large. */
-      Placed
-      joined(const Placed &window, const Placed &other) const
+      /** Make @p window the rectangle around itself and @p other, unless that is too
+       *  large. */
+      bool
+      join(Placed &window, const Placed &other) const
       {
-        Placed result = window;
+        // Windows in a row, each way, of which one is made: more cost more than they are
+        // worth, with fewer one of two neighbouring throats goes without.
+        constexpr long n_joined = 3;
+        Placed         result   = window;
         for (int d = 0; d < 2; ++d)
           {
             const long o     = offset(window, other, d);
             const long begin = std::min(0L, o);
             const long end   = std::max<long>(window.n[d], o + other.n[d]);
-            const long most =
-              std::min<long>(2 * window_points, period(window.level, d) - 2);
-            if (end - begin > most)
-              return window;
+            if (end - begin >
+                std::min<long>(n_joined * window_points, period(window.level, d) - 2))
+              return false;
             result.first[d] += begin;
             result.n[d] = static_cast<int>(end - begin);
           }
-        return result;
+        window = result;
+        return true;
       }
 
       bool
@@ -259,25 +265,30 @@ namespace strait
                 const std::vector<ThroatOnPath> &throats,
                 const ZoomParameters            &zoom)
   {
-    Placement placement(layout);
-    bool      is_enough = true;
-    for (const ThroatOnPath &throat : throats)
+    Placement                 placement(layout);
+    bool                      is_enough = true;
+    std::vector<ThroatOnPath> by_weight = throats;
+    std::stable_sort(by_weight.begin(),
+                     by_weight.end(),
+                     [](const ThroatOnPath &a, const ThroatOnPath &b) {
+                       return a.fraction > b.fraction;
+                     });
+    for (const ThroatOnPath &throat : by_weight)
       {
         if (throat.fraction < negligible_fraction)
-          continue;
+          break;
         const GridPoint &point = throat.point;
         const int   level = point.window < 0 ? 0 : layout.windows()[point.window].level;
         const Place here  = placement.place_of(point);
         if (throat.points < zoom.points_along_throat && level < zoom.maximum_levels)
           {
-            placement.open(level + 1, here);
-            is_enough = false;
+            is_enough = !placement.open(level + 1, here) && is_enough;
           }
         else if (level > 0 && throat.points < 3. * zoom.points_along_throat &&
                  placement.points_to_rim(point) < throat.points)
           {
-            placement.open(level, {(here[0] + 1) / 3, (here[1] + 1) / 3});
-            is_enough = false;
+            is_enough =
+              !placement.open(level, {(here[0] + 1) / 3, (here[1] + 1) / 3}) && is_enough;
           }
       }
     return is_enough ? layout.windows() : placement.windows();

@@ -11,6 +11,20 @@
 
 namespace strait
 {
+  namespace
+  {
+    /** The throat that most of the pressure drops at. */
+    ThroatOnPath
+    narrowest(const std::vector<ThroatOnPath> &throats)
+    {
+      return *std::max_element(throats.begin(),
+                               throats.end(),
+                               [](const ThroatOnPath &a, const ThroatOnPath &b) {
+                                 return a.fraction < b.fraction;
+                               });
+    }
+  } // namespace
+
   SealState
   ZoomedSeal::solve(const Control &control, const SealState *from, const Aim aim)
   {
@@ -19,13 +33,16 @@ namespace strait
     std::vector<std::vector<ZoomWindow>> tried;
     while (aim != Aim::comparison)
       {
-        const SlabLayout               &layout  = state.gap().layout();
-        const Channel                   channel = make_channel(state.gap(),
-                                             control.slip_length,
-                                             direction,
-                                             FlowStage::n_paths_wanted);
-        const std::vector<ThroatOnPath> narrow  = throats(channel);
-        std::vector<ZoomWindow>         windows = place_windows(layout, narrow, zoom);
+        const SlabLayout &layout = state.gap().layout();
+        const Channel     channel =
+          make_channel(state.gap(),
+                       control.slip_length,
+                       direction,
+                       aim == Aim::verdict ? 1 : FlowStage::n_paths_wanted);
+        std::vector<ThroatOnPath> narrow = throats(channel);
+        if (aim == Aim::verdict && !narrow.empty())
+          narrow = {narrowest(narrow)}; // what decides
+        std::vector<ZoomWindow> windows = place_windows(layout, narrow, zoom);
         if (windows == layout.windows() && !std::exchange(is_trimmed, true) &&
             channel.percolates())
           windows = needed_windows(layout, narrow, zoom);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/spectral/fill_windows.h>
 #include <strait/spectral/fourier_transform.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <vector>
 
 namespace strait
@@ -66,6 +69,17 @@ namespace strait
       std::array<double, 2> first, step; // phases of the longest waves
     };
   } // namespace
+
+  void
+  copy_to_covered(SlabField &field)
+  {
+    for (int w = static_cast<int>(field.layout().windows().size()) - 1; w >= 0; --w)
+      field.layout().for_each_covered(w,
+                                      [&field](const std::size_t parent,
+                                               const std::size_t own) {
+                                        field[parent] = field[own];
+                                      });
+  }
 
   void
   fill_windows(SlabField &field)

@@ -146,17 +146,6 @@ namespace strait
                                               std::move(windows));
   }
 
-  void
-  copy_to_covered(SlabField &field)
-  {
-    for (int w = static_cast<int>(field.layout().windows().size()) - 1; w >= 0; --w)
-      field.layout().for_each_covered(w,
-                                      [&field](const std::size_t parent,
-                                               const std::size_t own) {
-                                        field[parent] = field[own];
-                                      });
-  }
-
   namespace
   {
     /** Mean over the box of what @p function makes of the values. Collective. */

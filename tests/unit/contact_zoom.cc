@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/contact/zoom_in.h>
 #include <strait/contact/zoomed_problem.h>
+#include <strait/spectral/fill_windows.h>
 
 #include <gtest/gtest.h>
 

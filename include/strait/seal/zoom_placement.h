@@ -18,7 +18,7 @@ namespace strait
    * is lacking.
    *
    * A new window that would touch another one of its level is joined with it or, where
-   * that would be too large, takes its place.
+   * that would be too large, left out; throats that matter most come first.
    */
   std::vector<ZoomWindow> place_windows(const SlabLayout                &layout,
                                         const std::vector<ThroatOnPath> &throats,

@@ -333,15 +333,6 @@ namespace strait
   SlabField scatter_from_root(const SlabLayoutPtr       &layout,
                               const std::vector<double> &whole);
 
-  /**
-   * Find the values of the windows of @p field from those at the grid points, by its
-   * Fourier series: exact for what the grid resolves. Collective.
-   */
-  void fill_windows(SlabField &field);
-
-  /** Give each point that a window covers the value of the window's point that it is. */
-  void copy_to_covered(SlabField &field);
-
   /** The field height(x, y) at the points of this rank; no communication. */
   template <class Height>
   SlabField
