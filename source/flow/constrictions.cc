@@ -56,10 +56,9 @@ namespace strait
       for (std::size_t k = 0; k < result.size(); ++k)
         if (result[k] == unknown)
           result[k] = beside[k];
-      // The path may end beyond the outline of a mesh, in the reservoirs, and ends beyond
-      // the last grid point of the box, at the outlet.
-      if (result.front() == unknown)
-        result.front() = 1.;
+      // The path begins and ends in the reservoirs, perhaps beyond the outline of a mesh.
+      result.front() = 1.;
+      result.back()  = 0.;
       for (double &value : result)
         value = std::max(value, 0.);
       return result;

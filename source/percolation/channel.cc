@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/channel.h>
+#include <strait/percolation/local_clusters.h>
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace strait
@@ -26,9 +28,14 @@ namespace strait
       const bool        has_first = layout.n_rows() > 0 && layout.first_row() == 0;
       const bool        along_x   = direction == FlowDirection::x;
       const std::size_t n_on_grid = layout.n_local_points();
-      const auto        on_seam   = [=](const std::size_t k) {
-        return k < n_on_grid &&
-               (along_x ? k % nx == 0 : has_first && k < static_cast<std::size_t>(nx));
+      const std::vector<SeamPoint> in_windows = seam_points(layout, direction);
+      std::set<std::size_t>        on_seam_of_windows;
+      for (const SeamPoint &seam : in_windows)
+        on_seam_of_windows.insert(seam.point);
+      const auto on_seam = [&](const std::size_t k) {
+        return k >= n_on_grid ? on_seam_of_windows.count(k) > 0
+               : along_x      ? k % nx == 0
+                              : has_first && k < static_cast<std::size_t>(nx);
       };
       for (std::size_t k = 0; k < gap.size(); ++k)
         if (!on_seam(k) && is_dead_end(clusters.states[k]))
@@ -42,6 +49,10 @@ namespace strait
         if (on_seam(k) && is_dead_end(clusters.states[k]) &&
             !((along_x ? gap[k + nx - 1] : last_row[k]) > 0))
           gap[k] = 0.;
+      for (const SeamPoint &seam : in_windows)
+        if (is_dead_end(clusters.states[seam.point]) &&
+            !(seam.behind && gap[*seam.behind] > 0))
+          gap[seam.point] = 0.;
     }
 
     /** Close what does not percolate in a region, and what is far from it outside. */

@@ -173,11 +173,25 @@ namespace strait
         if (label != no_label)
           set.push_back(label);
       };
+      for (const SeamPoint &seam : seam_points(layout, direction))
+        if (gap[seam.point] > 0)
+          {
+            inlet.push_back(labels[seam.point]);
+            if (seam.behind && gap[*seam.behind] > 0)
+              outlet.push_back(labels[*seam.behind]);
+          }
+      // Where a window lies across the seam its own points tell.
+      const auto is_plain =
+        [&](const int ix_last, const int iy_last, const int ix, const int iy) {
+          return !is_refined(layout.covered_by(-1, ix_last, iy_last),
+                             layout.covered_by(-1, ix, iy));
+        };
       if (direction == FlowDirection::x)
         for (int row = 0; row < n_rows; ++row)
           {
+            const int iy = layout.first_row() + row;
             visit(0, row, inlet);
-            if (gap(0, row) > 0)
+            if (gap(0, row) > 0 && is_plain(nx - 1, iy, 0, iy))
               visit(nx - 1, row, outlet);
           }
       else
@@ -190,7 +204,7 @@ namespace strait
             {
               if (has_first)
                 visit(ix, 0, inlet);
-              if (has_last && seam[ix] > 0)
+              if (has_last && seam[ix] > 0 && is_plain(ix, ny - 1, ix, 0))
                 visit(ix, n_rows - 1, outlet);
             }
         }

@@ -49,23 +49,52 @@ namespace strait
   void
   FlowLattice::add_window(const SlabField &field, const int w)
   {
+    const ZoomWindow &window = field.layout().windows()[w];
+    const int         last   = (along_x ? window.n_columns() : window.n_rows()) - 1;
+    const int         seam   = field.layout().seam(w, along_x ? 0 : 1);
+    if (seam < 0)
+      {
+        add_part(field, w, {0, last, false, false});
+        return;
+      }
+    add_part(field, w, {0, seam + 1, false, true});
+    add_part(field, w, {seam - 1, last, true, false});
+  }
+
+  void
+  FlowLattice::add_part(const SlabField &field, const int w, const Part &part)
+  {
     const SlabLayout &layout   = field.layout();
     const ZoomWindow &window   = layout.windows()[w];
     const double      fraction = std::pow(3., -window.level);
-    Level             level    = levels.front();
-    level.begin                = values.size();
-    level.n_along              = along_x ? window.n_columns() : window.n_rows();
-    level.n_across             = along_x ? window.n_rows() : window.n_columns();
-    level.parent               = window.parent + 1;
-    level.along                = along_x ? window.x : window.y;
-    level.across               = along_x ? window.y : window.x;
+    // The first of the parent's columns that this part covers; on the grid, of those that
+    // begin at the inlet and end with its copy at the outlet.
+    int along = (along_x ? window.x : window.y) + part.first / 3;
+    if (window.parent < 0)
+      {
+        const int period = width() - 1;
+        along            = (along % period + period) % period;
+        if (along == 0 && part.ends_at_outlet)
+          along = period;
+      }
+    Level level           = levels.front();
+    level.begin           = values.size();
+    level.n_along         = part.last - part.first + 1;
+    level.n_across        = along_x ? window.n_rows() : window.n_columns();
+    level.parent          = level_with(window.parent, along, part.ends_at_outlet);
+    level.along           = along - levels[level.parent].first;
+    level.across          = along_x ? window.y : window.x;
+    level.window          = w;
+    level.first           = part.first;
+    level.begins_at_inlet = part.begins_at_inlet;
+    level.ends_at_outlet  = part.ends_at_outlet;
     for (double &length : level.lengths)
       length *= fraction;
     levels.push_back(level);
 
     const std::size_t begin = layout.start_of_window(w);
     for (int b = 0; b < level.n_across; ++b)
-      for (int a = 0; a < level.n_along; ++a)
+      for (int a = part.first; a <= part.last; ++a)
         {
           const std::size_t ix = along_x ? a : b, iy = along_x ? b : a;
           values.push_back(field[begin + iy * window.n_columns() + ix]);
@@ -74,9 +103,24 @@ namespace strait
     for (int b = 1; b < level.n_across; b += 3)
       for (int a = 1; a < level.n_along; a += 3)
         {
-          const Place place                       = {w + 1, a, b};
+          const Place place = {static_cast<int>(levels.size()) - 1, a, b};
           is_covered[number_of(on_parent(place))] = true;
         }
+  }
+
+  int
+  FlowLattice::level_with(const int window, const int along, const bool of_outlet) const
+  {
+    if (window < 0)
+      return 0;
+    int l = 1;
+    while (levels[l].window != window)
+      ++l;
+    // Of two parts the first ends with the column on the seam and one beyond.
+    if (!levels[l].ends_at_outlet)
+      return l;
+    const int seam = levels[l].n_along - 2;
+    return along < seam || (along == seam && of_outlet) ? l : l + 1;
   }
 
   FlowLattice::Place
@@ -127,12 +171,19 @@ namespace strait
     return finest(number_of({end.level, end.along - da, end.across - db}));
   }
 
+  std::size_t
+  FlowLattice::on_grid(const std::size_t k) const
+  {
+    Place p = place_of(k);
+    while (p.level > 0)
+      p = on_parent(p);
+    return number_of(p);
+  }
+
   std::vector<std::size_t>
   FlowLattice::points_around(const std::size_t k, const int reach) const
   {
-    Place centre = place_of(k);
-    while (centre.level > 0)
-      centre = on_parent(centre);
+    const Place              centre = place_of(k);
     std::vector<std::size_t> points;
     const int                reach_across = std::min(reach, n_across());
     for (int a = std::max(centre.along - reach, 0);
@@ -159,8 +210,15 @@ namespace strait
   {
     std::vector<std::size_t> points;
     if (region == nullptr)
-      for (int b = 0; b < n_across(); ++b)
-        points.push_back(index(0, b));
+      {
+        for (int b = 0; b < n_across(); ++b)
+          points.push_back(finest(index(0, b)));
+        for (std::size_t l = 1; l < levels.size(); ++l)
+          for (int b = 1; levels[l].begins_at_inlet && b < levels[l].n_across - 1; ++b)
+            if (const std::size_t k = number_of({static_cast<int>(l), 1, b});
+                !is_covered[k])
+              points.push_back(k);
+      }
     else
       for (std::size_t k = 0; k < size(); ++k)
         if (region->is_inlet(k))
@@ -171,16 +229,19 @@ namespace strait
   GridPoint
   FlowLattice::point(const std::size_t k) const
   {
-    const Place p = place_of(k);
-    return along_x ? GridPoint{p.along, p.across, p.level - 1}
-                   : GridPoint{p.across, p.along, p.level - 1};
+    const Place  p     = place_of(k);
+    const Level &level = levels[p.level];
+    const int    along = level.first + p.along;
+    return along_x ? GridPoint{along, p.across, level.window}
+                   : GridPoint{p.across, along, level.window};
   }
 
   std::size_t
   FlowLattice::index_of(const GridPoint &p) const
   {
-    return finest(along_x ? number_of({p.window + 1, p.ix, p.iy})
-                          : number_of({p.window + 1, p.iy, p.ix}));
+    const int along = along_x ? p.ix : p.iy, across = along_x ? p.iy : p.ix;
+    const int level = level_with(p.window, along, false);
+    return finest(number_of({level, along - levels[level].first, across}));
   }
 
   bool

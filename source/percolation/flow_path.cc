@@ -145,10 +145,17 @@ namespace strait
       // Half of that bars wider places, which other paths may share; double of it lets
       // the next path run beside this one.
       const double threshold = .05 * resistivity(path.bottleneck_gap);
+      // Many points in a window share one of the grid.
+      std::size_t last = gap.size();
       for (const GridPoint &point : path.points)
-        if (const std::size_t k = gap.index_of(point); resistivity(gap[k]) > threshold)
-          for (const std::size_t near : gap.points_around(k, 2))
+        {
+          const std::size_t k = gap.index_of(point), on_grid = gap.on_grid(k);
+          if (resistivity(gap[k]) <= threshold || on_grid == last)
+            continue;
+          last = on_grid;
+          for (const std::size_t near : gap.points_around(on_grid, 2))
             blocked[near] = true;
+        }
     }
 
     void
@@ -237,6 +244,8 @@ namespace strait
     for (std::size_t p = 0; p < path.points.size(); ++p)
       {
         const std::size_t k = gap.index_of(path.points[p]);
+        if (pressure[k] != unknown) // the copy of a window's point at the outlet
+          continue;
         pressure[k] = static_cast<float>(1. - path.resistances[p] / path.resistance());
         waiting.back().push_back(k);
       }

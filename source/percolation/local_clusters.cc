@@ -33,7 +33,9 @@ namespace strait
       std::size_t begin;  // position of the first value
       int         n_columns;
       int         n_rows;
-      int         rim; // width of the rim of points that have no edges
+      int         rim;                // width of the rim of points that have no edges
+      int         closed_column = -1; // no edge leads there from the one before
+      int         closed_row    = -1;
     };
 
     /** Join the open neighbours among @p points. */
@@ -57,11 +59,11 @@ namespace strait
               const std::size_t k = first + ix;
               if (!(gap[k] > 0))
                 continue;
-              if (ix > points.rim && gap[k - 1] > 0 &&
+              if (ix > points.rim && ix != points.closed_column && gap[k - 1] > 0 &&
                   !is_refined(here[ix], here[ix - 1]))
                 sets.join(k, k - 1);
-              if (row > points.rim && gap[k - points.n_columns] > 0 &&
-                  !is_refined(here[ix], below[ix]))
+              if (row > points.rim && row != points.closed_row &&
+                  gap[k - points.n_columns] > 0 && !is_refined(here[ix], below[ix]))
                 sets.join(k, k - points.n_columns);
             }
         }
@@ -69,7 +71,9 @@ namespace strait
 
     /** Join the open points of the windows with each other. */
     void
-    join_in_windows(const SlabField &gap, DisjointSets &sets)
+    join_in_windows(const SlabField    &gap,
+                    const FlowDirection direction,
+                    DisjointSets       &sets)
     {
       const SlabLayout &layout    = gap.layout();
       const auto        join_open = [&](const std::size_t a, const std::size_t b) {
@@ -80,7 +84,11 @@ namespace strait
         {
           const ZoomWindow &window    = layout.windows()[w];
           const int         n_columns = window.n_columns(), n_rows = window.n_rows();
-          const PointRows   points{w, layout.start_of_window(w), n_columns, n_rows, 1};
+          PointRows         points{w, layout.start_of_window(w), n_columns, n_rows, 1};
+          if (direction == FlowDirection::x)
+            points.closed_column = layout.seam(w, 0);
+          else
+            points.closed_row = layout.seam(w, 1);
           join_neighbours(gap, points, sets);
           // The outermost points follow those inside of them.
           const auto follow = [&](const int ix, const int iy) {
@@ -123,7 +131,37 @@ namespace strait
                 sets.join(first, first + nx - 1);
               }
           }
-    join_in_windows(gap, sets);
+    join_in_windows(gap, direction, sets);
     return sets;
+  }
+
+  std::vector<SeamPoint>
+  seam_points(const SlabLayout &layout, const FlowDirection direction)
+  {
+    std::vector<SeamPoint> points;
+    const int              axis = direction == FlowDirection::x ? 0 : 1;
+    for (int w = 0; w < static_cast<int>(layout.windows().size()); ++w)
+      {
+        const ZoomWindow &window = layout.windows()[w];
+        const int         seam   = layout.seam(w, axis);
+        const int         n      = axis == 0 ? window.n_rows() : window.n_columns();
+        for (int across = 1; seam >= 0 && across < n - 1; ++across)
+          {
+            const auto at = [&](const int along) {
+              const int ix = axis == 0 ? along : across, iy = axis == 0 ? across : along;
+              return layout.start_of_window(w) +
+                     static_cast<std::size_t>(iy) * window.n_columns() + ix;
+            };
+            const auto cover = [&](const int along) {
+              return axis == 0 ? layout.covered_by(w, along, across)
+                               : layout.covered_by(w, across, along);
+            };
+            points.push_back({at(seam), {}});
+            // The outermost points of a window have no edges.
+            if (seam > 1 && !is_refined(cover(seam), cover(seam - 1)))
+              points.back().behind = at(seam - 1);
+          }
+      }
+    return points;
   }
 } // namespace strait

@@ -41,9 +41,8 @@ namespace strait
     class Placement
     {
     public:
-      Placement(const SlabLayout &layout_, const FlowDirection direction)
+      explicit Placement(const SlabLayout &layout_)
         : layout(layout_)
-        , along(direction == FlowDirection::x ? 0 : 1)
       {
         for (const ZoomWindow &window : layout.windows())
           {
@@ -98,7 +97,6 @@ namespace strait
                   placed.erase(placed.begin() + static_cast<std::ptrdiff_t>(k));
                 }
           }
-        keep_off_reservoirs(window);
         placed.push_back(window);
       }
 
@@ -181,22 +179,6 @@ namespace strait
         return result;
       }
 
-      /** Inlet and outlet are lines of the grid alone. */
-      void
-      keep_off_reservoirs(Placed &window) const
-      {
-        if (window.level > 1)
-          return;
-        const long n        = period(1, along);
-        long      &first    = window.first[along];
-        const long at_most  = n - window.n[along];
-        first               = ((first % n) + n) % n;
-        const bool is_close = first > at_most;
-        if (is_close)
-          first = first - at_most < n - first + 1 ? at_most : 1;
-        first = std::max(first, 1L);
-      }
-
       bool
       find_parent(const std::vector<Placed> &candidates,
                   const Placed              &window,
@@ -232,17 +214,52 @@ namespace strait
       }
 
       const SlabLayout &layout;
-      int               along;
     };
+
+    /** Those of the windows of @p layout that @p is_kept, with their parents. */
+    std::vector<ZoomWindow>
+    kept_windows(const SlabLayout &layout, const std::vector<bool> &is_kept)
+    {
+      std::vector<ZoomWindow> result;
+      std::vector<int>        new_number(is_kept.size(), -1);
+      for (std::size_t w = 0; w < is_kept.size(); ++w)
+        if (is_kept[w])
+          {
+            new_number[w] = static_cast<int>(result.size());
+            result.push_back(layout.windows()[w]);
+            if (result.back().parent >= 0)
+              result.back().parent = new_number[result.back().parent];
+          }
+      return result;
+    }
   } // namespace
+
+  std::vector<ZoomWindow>
+  needed_windows(const SlabLayout                &layout,
+                 const std::vector<ThroatOnPath> &throats,
+                 const ZoomParameters            &zoom)
+  {
+    const std::vector<ZoomWindow> &windows = layout.windows();
+    std::vector<bool>              is_needed(windows.size(), false);
+    for (const ThroatOnPath &throat : throats)
+      {
+        // A level more than is asked for stays: the next state may need it.
+        double points = throat.points / 9.;
+        int    w      = throat.point.window;
+        for (; w >= 0 && points >= zoom.points_along_throat; points /= 3.)
+          w = windows[w].parent;
+        for (; w >= 0 && !is_needed[w]; w = windows[w].parent)
+          is_needed[w] = true;
+      }
+    return kept_windows(layout, is_needed);
+  }
 
   std::vector<ZoomWindow>
   place_windows(const SlabLayout                &layout,
                 const std::vector<ThroatOnPath> &throats,
-                const ZoomParameters            &zoom,
-                const FlowDirection              direction)
+                const ZoomParameters            &zoom)
   {
-    Placement placement(layout, direction);
+    Placement placement(layout);
     bool      is_enough = true;
     for (const ThroatOnPath &throat : throats)
       {
@@ -273,16 +290,6 @@ namespace strait
     for (const ZoomWindow &window : layout.windows())
       if (window.parent >= 0)
         is_parent[window.parent] = true;
-    std::vector<ZoomWindow> result;
-    std::vector<int>        new_number(layout.windows().size(), -1);
-    for (std::size_t w = 0; w < layout.windows().size(); ++w)
-      if (is_parent[w])
-        {
-          new_number[w] = static_cast<int>(result.size());
-          result.push_back(layout.windows()[w]);
-          if (result.back().parent >= 0)
-            result.back().parent = new_number[result.back().parent];
-        }
-    return result;
+    return kept_windows(layout, is_parent);
   }
 } // namespace strait

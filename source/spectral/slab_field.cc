@@ -87,6 +87,26 @@ namespace strait
     return -1;
   }
 
+  int
+  SlabLayout::seam(const int w, const int axis) const
+  {
+    const ZoomWindow &window = zoom_windows[w];
+    const int         first  = axis == 0 ? window.x : window.y;
+    const int         n      = axis == 0 ? window.nx : window.ny;
+    int               covered;
+    if (window.parent >= 0)
+      {
+        const int of_parent = seam(window.parent, axis);
+        covered             = of_parent < 0 ? -1 : of_parent - first;
+      }
+    else
+      {
+        const int n_grid = axis == 0 ? periodic_grid.nx : periodic_grid.ny;
+        covered          = (n_grid - first % n_grid) % n_grid;
+      }
+    return covered >= 0 && covered < n ? 3 * covered + 1 : -1;
+  }
+
   std::array<double, 2>
   SlabLayout::spacing(const int w) const
   {

@@ -65,8 +65,8 @@ namespace strait
         value(*number);
     });
     if (is_reading())
-      values = SlabField(windows.empty() ? layout
-                                         : with_windows(*layout, std::move(windows)));
+      values =
+        SlabField(windows.empty() ? layout : with_windows(*layout, std::move(windows)));
     all_values(values.data(), values.layout());
   }
 

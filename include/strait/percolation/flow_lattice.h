@@ -110,8 +110,12 @@ namespace strait
     bool
     is_outlet(const std::size_t k) const
     {
-      return region != nullptr ? region->is_outlet(k)
-                               : k < n_on_grid && along(k) == width() - 1;
+      if (region != nullptr)
+        return region->is_outlet(k);
+      if (k < n_on_grid)
+        return along(k) == width() - 1;
+      const Place p = place_of(k);
+      return levels[p.level].ends_at_outlet && p.along == levels[p.level].n_along - 2;
     }
 
     /** The points where the fluid enters. */
@@ -165,8 +169,11 @@ namespace strait
              can_go_around(step.from, step.d_along, step.d_across, first_along);
     }
 
-    /** The points within @p reach spacings of the grid, each way, from the grid's point
-     *  that stands for point @p k, and the points of windows that these stand for. */
+    /** The point of the grid that stands for point @p k. */
+    std::size_t on_grid(std::size_t k) const;
+
+    /** The points of the grid within @p reach spacings from its point @p k, each way, and
+     *  the points of windows that these stand for. */
     std::vector<std::size_t> points_around(std::size_t k, int reach) const;
 
     double
@@ -212,6 +219,13 @@ namespace strait
       int                   parent;  // its level, and the first of its points that the
       int                   along;   // window covers
       int                   across;
+
+      // Of a window across the seam there are two parts: that on the side of the outlet,
+      // which ends with the outlet's copy of the seam, and that which begins with it.
+      int  window          = -1;
+      int  first           = 0; // its first column, along the flow, in the window
+      bool begins_at_inlet = false;
+      bool ends_at_outlet  = false;
     };
 
     /** A point by its level, column and row. */
@@ -222,7 +236,21 @@ namespace strait
       int across;
     };
 
+    /** Columns of a window, along the flow: all, or those on one side of the seam. */
+    struct Part
+    {
+      int  first;
+      int  last;
+      bool begins_at_inlet;
+      bool ends_at_outlet;
+    };
+
     void add_window(const SlabField &field, int w);
+    void add_part(const SlabField &field, int w, const Part &part);
+
+    /** The level with column @p along of a window, −1 for the grid; of a column on the
+     *  seam the copy at the outlet if @p of_outlet, else that at the inlet. */
+    int level_with(int window, int along, bool of_outlet) const;
 
     int
     level_of(const std::size_t k) const

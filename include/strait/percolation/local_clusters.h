@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace strait
@@ -57,6 +58,18 @@ namespace strait
    * the windows, but none of the former with the latter. The rule is find_clusters()'s.
    */
   DisjointSets join_open_points(const SlabField &gap, FlowDirection direction);
+
+  /** A point of a window on the first line of the grid along the flow, where the fluid
+   *  enters; and that behind it, across the seam, where it leaves, if an edge of the
+   *  window leads there. Positions among the values of a rank. */
+  struct SeamPoint
+  {
+    std::size_t                point;
+    std::optional<std::size_t> behind;
+  };
+
+  /** All of them, parents before their windows. */
+  std::vector<SeamPoint> seam_points(const SlabLayout &layout, FlowDirection direction);
 } // namespace strait
 
 #endif

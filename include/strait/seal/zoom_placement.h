@@ -14,15 +14,21 @@ namespace strait
    * The windows that a gap needs so that its throats have as many points along the flow
    * as the scene wants: those that @p layout has, and what the @p throats of a channel
    * lack, one level more for each at a time. A throat that matters less than
-   * a hundredth of the pressure drop gets none. Returns those of @p layout where nothing is lacking.
+   * a hundredth of the pressure drop gets none. Returns those of @p layout where nothing
+   * is lacking.
    *
    * A new window that would touch another one of its level is joined with it or, where
    * that would be too large, takes its place.
    */
   std::vector<ZoomWindow> place_windows(const SlabLayout                &layout,
                                         const std::vector<ThroatOnPath> &throats,
-                                        const ZoomParameters            &zoom,
-                                        FlowDirection                    direction);
+                                        const ZoomParameters            &zoom);
+
+  /** The windows of @p layout that @p throats need, or would if they were three to nine
+   *  times as short; parents of others among them. */
+  std::vector<ZoomWindow> needed_windows(const SlabLayout                &layout,
+                                         const std::vector<ThroatOnPath> &throats,
+                                         const ZoomParameters            &zoom);
 
   /** Those of @p layout without the finest around each throat. */
   std::vector<ZoomWindow> without_finest(const SlabLayout &layout);

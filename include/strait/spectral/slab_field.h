@@ -118,6 +118,10 @@ namespace strait
      */
     int covered_by(int parent, int ix, int iy) const;
 
+    /** The column (@p axis 0) or row (1) of window @p w on the first one of the grid,
+     * where the seam is; −1 if it covers no point there. */
+    int seam(int w, int axis) const;
+
     /** A range of values at points that no finer ones cover: begin <= k < end. */
     struct Range
     {
