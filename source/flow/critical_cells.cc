@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/flow/bottleneck_width.h>
 #include <strait/flow/critical_cells.h>
 #include <strait/flow/throat_cells.h>
 
@@ -87,78 +88,6 @@ namespace strait
       std::vector<Cell> cells;
     };
 
-    /** ∫ (g/g0)³ dt across the channel at the bottleneck g0, in spacings of its level,
-     *  where that is least of four directions; @p otherwise where the gap is widest in
-     *  none. @p gap_at(i, j) is g so many points to the right of and above the
-     * bottleneck, as far as @p n_most points, and 0 where there are none. */
-    template <class Gap>
-    double
-    width_of_bottleneck(const Gap   &gap_at,
-                        const int    n_most,
-                        const double bottleneck_gap,
-                        const double otherwise)
-    {
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      double           best     = infinity;
-      for (const auto &[da, db] : {std::pair(1, 0), {0, 1}, {1, 1}, {1, -1}})
-        {
-          double width = 1.;
-          for (const int side : {-1, 1})
-            for (int s = 1; s < n_most; ++s)
-              {
-                const double g = gap_at(side * s * da, side * s * db) / bottleneck_gap;
-                if (!(g > 0))
-                  break;
-                if (g > 1.001) // this is not the way across
-                  {
-                    width = infinity;
-                    break;
-                  }
-                width += g * g * g;
-              }
-          best = std::min(best, width);
-        }
-      return std::isfinite(best) ? best : otherwise;
-    }
-
-    /** The same of a path in @p gap, of which @p lattice holds the grid [length]. */
-    double
-    bottleneck_width(const SlabField   &gap,
-                     const FlowLattice &lattice,
-                     const FlowPath    &path,
-                     const double       otherwise)
-    {
-      const GridPoint &point = path.bottleneck;
-      if (point.window < 0)
-        {
-          const std::size_t k     = lattice.index_of(point);
-          const auto        value = [&](const int i, const int j) {
-            const int a = lattice.along(k) + i;
-            const int b = (lattice.across_of(k) + j) % lattice.n_across();
-            return a < 0 || a >= lattice.width() ? 0. : lattice[lattice.index(a, b)];
-          };
-          return std::min(lattice.spacing_along(), lattice.spacing_across()) *
-                 width_of_bottleneck(value,
-                                     lattice.n_across() / 2,
-                                     path.bottleneck_gap,
-                                     otherwise);
-        }
-      const SlabLayout &layout = gap.layout();
-      const ZoomWindow &window = layout.windows()[point.window];
-      const double     *values = gap.data() + layout.start_of_window(point.window);
-      const auto        value  = [&](const int i, const int j) {
-        const int  a = point.ix + i, b = point.iy + j;
-        const bool inside =
-          a >= 0 && a < window.n_columns() && b >= 0 && b < window.n_rows();
-        return inside ? values[static_cast<std::size_t>(b) * window.n_columns() + a] : 0.;
-      };
-      const auto [dx, dy] = layout.spacing(point.window);
-      return std::min(dx, dy) * width_of_bottleneck(value,
-                                                    window.n_columns() + window.n_rows(),
-                                                    path.bottleneck_gap,
-                                                    otherwise);
-    }
-
     /** The path by points of the grid, those that stand for the points of windows. */
     FlowPath
     on_grid(FlowPath path, const SlabLayout &layout)
@@ -210,12 +139,13 @@ namespace strait
         // What each path would let through on its own. If the first is in no channel, the
         // flow is as wide as the box; another one may run beside the first in the same
         // channel, and counts for little.
+        const double spacing = std::min(gap.spacing_along(), gap.spacing_across());
         for (const FlowPath &path : channel.paths)
-          conductances.push_back(bottleneck_width(channel.gap,
-                                                  gap,
-                                                  path,
-                                                  conductances.empty() ? n_across : 1.) /
-                                 path.resistance() / std::pow(bottleneck, 3));
+          {
+            const double otherwise = spacing * (conductances.empty() ? n_across : 1.);
+            conductances.push_back(bottleneck_width(channel.gap, gap, path, otherwise) /
+                                   path.resistance() / std::pow(bottleneck, 3));
+          }
       }
 
       /** The cells of each exponent, from 1, that are too coarse. */
