@@ -22,6 +22,11 @@ namespace strait
      *  opens points again in most steps. */
     constexpr double shorter = .4;
 
+    /** What the reach of steps that close points may change by at once, and how far below
+     *  its first value, 1, it may fall. Double of it learns sooner, and is misled by a
+     *  single step; half of it never learns, and may stagnate where many points close. */
+    constexpr double quickest_change = 2;
+
     /** Attempts end where a step is all but nothing. */
     constexpr double shortest = std::numeric_limits<double>::epsilon();
   } // namespace
@@ -32,6 +37,7 @@ namespace strait
     std::fill(step.begin(), step.end(), 0.);
     std::fill(response.begin(), response.end(), 0.);
     restarts = true;
+    reach    = 1;
   }
 
   GapDescent::Outcome
@@ -107,7 +113,7 @@ namespace strait
     // Not less than a tenth of that of the free points, or the step would be wild.
     foretold_work          = std::max(stiffness * free_work + fixed_work, .1 * free_work);
     const double curvature = foretold_work + local_work;
-    return -slope / (curvature > 0 ? curvature : foretold_work);
+    return -reach * slope / (curvature > 0 ? curvature : foretold_work);
   }
 
   /** Follow the projected direction as far as the energy falls well. Return whether
@@ -189,10 +195,20 @@ namespace strait
           {
             step_length = length;
             last_fall   = -length * d_r;
+            learn_reach(is_convex ? ideal : INFINITY);
             return true;
           }
       }
     iterate.move(d, response.data(), work, -gone);
     return false;
+  }
+
+  /** The length that was foretold for the last step was wrong by a factor @p ideal. */
+  void
+  GapConjugateGradients::learn_reach(const double ideal)
+  {
+    // Where nothing closes, the step went as far as was ideal.
+    const double change = std::clamp(ideal, 1 / quickest_change, quickest_change);
+    reach               = truncated ? std::max(reach * change, 1 / quickest_change) : 1.;
   }
 } // namespace strait

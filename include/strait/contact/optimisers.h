@@ -135,19 +135,21 @@ namespace strait
     double form_step(double length);
     bool   go(double length);
     bool   search_line(double work);
+    void   learn_reach(double ideal);
 
     std::vector<double> trial    = field(); // z = M r, then t
     std::vector<double> step     = field(); // d
     std::vector<double> response = field(); // K d
 
     // Sums over the points, of the present direction and step.
-    double slope         = 0;     // <t, r>
-    double foretold_work = 0;     // <t, Kt>
-    double fixed_work    = 0;     // the part of it that is known
-    double free_work     = 0;     // <z, r>, of which <z, Kz> is a known share
-    double local_work    = 0;     // <t, γ'' t>
-    double stiffness     = 1.5;   // <z, Kz>/<z, r>, at first a typical value
-    double last_fall     = 0;     // −<d, r> of the last step, before it
+    double slope         = 0;   // <t, r>
+    double foretold_work = 0;   // <t, Kt>
+    double fixed_work    = 0;   // the part of it that is known
+    double free_work     = 0;   // <z, r>, of which <z, Kz> is a known share
+    double local_work    = 0;   // <t, γ'' t>
+    double stiffness     = 1.5; // <z, Kz>/<z, r>, at first a typical value
+    double last_fall     = 0;   // −<d, r> of the last step, before it
+    double reach         = 1;   // by which a step that closes points exceeds the foretold
     bool   truncated     = false; // some point of the step closes
     bool   restarts      = true;
   };
