@@ -2,7 +2,6 @@
 #include <strait/contact/adhesion_law.h>
 
 #include <cmath>
-#include <limits>
 
 namespace strait
 {
@@ -17,11 +16,6 @@ namespace strait
     /** f = exp(−s). */
     struct Exponential
     {
-      /** Beyond so many ranges the attraction is left out: 4·10⁻¹⁸ of that in contact.
-       *  At half of this it would end with a jump of 2·10⁻⁹, which the finest tolerances
-       *  see; at double, open points cost more time for nothing. */
-      static constexpr double reach = 40;
-
       static Shape
       at(const double s)
       {
@@ -39,8 +33,6 @@ namespace strait
      */
     struct VanDerWaals
     {
-      static constexpr double reach = std::numeric_limits<double>::infinity();
-
       static Shape
       at(const double s)
       {
@@ -54,7 +46,7 @@ namespace strait
     value_of(const AdhesionLaw &law, const double gap)
     {
       const double s     = gap / law.range;
-      const Shape  f     = s < Kind::reach ? Kind::at(s) : Shape{0, 0, 0};
+      const Shape  f     = Kind::at(s);
       const double slope = law.surface_energy / law.range;
       return {-law.surface_energy * f.value,
               slope * f.slope,

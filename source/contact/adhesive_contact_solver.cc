@@ -14,19 +14,13 @@ namespace strait
 {
   namespace
   {
-    /** How often a state that is no minimum is pushed off. Half as often, a state behind
-     *  several saddle points may be reported as not converged; twice as often, one that
-     *  cannot be left is given up later. */
-    constexpr int max_pushes = 5;
-
     /** Largest change of the gap by a push, in ranges. Half of it takes the optimiser
      *  longer to leave a saddle point, or leaves it there; double of it may push past the
      *  state that is next. */
     constexpr double push = .1;
 
-    /** A quotient of this size is rounding. At half and at double of it the same states
-     *  are minima, unless one is as close as that to losing its stability. */
-    constexpr double curvature_noise = 1e-7;
+    /** A quotient of this size is rounding. */
+    const double curvature_noise = std::sqrt(std::numeric_limits<double>::epsilon());
 
     /** The rms of K h, E* times the rms slope over 2. */
     double
@@ -93,11 +87,14 @@ namespace strait
     GapSolution solution   = optimiser->solve(gap.data());
     int         iterations = solution.iterations;
     double      curvature  = std::numeric_limits<double>::quiet_NaN();
-    for (int pushes = 0; solution.converged && !solution.detached; ++pushes)
+    double      energy     = std::numeric_limits<double>::infinity();
+    while (solution.converged && !solution.detached)
       {
         curvature = stability.smallest_curvature(gap.data(), optimiser->curvature());
-        if (curvature > -curvature_noise || pushes == max_pushes)
+        // What was pushed off and did not fall has come back to where it was.
+        if (curvature > -curvature_noise || !(solution.energy < energy))
           break;
+        energy = solution.energy;
         push_off(gap);
         solution = optimiser->solve(gap.data());
         iterations += solution.iterations;

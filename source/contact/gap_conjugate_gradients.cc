@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace strait
 {
@@ -10,38 +11,30 @@ namespace strait
   {
     /** Of the elastic curvature: below it, the attraction is left out. Half and double
      *  take 156 and 192 FFT pairs a load instead of 171 where the range of the adhesion
-     * is hardly resolved (a random surface of 256² at a Tabor number of 2), and as many
-     * at 1. */
+     *  is hardly resolved (a random surface of 256² at a Tabor number of 2), and as many
+     *  at 1; with none of it a saddle on 32² points of a range of 0.4 stagnates. */
     constexpr double least_curvature = .05;
 
     /** Where the attraction wins, the elastic curvature alone is too cautious. Double of
-     *  it leaves a saddle sooner, and is shortened more often; half of it is hardly
-     * bolder than the elastic step. */
+     *  it leaves a saddle sooner, and is shortened more often; a third of it, the elastic
+     *  step, takes a fifth more FFT pairs where the range of the adhesion is hardly
+     *  resolved (a random surface of 256² at a Tabor number of 2). */
     constexpr double boldness = 3;
 
-    /** A step that closes points is taken whole, unless the line asks for less than this
-     *  fraction of it: a whole step keeps what it closes, a shorter one opens it again.
-     *  Half of it takes steps whole that overshoot, double of it opens points again in
-     *  most steps. */
-    constexpr double short_step = .4;
+    /** What a step is shortened by if the energy does not fall along it, at one FFT pair
+     *  if it must be formed anew. A step that closes points is shortened only if the line
+     *  asks for at least as much: a whole step keeps what it closes, a shorter one opens
+     *  it again. Half of it wastes less on attempts and goes less far; double of it
+     *  opens points again in most steps. */
+    constexpr double shorter = .4;
 
-    /** If the energy does not fall along it, it is formed anew so much shorter, at one
-     *  FFT pair for each attempt. Half of it wastes less on attempts and goes less far,
-     *  double of it the other way round. */
-    constexpr double shorter_arc = .3;
-
-    /** By what the reach of steps that close points may change at once: double of it
-     *  learns sooner, and is misled by a single step; half of it never learns. It is also
-     *  how far below its first value, 1, the reach may fall. */
+    /** What the reach of steps that close points may change by at once, and how far below
+     *  its first value, 1, it may fall. Double of it learns sooner, and is misled by a
+     *  single step; half of it never learns, and may stagnate where many points close. */
     constexpr double quickest_change = 2;
 
-    /** Half of it stops learning where many points close at once, double of it takes one
-     *  more attempt to shorten a step that went too far. */
-    constexpr double farthest_reach = 16;
-
-    /** Attempts at a step. Half as many may give a direction up that still goes downhill;
-     *  the last is all but nothing, so that twice as many would change nothing. */
-    constexpr int max_trials = 12;
+    /** Attempts end where a step is all but nothing. */
+    constexpr double shortest = std::numeric_limits<double>::epsilon();
   } // namespace
 
   void
@@ -133,17 +126,16 @@ namespace strait
   /** Follow the projected direction as far as the energy falls well. Return whether
    *  it did. */
   bool
-  GapConjugateGradients::go(double length)
+  GapConjugateGradients::go(const double length)
   {
-    for (int trials = 0; trials < max_trials; ++trials)
+    for (double part = 1; part > shortest; part *= shorter)
       {
-        const double work = form_step(length);
+        // Too many points close at once: a shorter arc has fewer of them.
+        const double work = form_step(part * length);
         if (search_line(work))
           return true;
         if (!truncated)
           return false;
-        // Too many points close at once: a shorter arc has fewer of them.
-        length *= shorter_arc;
       }
     return false;
   }
@@ -196,12 +188,13 @@ namespace strait
     const bool   is_convex = work + local > least_curvature * work;
     const double bold  = work > 0 ? -boldness * d_r / work : 1.; // d uniform, or noise
     const double ideal = is_convex ? -d_r / (work + local) : bold;
-    const double length_of_whole = ideal < short_step ? ideal : 1.;
-    double       length = truncated ? length_of_whole : std::min(ideal, furthest);
+    const double length_of_whole = ideal < shorter ? ideal : 1.;
+    const double first  = truncated ? length_of_whole : std::min(ideal, furthest);
     const double before = iterate.energy();
     double       gone   = 0;
-    for (int trials = 0; trials < max_trials; ++trials)
+    for (double part = 1; part > shortest; part *= shorter)
       {
+        const double length = part * first;
         iterate.move(d, response.data(), work, length - gone);
         gone = length;
         if (iterate.energy() <=
@@ -212,7 +205,6 @@ namespace strait
             learn_reach(is_convex ? ideal : INFINITY);
             return true;
           }
-        length *= .4;
       }
     iterate.move(d, response.data(), work, -gone);
     return false;
@@ -223,11 +215,7 @@ namespace strait
   GapConjugateGradients::learn_reach(const double ideal)
   {
     // Where nothing closes, the step went as far as was ideal.
-    reach =
-      truncated
-        ? std::clamp(reach * std::clamp(ideal, 1 / quickest_change, quickest_change),
-                     1 / quickest_change,
-                     farthest_reach)
-        : 1.;
+    const double change = std::clamp(ideal, 1 / quickest_change, quickest_change);
+    reach               = truncated ? std::max(reach * change, 1 / quickest_change) : 1.;
   }
 } // namespace strait

@@ -23,11 +23,8 @@ namespace strait
         // In iterations. Half of it risks giving up on a slow way to another state,
         // double of it only reports a failure later.
         constexpr int patience = 200;
-        // Of the energy: what its sums over the points are exact to. With half of it
-        // noise counts as a gain a little more often, with double of it a little less.
-        constexpr double rounding = 1e-12;
         if (residual < least_residual ||
-            energy < least_energy - rounding * std::abs(energy))
+            energy < least_energy - energy_noise * std::abs(energy))
           {
             least_residual = std::min(least_residual, residual);
             least_energy   = std::min(least_energy, energy);

@@ -9,14 +9,8 @@ namespace strait
   namespace
   {
     // Of time steps, in units in which a mode's period is 2π. An explicit step of 2 or
-    // more is unstable, so that double of the longest diverges; half of it takes twice
-    // the steps.
+    // more is unstable, so that double of it diverges; half of it takes twice the steps.
     constexpr double longest_time_step = 1.2;
-    // It is left after a few steps: half and double of it change only these.
-    constexpr double first_time_step = .5;
-    // After turning round: half of it waits longer for the speed to come back, double of
-    // it turns round again where the attraction is steep.
-    constexpr double shortest_time_step = .1;
 
     // Those of FIRE's authors (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006).
     constexpr double first_mixing = .1, mixing_decay = .99;
@@ -28,7 +22,7 @@ namespace strait
   GapDynamics::begin()
   {
     std::fill(velocity.begin(), velocity.end(), 0.);
-    step_length   = first_time_step;
+    step_length   = longest_time_step;
     mixing        = first_mixing;
     steps_forward = 0;
   }
@@ -81,7 +75,7 @@ namespace strait
         return;
       }
     std::fill(velocity.begin(), velocity.end(), 0.);
-    step_length   = std::max(step_length * slow_down, shortest_time_step);
+    step_length *= slow_down;
     mixing        = first_mixing;
     steps_forward = 0;
   }

@@ -3,26 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace strait
 {
-  namespace
-  {
-    /** One FFT pair each. A step that is cut off here is still one downhill: half as many
-     *  need more steps where the model is stiff, twice as many spend more on a model that
-     *  may not hold so far. */
-    constexpr int max_inner_iterations = 60;
-
-    /** Of a step that is halved: half as many, 2^-15 of a step, may give up on a narrow
-     *  valley; beyond 2^-30 all is rounding, so that twice as many change nothing. */
-    constexpr int max_trials = 30;
-
-    /** Along negative curvature, in ranges z0: over more of them the law has changed too
-     *  much for the model to say anything. Half of it takes more steps to get away,
-     * double of it one more halving where the step is too long. */
-    constexpr double longest_escape = 2.;
-  } // namespace
-
   GapDescent::Outcome
   GapNewton::descend(const double residual)
   {
@@ -50,16 +34,15 @@ namespace strait
     iterate.project(remainder.data());
     std::fill(step.begin(), step.end(), 0.);
     std::fill(direction.begin(), direction.end(), 0.);
-    met_negative_curvature = false;
 
     const double reduction = std::min(.1, std::sqrt(residual));
     double       first = 0, last = 0;
-    for (int k = 0; k < max_inner_iterations; ++k)
+    for (int k = 0;; ++k)
       {
         const double now = precondition();
         if (k == 0)
           first = now;
-        else if (now <= reduction * reduction * first)
+        else if (!(now > reduction * reduction * first))
           return;
         const double beta = k == 0 ? 0. : now / last;
         last              = now;
@@ -70,10 +53,10 @@ namespace strait
           const double d = direction[i];
           sums[0] += d * iterate.curvature[i] * d;
         });
-        met_negative_curvature = work + local <= 1e-10 * work;
+        const bool is_concave = work + local <= 1e-10 * work;
         // Down the slope of the energy, as far as the search along it will say.
-        const double length = met_negative_curvature ? 1. : now / (work + local);
-        if (met_negative_curvature && k > 0)
+        const double length = is_concave ? 1. : now / (work + local);
+        if (is_concave && k > 0)
           return;
         for (std::size_t i = 0; i < problem.size(); ++i)
           {
@@ -82,7 +65,7 @@ namespace strait
               remainder[i] +=
                 length * (response[i] + iterate.curvature[i] * direction[i]);
           }
-        if (met_negative_curvature)
+        if (is_concave)
           return;
         iterate.project(remainder.data());
       }
@@ -92,17 +75,8 @@ namespace strait
   bool
   GapNewton::search()
   {
-    double length = 1;
-    if (met_negative_curvature)
-      {
-        double largest = 0;
-        for (const double s : step)
-          largest = std::max(largest, std::abs(s));
-        largest = problem.largest_over_ranks(largest);
-        length  = std::min(1., longest_escape * problem.adhesion().range / largest);
-      }
     const double before = iterate.energy();
-    for (int trials = 0; trials < max_trials; ++trials, length *= .5)
+    for (double length = 1; length > std::numeric_limits<double>::epsilon(); length *= .5)
       {
         double       *d = direction.data();
         const double *g = iterate.gap;

@@ -9,20 +9,10 @@ namespace strait
 {
   namespace
   {
-    /** One FFT pair each. Half as many leave the quotient too large where it falls
-     * slowly, twice as many cost more there, for a state that is then seldom found
-     * unstable. */
-    constexpr int max_iterations = 40;
-
     /** Last relative change of the quotient. The check takes 4 to 6 pairs; half of it
      *  costs more of them in each load and finds shallower ways down, double of it fewer
      *  and misses these. */
     constexpr double settled = .03;
-
-    /** Here the gap is no minimum, and the direction is good enough to push it off. Half
-     *  of it stops a little earlier, with a worse direction; double of it spends more
-     * pairs on a better one. */
-    constexpr double clearly_negative = -.02;
 
     using Matrix = std::array<std::array<double, 3>, 3>;
     using Vector = std::array<double, 3>;
@@ -148,8 +138,7 @@ namespace strait
         return;
       }
     int n_settled = 0;
-    for (int k = 0; k < max_iterations && n_settled < 2 && quotient > clearly_negative;
-         ++k)
+    for (int k = 0; n_settled < 2; ++k)
       {
         // The gradient of the quotient, preconditioned.
         const double uniform = problem.mean_stiffness() * uniform_part(vectors[0]);
@@ -161,7 +150,7 @@ namespace strait
         prepare(vectors[1], responses[1]);
         const double before = quotient;
         descend(k == 0 ? 2 : 3);
-        n_settled = before - quotient <= settled * std::abs(quotient) ? n_settled + 1 : 0;
+        n_settled = before - quotient > settled * std::abs(quotient) ? 0 : n_settled + 1;
       }
   }
 

@@ -107,9 +107,6 @@ namespace strait
   MappedCoefficient::values_for(const CellAccessor<2>     &cell,
                                 const GapField::Quadrature quadrature)
   {
-    // Parts of a cell along each side, about one for each grid spacing. Half of it is too
-    // coarse for cells of more spacings, double of it costs four times as much there.
-    constexpr int most_parts = 64;
     // Cells of fewer spacings are integrated more finely, as the bracket rests on them.
     // Half of it leaves more to the refinement, double of it costs four times as much in
     // cells that do not need it.
@@ -117,7 +114,7 @@ namespace strait
     const double     size    = size_in_spacings(cell, mesh.grid());
     const double     wanted  = size < small ? 2. * size : size;
     int              n_parts = fewest_parts;
-    while (n_parts < wanted && n_parts < most_parts)
+    while (n_parts < wanted) // about one for each grid spacing along a side
       n_parts *= 2;
     if (size < small && quadrature == GapField::Quadrature::finer)
       n_parts *= 2;

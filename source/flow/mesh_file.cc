@@ -14,10 +14,7 @@ namespace strait
     // Gmsh's numbers of element types, and how many nodes they have.
     constexpr int            line = 1, triangle = 2, quadrilateral = 3, point = 15;
     const std::map<int, int> n_nodes_of = {{line, 2}, {quadrilateral, 4}, {point, 1}};
-    // No count in a file is larger that a mesh of this program could have: it keeps a
-    // damaged one from asking for all memory. Half and double of it do the same.
-    constexpr long long most_of_all = 100000000;
-    const char *const   how_to_write =
+    const char *const        how_to_write =
       "; write it with 'gmsh -2 -format msh41', all quadrilaterals";
 
     class Parser
@@ -25,6 +22,7 @@ namespace strait
     public:
       Parser(const std::string &text, const std::string &name_)
         : in(text)
+        , length(text.size())
         , name(name_)
       {
       }
@@ -69,7 +67,8 @@ namespace strait
       next_count(const std::string &what)
       {
         const auto count = next<long long>(what);
-        if (count < 0 || count > most_of_all)
+        // More than the file has characters would let a damaged one ask for all memory.
+        if (count < 0 || static_cast<std::size_t>(count) > length)
           fail("says that " + what + " is " + std::to_string(count));
         return static_cast<std::size_t>(count);
       }
@@ -231,6 +230,7 @@ namespace strait
       }
 
       std::istringstream                         in;
+      std::size_t                                length;
       std::string                                name;
       MeshFile                                   mesh;
       std::map<int, int>                         boundary_ids; // of curves

@@ -21,6 +21,13 @@ namespace strait
     // wrong by far more if the solver failed, so that half and double find the same.
     constexpr double rounding = 1e-6;
 
+    // While a barrier or a channel is being resolved the bracket may rest for a mesh
+    // or two before it narrows again. Half of the patience gives up while it rests;
+    // double of it, or a progress closer to one, makes more meshes in vain where the grid
+    // is too coarse.
+    constexpr std::size_t patience = 4;
+    constexpr double      progress = .97;
+
     /**
      * Mark the cells to refine, at most @p affordable of all. Returns false, with none
      * marked, if there are none or if so few could be that another mesh does not pay.
@@ -35,10 +42,6 @@ namespace strait
       // fraction of the mean. Half of it refines more cells on each mesh and ends with
       // more unknowns than it takes; double of it takes more meshes.
       constexpr double marking_level = .7;
-      // A mesh that can grow by three times this fraction at most narrows the bracket by
-      // a few per cent: half of it buys such a mesh, double of it stops short of it.
-      constexpr double least_growth = .02;
-
       using dealii::Utilities::MPI::sum;
       MPI_Comm     comm    = tria.get_communicator();
       const auto   n_cells = static_cast<double>(tria.n_global_active_cells());
@@ -51,7 +54,7 @@ namespace strait
             ++n_marked;
           }
       n_marked = sum(n_marked, comm);
-      if (n_marked == 0 || affordable < least_growth)
+      if (n_marked == 0 || 3. * affordable < 1. - progress)
         return false;
       // Where most cells matter alike, adaptivity saves nothing and costs hanging nodes
       // and meshes.
@@ -79,17 +82,11 @@ namespace strait
     , pressure_problem(PotentialProblem::Kind::pressure, flow_mesh, gap.moment_set())
     , stream_problem(PotentialProblem::Kind::stream_function, flow_mesh, gap.moment_set())
   {
-    // Uniform refinement, which is there for comparison, starts with cells of 16
-    // spacings; half and double of the exponent only add meshes at its start or leave
-    // them out.
-    constexpr int start_exponent = 4;
     if (fluid.element_degree == 1)
       correction = std::make_unique<HierarchicalCorrection>(flow_mesh);
-    if (fluid.refinement == Refinement::adaptive)
-      flow_mesh.refine_initially(largest_start_exponent(flow_mesh.grid()),
-                                 critical_cells);
-    else
-      flow_mesh.refine_uniformly(start_exponent);
+    const bool is_adaptive = fluid.refinement == Refinement::adaptive;
+    flow_mesh.refine_initially(largest_start_exponent(flow_mesh.grid()),
+                               is_adaptive ? critical_cells : std::vector<GridCell>());
   }
 
   Leakage
@@ -215,19 +212,10 @@ namespace strait
   std::string
   ReynoldsSolver::obstacle(const Leakage &leakage)
   {
-    // While a barrier or a channel is being resolved the bracket may rest for a mesh
-    // or two before it narrows again. Half of the patience gives up while it rests;
-    // double of it, or a progress closer to one, makes more meshes in vain where the grid
-    // is too coarse.
-    constexpr std::size_t patience = 4;
-    constexpr double      progress = .97;
-    // Below this the next meshes cost next to nothing, and may yet find the channel: half
-    // and double of it matter only where there is none to be found.
-    constexpr unsigned long long many_unknowns = 50000;
     widths.push_back(leakage.relative_width());
     if (!flow_mesh.can_be_refined())
       return "the smallest cells cannot be divided any further";
-    if (leakage.unknowns > many_unknowns && widths.size() > patience &&
+    if (widths.size() > patience &&
         widths.back() > progress * widths[widths.size() - 1 - patience])
       return "the bracket no longer narrows: the grid of the contact does not resolve "
              "the narrowest constriction";

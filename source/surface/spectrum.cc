@@ -3,6 +3,8 @@
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/spectrum.h>
 
+#include <boost/math/tools/minima.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -138,22 +140,26 @@ namespace strait
     constexpr std::size_t     least_needed = 5;
     if (samples.size() < least_needed)
       return {};
-    // The roll-off among many places; three bins at least must lie above it. Half as many
-    // find it half as exactly, twice as many in twice the time: bins are far coarser.
-    constexpr int n_places = 200;
-    const double  first = samples.front().log_q, last = samples[samples.size() - 4].log_q;
-    Line          best;
-    double        roll_off = first;
-    for (int i = 0; i <= n_places; ++i)
+    // The best roll-off between each two bins, of which three at least must lie above it.
+    const double first = samples.front().log_q;
+    const auto   chi2  = [&samples](const double place) {
+      return fit_line(samples, place).chi2;
+    };
+    double roll_off = first, least = chi2(first);
+    for (std::size_t k = 1; k + 3 < samples.size(); ++k)
       {
-        const double place = first + (last - first) * i / n_places;
-        const Line   line  = fit_line(samples, place);
-        if (line.chi2 < best.chi2)
+        const auto [place, value] =
+          boost::math::tools::brent_find_minima(chi2,
+                                                samples[k - 1].log_q,
+                                                samples[k].log_q,
+                                                std::numeric_limits<double>::digits / 2);
+        if (value < least)
           {
-            best     = line;
+            least    = value;
             roll_off = place;
           }
       }
+    const Line    best = fit_line(samples, roll_off);
     SelfAffineFit fit;
     fit.hurst_exponent = -best.b / 2 - 1;
     fit.hurst_error    = best.b_error / 2;

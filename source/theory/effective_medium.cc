@@ -48,18 +48,15 @@ namespace strait
             share * (conductivity - effective) / (conductivity + (n - 1) * effective);
       return sum;
     };
-    if (least == most)
+    // Rounding puts the root outside if (nearly) all that conducts does so alike.
+    const double from = std::log(alone * least), to = std::log(alone * most);
+    if (!(balance(from) > 0))
+      return alone * least;
+    if (!(balance(to) < 0))
       return alone * most;
-    // Of the logarithm, so that rounding cannot put the root outside. Half and double of
-    // it find the same root in as many steps.
-    constexpr double margin     = 1e-3;
-    std::uintmax_t   most_steps = 200;
-    const auto [low, high] =
-      boost::math::tools::toms748_solve(balance,
-                                        std::log(alone * least) - margin,
-                                        std::log(alone * most) + margin,
-                                        boost::math::tools::eps_tolerance<double>(),
-                                        most_steps);
+    std::uintmax_t most_steps = 200;
+    const auto [low, high]    = boost::math::tools::toms748_solve(
+      balance, from, to, boost::math::tools::eps_tolerance<double>(), most_steps);
     return std::exp(.5 * (low + high));
   }
 

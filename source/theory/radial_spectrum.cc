@@ -52,22 +52,8 @@ namespace strait
       slope_below[k + 1] = slope_below[k] + sections[k].slope_square;
     for (std::size_t k = sections.size(); k-- > 0;)
       height_above[k] = height_above[k + 1] + sections[k].height_square;
-    // C at q of a section, but for a factor.
-    const auto level = [](const Section &s, const double q) {
-      return s.slope_square / growth(4 - s.decay, std::log(s.to / s.from)) *
-             std::pow(q / s.from, -s.decay) * std::pow(s.from, -4);
-    };
-    // Relative step of C at which integrals over it are divided. With half of it the
-    // noise of a measured spectrum divides them more often, with double of it steps are
-    // left within a panel, which then is less exact.
-    constexpr double jump = .1;
     for (std::size_t k = 1; k < sections.size(); ++k)
-      {
-        const Section &left = sections[k - 1], &right = sections[k];
-        const double   below = level(left, right.from), above = level(right, right.from);
-        if (left.decay != right.decay || std::abs(above - below) > jump * below)
-          changes.push_back(right.from);
-      }
+      changes.push_back(sections[k].from);
     if (!(height_above.front() > 0))
       throw InputError(
         "Theory/Enabled: the surface is flat, and the theory of rough "
@@ -168,13 +154,10 @@ namespace strait
     // Rings of the width of one wave, later of a fiftieth of their radius: half of that
     // is twice as many rings to integrate over, double of it smooths the spectrum twice
     // as much.
-    constexpr double widest = 1.02;
-    // Of the mean square slope: rings with less are rounding of the transform. Half and
-    // double of it are as far below any wave that counts.
-    constexpr double    negligible = 1e-20;
-    const PeriodicGrid &grid       = heights.grid();
-    const double        step       = two_pi / std::max(grid.lx, grid.ly);
-    const double        last       = two_pi * std::hypot(.5 / grid.dx(), .5 / grid.dy());
+    constexpr double    widest = 1.02;
+    const PeriodicGrid &grid   = heights.grid();
+    const double        step   = two_pi / std::max(grid.lx, grid.ly);
+    const double        last   = two_pi * std::hypot(.5 / grid.dx(), .5 / grid.dy());
     std::vector<double> edges(1, .5 * step);
     while (edges.back() <= last)
       edges.push_back(std::max(edges.back() + step, widest * edges.back()));
@@ -200,13 +183,13 @@ namespace strait
                  sums.data(),
                  static_cast<int>(sums.size()));
 
-    // What rounding leaves beyond the shortest wave is no roughness.
+    // What adds nothing to the sum is rounding beyond the shortest wave, no roughness.
     double total = 0;
     for (std::size_t k = 0; k < n_rings; ++k)
       total += sums[2 * k + 1];
     std::vector<RadialSpectrum::Section> sections;
     std::size_t                          n_used = n_rings;
-    while (n_used > 0 && !(sums[2 * n_used - 1] > negligible * total))
+    while (n_used > 0 && total + sums[2 * n_used - 1] == total)
       --n_used;
     double from = edges.front();
     for (std::size_t k = 0; k < n_used; ++k)

@@ -177,8 +177,6 @@ namespace strait
     std::vector<double> z         = field(); // M remainder
     std::vector<double> direction = field();
     std::vector<double> response  = field(); // K direction, later K step
-
-    bool met_negative_curvature = false;
   };
 
   /**

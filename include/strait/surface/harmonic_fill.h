@@ -8,8 +8,8 @@ namespace strait
 {
   /**
    * Replace NaN by the solution of the discrete Laplace equation with the valid
-   * points as boundary values, and no flux through the edges of the map; relative
-   * residual 1e-10. At least one point must be valid.
+   * points as boundary values, and no flux through the edges of the map, by elimination.
+   * At least one point must be valid.
    */
   void fill_harmonically(HeightMap &map);
 } // namespace strait

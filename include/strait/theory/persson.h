@@ -5,6 +5,8 @@
 #include <strait/theory/gap_distribution.h>
 #include <strait/theory/radial_spectrum.h>
 
+#include <boost/math/special_functions/chebyshev_transform.hpp>
+
 #include <vector>
 
 namespace strait
@@ -13,25 +15,23 @@ namespace strait
    * W(s) = ∫_s^∞ [γ + 3(1−γ) erf²(t)] exp(−t²) dt/t, the integral over the pressure in
    * Persson's mean gap, where s is the pressure in units of the stress that flattens
    * the waves in question (Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355).
-   * Tabulated once, for it is needed a million times.
+   * The part with γ is an exponential integral; the other has no closed form and is
+   * expanded in Chebyshev polynomials once, for it is needed a million times.
    */
   class CompressionIntegral
   {
   public:
     explicit CompressionIntegral(double gamma);
 
-    /** For s > 0, to a relative 1e-9 where it matters and zero above largest(). */
+    /** For s > 0, to a relative 1e-12, and zero above largest(). */
     double operator()(double s) const;
 
-    /** Beyond it W is less than 1e-20. */
+    /** Beyond it W is less than a rounding error of 1. */
     static double largest();
 
   private:
-    /** −dW/d ln s. */
-    double slope(double s) const;
-
-    double              gamma;
-    std::vector<double> table; // at equal steps of ln s
+    double                                   gamma;
+    boost::math::chebyshev_transform<double> saturated; // see saturated_part()
   };
 
   /**

@@ -67,8 +67,8 @@ namespace strait
     /** The inverse of slope_square_below(). */
     double wave_number_at(double slope_square) const;
 
-    /** Wave numbers within the band at which the power law changes, or C jumps by more
-     *  than a tenth. */
+    /** Wave numbers within the band at which the power law changes or C jumps: integrals
+     *  over it are divided there. */
     const std::vector<double> &
     corners() const
     {
