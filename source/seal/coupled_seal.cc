@@ -65,7 +65,9 @@ namespace strait
 
     CoupledSeal        &seal;
     const Control       control;
-    const ContactState *near; // that the next contact starts from, if there is one
+    const bool          has_parted; // walls that no load joins but one that presses
+    const SealState    *from;       // null where the past does not matter
+    const ContactState *near;       // that the next contact starts from, if there is one
     FlowStage          &flow;
     StepFlow            fluid_flow;
     WallFeedback        feedback;
@@ -114,26 +116,22 @@ namespace strait
                                     const SealState *from_)
     : seal(seal_)
     , control(control_)
-    , near(from_ != nullptr && !(from_->fluid && from_->fluid->lifted_off)
-             ? &*from_->contact
-             : nullptr)
+    , has_parted(from_ != nullptr && from_->fluid->lifted_off)
+    , from(has_parted ? nullptr : from_)
+    , near(from != nullptr ? &*from->contact : nullptr)
     , flow(seal.flow)
     , feedback(seal.scene.fluid.feedback, seal.layout)
-    , has_extended(from_ != nullptr && from_->fluid)
+    , has_extended(from != nullptr)
   {
     state.control = control;
     state.fluid.emplace();
-    if (!has_extended)
+    if (from == nullptr)
       return;
-    feedback.pressure() = from_->fluid->pressure;
-    // What carried another load is not to lift this one off before it was tried. The
-    // share of the load is only a start; half of it starts farther from where the fluid
-    // carries nearly all, and it must stay below one.
-    constexpr double largest_share = .99;
-    const double     fluid_load    = mean(feedback.pressure());
-    if (is_limited_by_load() && fluid_load >= control.target)
+    feedback.pressure() = from->fluid->pressure;
+    // What carried a larger load is not to lift this one off before it was tried.
+    if (is_limited_by_load() && mean(feedback.pressure()) >= control.target)
       for (double &pressure : feedback.pressure())
-        pressure *= largest_share * control.target / fluid_load;
+        pressure *= control.target / from->control.target;
   }
 
   /** Whether the fluid cannot carry more than the load: adhesion could hold against it.
@@ -148,13 +146,9 @@ namespace strait
   void
   CoupledSeal::Iteration::settle()
   {
-    // The verdict should not depend on what the iteration leaves over, but below that it
-    // is what contact and flow leave over that counts. Half of it takes a few rounds
-    // more, double of it blurs the tightest thresholds that can be asked for.
-    constexpr double least = 1e-5;
-    FeedbackGoal     goal{
-      std::min(seal.scene.fluid.feedback.tolerance,
-               std::max(looseness * seal.scene.programme.threshold_tolerance, least))};
+    // The verdict should not depend on what the iteration leaves over.
+    FeedbackGoal goal{std::min(seal.scene.fluid.feedback.tolerance,
+                               looseness * seal.scene.programme.threshold_tolerance)};
     goal.leak_rate = false;
     agree(goal);
   }
@@ -167,14 +161,10 @@ namespace strait
   void
   CoupledSeal::Iteration::find_mesh()
   {
-    // If the leak rate changes by more than that, contact and flow went to another
-    // state, for which another mesh of this share is wanted. Half of it discards meshes
-    // that are merely coarse, double of it refines meshes that were made for another gap.
-    constexpr double another_state = .5;
-    // Of meshes for one state, and of states. Half as many may leave the leak rate to
-    // change with the mesh, which the bracket then says; twice as many cost more for gaps
-    // that no mesh settles.
-    constexpr int max_finer = 2, max_states = 4;
+    // For one state, and for others that it leads to. Half as many may leave the leak
+    // rate to change with the mesh, which the bracket then says; twice as many cost more
+    // for gaps that no mesh settles.
+    constexpr int max_meshes = 4;
 
     const double target_accuracy = flow.fluid().target_accuracy;
     const double tolerance       = seal.scene.fluid.feedback.tolerance;
@@ -183,11 +173,7 @@ namespace strait
     double       share = mesh_share;
 
     std::optional<double> leak_before;
-    const auto            certify = [&]() -> const Leakage            &{
-      flow.certify(fluid_flow, share);
-      return fluid_flow.leakage;
-    };
-    for (int finer = 0, states = 1;;)
+    for (int n_meshes = 1;; ++n_meshes)
       {
         agree(goal);
         goal.goes_on = true;
@@ -195,32 +181,28 @@ namespace strait
           return;
         if (!fluid.converged || !fluid_flow.solution)
           break;
-        bool stays = true;
+        bool is_another = false;
         if (leak_before)
           {
+            // A mesh for another state is compared once the fluid has been found on it.
+            is_another         = flow.certify(fluid_flow, share);
+            const Leakage &now = fluid_flow.leakage;
             // A change below the width of the bracket, or below what the iteration leaves
             // over, is chance.
-            const Leakage &now = certify();
-            fluid.mesh_error   = std::max({std::abs(*leak_before / now.rate - 1.),
-                                           .5 * now.relative_width(),
-                                           goal.tolerance});
-            stays              = fluid.mesh_error <= another_state;
+            fluid.mesh_error = std::max({std::abs(*leak_before / now.rate - 1.),
+                                         .5 * now.relative_width(),
+                                         goal.tolerance});
             const bool is_narrow =
               now.relative_width() + 2. * fluid.mesh_error <= target_accuracy;
-            if (is_narrow || (stays ? finer == max_finer : states == max_states))
+            if (is_narrow || n_meshes == max_meshes)
               break;
           }
-        if (stays)
+        if (!is_another)
           {
-            ++finer;
             share *= mesh_share;
+            flow.certify(fluid_flow, share);
           }
-        else
-          {
-            ++states;
-            flow.discard_mesh();
-          }
-        leak_before = certify().rate;
+        leak_before = fluid_flow.leakage.rate;
       }
     goal.tolerance = tolerance;
     if (fluid.converged && !last_result.agrees_within(goal))
@@ -232,6 +214,8 @@ namespace strait
   {
     if (is_limited_by_load())
       goal.largest_mean = control.target;
+    if (from != nullptr)
+      goal.percolates = from->fluid->percolates;
     FluidState &fluid = *state.fluid;
     try
       {
@@ -241,6 +225,7 @@ namespace strait
                          goal);
         fluid.converged           = last_result.converged;
         fluid.undecided           = last_result.undecided;
+        fluid.percolates          = fluid_flow.channel.percolates();
         fluid.load                = mean(feedback.pressure());
         state.contact->iterations = n_iterations;
         state.contact->fft_pairs  = fft_pairs;
@@ -263,7 +248,8 @@ namespace strait
   FeedbackRound
   CoupledSeal::Iteration::round(const SlabField &assumed)
   {
-    if (is_limited_by_load() && mean(assumed) >= control.target)
+    if ((is_limited_by_load() && mean(assumed) >= control.target) ||
+        (has_parted && !(control.target > 0.)))
       throw LiftedOff();
     const auto   start = Timers::Clock::now();
     ContactState next  = seal.contact->solve(control.target, near, &assumed);
@@ -353,10 +339,12 @@ namespace strait
     state.fluid->lifted_off           = true;
     state.fluid->converged            = false;
     state.fluid->load                 = control.target;
-    seal.log.warn(
-      format("the fluid alone carries a load of %.6g: the walls part and nothing "
-             "limits the leak",
-             control.target));
+    seal.log.warn(format(has_parted && !(control.target > 0.)
+                           ? "the walls have parted, and a load of %.6g does not join "
+                             "them: nothing limits the leak"
+                           : "the fluid alone carries a load of %.6g: the walls part and "
+                             "nothing limits the leak",
+                         control.target));
   }
 
   double

@@ -18,12 +18,12 @@ namespace strait
         archive.value(state.fluid->load);
         archive.value(state.fluid->rounds);
         archive.value(state.fluid->mesh_error);
+        archive.value(state.fluid->percolates);
         archive.value(state.fluid->converged);
         archive.value(state.fluid->undecided);
         archive.value(state.fluid->lifted_off);
       }
     archive.value(state.trend.is_known);
-    archive.value(state.trend.area);
     archive.value(state.trend.slope);
     archive.value(state.trend.largest_slope);
   }

@@ -25,6 +25,7 @@ namespace strait
     int    rounds     = 0;  // of contact and flow, until they agreed
     double mesh_error = 0.; // what the last mesh changed of the leak rate, relative
 
+    bool percolates = false;
     bool converged  = false;
     bool undecided  = false; // the seal opens and closes at this control
     bool lifted_off = false; // the fluid carries more than the load
@@ -34,7 +35,6 @@ namespace strait
   struct PathTrend
   {
     bool   is_known      = false; // not at the first state of a path
-    double area          = 0.;    // change of the contact area with the load
     double slope         = 0.;    // change of the slope of the energy with the load
     double largest_slope = 0.;    // of the energy, on the path so far
   };
