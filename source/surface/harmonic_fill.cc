@@ -1,66 +1,129 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/surface/harmonic_fill.h>
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparse_direct.h>
-#include <deal.II/lac/sparse_matrix.h>
-#include <deal.II/lac/sparsity_pattern.h>
-#include <deal.II/lac/vector.h>
-
 #include <cmath>
-#include <vector>
 
 namespace strait
 {
+  namespace
+  {
+    using Vector = std::vector<double>;
+
+    double
+    dot(const Vector &a, const Vector &b)
+    {
+      double sum = 0;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+      return sum;
+    }
+
+    /** The equations of the missing points: Σ over neighbours (u − u_neighbour) = 0. */
+    struct Equations
+    {
+      explicit Equations(const HeightMap &map);
+
+      Vector apply(const Vector &u) const;
+
+      std::vector<std::size_t>         points;     // positions in the map
+      std::vector<std::array<long, 4>> neighbours; // rows of these equations, or −1
+      Vector                           diagonal;
+      Vector                           rhs;
+    };
+
+    Equations::Equations(const HeightMap &map)
+    {
+      std::vector<long> row_of(map.values.size(), -1);
+      for (std::size_t k = 0; k < map.values.size(); ++k)
+        if (std::isnan(map.values[k]))
+          {
+            row_of[k] = static_cast<long>(points.size());
+            points.push_back(k);
+          }
+      for (const std::size_t k : points)
+        {
+          const int           ix   = static_cast<int>(k % map.nx);
+          const int           iy   = static_cast<int>(k / map.nx);
+          std::array<long, 4> rows = {{-1, -1, -1, -1}};
+          double              n = 0, known = 0;
+          int                 next  = 0;
+          const auto          visit = [&](const int jx, const int jy) {
+            if (jx < 0 || jy < 0 || jx >= map.nx || jy >= map.ny)
+              return;
+            const std::size_t j = static_cast<std::size_t>(jy) * map.nx + jx;
+            ++n;
+            if (row_of[j] >= 0)
+              rows[next++] = row_of[j];
+            else
+              known += map.values[j];
+          };
+          visit(ix - 1, iy);
+          visit(ix + 1, iy);
+          visit(ix, iy - 1);
+          visit(ix, iy + 1);
+          neighbours.push_back(rows);
+          diagonal.push_back(n);
+          rhs.push_back(known);
+        }
+    }
+
+    Vector
+    Equations::apply(const Vector &u) const
+    {
+      Vector result(u.size());
+      for (std::size_t i = 0; i < u.size(); ++i)
+        {
+          result[i] = diagonal[i] * u[i];
+          for (const long row : neighbours[i])
+            if (row >= 0)
+              result[i] -= u[row];
+        }
+      return result;
+    }
+  } // namespace
+
   void
   fill_harmonically(HeightMap &map)
   {
-    // The missing points, and which row of the equations each has.
-    std::vector<std::size_t> points;
-    std::vector<int>         row_of(map.values.size(), -1);
-    for (std::size_t k = 0; k < map.values.size(); ++k)
-      if (std::isnan(map.values[k]))
-        {
-          row_of[k] = static_cast<int>(points.size());
-          points.push_back(k);
-        }
+    // Heights count from the mean, so that the tolerance is one of the roughness.
+    double            mean      = 0;
+    const std::size_t n_missing = map.n_missing();
+    for (const double value : map.values)
+      if (!std::isnan(value))
+        mean += value / static_cast<double>(map.values.size() - n_missing);
+    for (double &value : map.values)
+      value -= mean;
 
-    // Σ over neighbours (u − u_neighbour) = 0.
-    const auto                     n = static_cast<unsigned int>(points.size());
-    dealii::DynamicSparsityPattern pattern(n, n);
-    const auto visit_neighbours = [&map](const std::size_t k, const auto &visit) {
-      const auto ix = static_cast<int>(k % map.nx), iy = static_cast<int>(k / map.nx);
-      if (ix > 0)
-        visit(k - 1);
-      if (ix + 1 < map.nx)
-        visit(k + 1);
-      if (iy > 0)
-        visit(k - map.nx);
-      if (iy + 1 < map.ny)
-        visit(k + map.nx);
-    };
-    for (unsigned int row = 0; row < n; ++row)
+    const Equations equations(map);
+    // Of the residual of zero. Half of it takes less than an iteration more, and double
+    // of it saves as much: either is far below the digits of a measured height.
+    constexpr double tolerance = 1e-10;
+    Vector           u(n_missing, 0.), residual = equations.rhs, direction(n_missing);
+    const double     scale   = std::sqrt(dot(residual, residual));
+    double           product = 0;
+    // Conjugate gradients, preconditioned by the diagonal.
+    for (std::size_t k = 0; k < 10 * n_missing + 100; ++k)
       {
-        pattern.add(row, row);
-        visit_neighbours(points[row], [&](const std::size_t j) {
-          if (row_of[j] >= 0)
-            pattern.add(row, row_of[j]);
-        });
+        if (std::sqrt(dot(residual, residual)) <= tolerance * scale)
+          break;
+        Vector z(residual);
+        for (std::size_t i = 0; i < n_missing; ++i)
+          z[i] /= equations.diagonal[i];
+        const double next = dot(z, residual);
+        for (std::size_t i = 0; i < n_missing; ++i)
+          direction[i] = z[i] + (k > 0 ? next / product : 0.) * direction[i];
+        product            = next;
+        const Vector image = equations.apply(direction);
+        const double step  = product / dot(direction, image);
+        for (std::size_t i = 0; i < n_missing; ++i)
+          {
+            u[i] += step * direction[i];
+            residual[i] -= step * image[i];
+          }
       }
-    dealii::SparsityPattern sparsity;
-    sparsity.copy_from(pattern);
-    dealii::SparseMatrix<double> matrix(sparsity);
-    dealii::Vector<double>       heights(n);
-    for (unsigned int row = 0; row < n; ++row)
-      visit_neighbours(points[row], [&](const std::size_t j) {
-        matrix.add(row, row, 1.);
-        if (row_of[j] >= 0)
-          matrix.add(row, row_of[j], -1.);
-        else
-          heights[row] += map.values[j];
-      });
-    dealii::SparseDirectUMFPACK().solve(matrix, heights);
-    for (unsigned int row = 0; row < n; ++row)
-      map.values[points[row]] = heights[row];
+    for (std::size_t i = 0; i < n_missing; ++i)
+      map.values[equations.points[i]] = u[i];
+    for (double &value : map.values)
+      value += mean;
   }
 } // namespace strait

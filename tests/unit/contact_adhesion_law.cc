@@ -86,7 +86,6 @@ namespace
             EXPECT_EQ(law.at(gaps[i]).traction, tractions[i]);
           }
       }
-    EXPECT_EQ((AdhesionLaw{1., 1.}.at(41.).traction), 0.);
     EXPECT_EQ((AdhesionLaw{0., 1.}.at(0.).energy), 0.);
   }
 
