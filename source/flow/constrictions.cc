@@ -30,9 +30,12 @@ namespace strait
       std::vector<PointRows> rows = {rows_of_grid(layout.grid(), 1)};
       for (int w = 0; w + 1 < n_levels; ++w)
         rows.push_back(rows_of_window(layout, w));
-      // The outline of a seal mesh may run along the far edges of the box.
-      ++rows.front().nx;
-      ++rows.front().ny;
+      if (solver.mesh().seal() != nullptr)
+        {
+          // Its outline may run along the far edges of the box.
+          ++rows.front().nx;
+          ++rows.front().ny;
+        }
       // Of cells that hold the point, and of those beside it, which serve where no other
       // does, on any rank.
       std::vector<double>    result(path.points.size(), unknown), beside(result);

@@ -100,7 +100,8 @@ namespace strait
                 const ZoomWindow &window = layout.windows()[point.window];
                 point = {window.x + point.ix / 3, window.y + point.iy / 3, window.parent};
               }
-            point = {point.ix % layout.grid().nx, point.iy % layout.grid().ny};
+            const int nx = layout.grid().nx, ny = layout.grid().ny;
+            point = {(point.ix + nx) % nx, (point.iy + ny) % ny};
           }
       return path;
     }

@@ -83,13 +83,10 @@ namespace strait
     std::vector<PointInCell> points;
     if (mesh.seal() == nullptr)
       {
-        const bool along_x = mesh.direction() == FlowDirection::x;
-        for (const int period : {0, 1})
-          add_points_in_cell_of_box(mesh.grid_cell(cell),
-                                    along_x ? 0 : period * grid.nx,
-                                    along_x ? period * grid.ny : 0,
-                                    rows,
-                                    points);
+        for (const int i : {-1, 0, 1})
+          for (const int j : {-1, 0, 1})
+            add_points_in_cell_of_box(
+              mesh.grid_cell(cell), i * grid.nx, j * grid.ny, rows, points);
         return points;
       }
     // In units of the cell: a point so near to an edge lies on it. Half and double of it

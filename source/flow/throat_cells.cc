@@ -28,14 +28,16 @@ namespace strait
       const PeriodicGrid &grid     = layout.grid();
       const double        spacing  = std::pow(3., -layout.windows()[throat.window].level);
       const double        reach    = 1. / fraction_of_distance - rounding; // in cells
-      const auto [x, y]            = layout.position(throat.window, throat.ix, throat.iy);
+      auto [x, y]                  = layout.position(throat.window, throat.ix, throat.iy);
+      x -= grid.lx * std::floor(x / grid.lx); // of a window across the seam
+      y -= grid.ly * std::floor(y / grid.ly);
       for (int e = largest_exponent; std::ldexp(1., e) > spacing; --e)
         {
           const double s = std::ldexp(x / grid.dx(), -e),
                        t = std::ldexp(y / grid.dy(), -e);
           const int nx   = static_cast<int>(std::ldexp(grid.nx, -e));
           const int ny   = static_cast<int>(std::ldexp(grid.ny, -e));
-          // The seam is no border across the flow.
+          // The seam is a border along the flow alone.
           const auto add = [&](const int i, const int j) {
             const bool inside =
               direction == FlowDirection::x ? i >= 0 && i < nx : j >= 0 && j < ny;

@@ -178,6 +178,38 @@ namespace strait
                   .02);
     }
 
+    // Along the flow the seam is inlet and outlet, of which a window may hold parts.
+    TEST(FlowWindows, MayLieAcrossInletAndOutletParallel)
+    {
+      const auto gap = [](const double x, const double y) {
+        return .02 + (1 - std::cos(2 * pi * x)) - .5 * (1 - std::cos(2 * pi * y));
+      };
+      const FluidParameters fluid = plain_fluid(1e-2);
+      const SlabLayoutPtr layout  = with_windows(*uniform(48), {{-1, 1, 38, 38, 20, 20}});
+      const Solved        fine(sample(uniform(144), gap), fluid);
+      const Solved        windows(sample(layout, gap), fluid);
+      EXPECT_EQ(windows.flow.status, "ok");
+      EXPECT_LT(windows.flow.lower, fine.flow.upper * (1 + 1e-3));
+      EXPECT_GT(windows.flow.upper, fine.flow.lower * (1 - 1e-3));
+      // Both halves of the throat take as much of the pressure.
+      const auto a = report_constrictions(fine.given.channel, fine.solver);
+      const auto b = report_constrictions(windows.given.channel, windows.solver);
+      EXPECT_GT(a.drops.front().fraction, .4);
+      EXPECT_NEAR(a.drops.front().fraction, b.drops.front().fraction, .02);
+      // To the left of the seam there is the outlet, to the right the inlet.
+      const PointRows rows = rows_of_window(*layout, 0);
+      const auto      flow = flow_at_points(windows.solver, rows);
+      const int       seam = 3 * 10 + 1, middle = seam;
+      if (layout->rank() != 0)
+        return;
+      const auto pressure = [&](const int ix) {
+        return flow.pressure[static_cast<std::size_t>(middle) * rows.nx + ix];
+      };
+      EXPECT_NEAR(pressure(seam), 1., 1e-6);
+      EXPECT_GT(pressure(seam + 3), .5);
+      EXPECT_LT(pressure(seam - 3), .5);
+    }
+
     // The pressure depends on x alone, so the exact resistance is an integral, of which
     // the window holds all but a few per cent.
     TEST(FlowWindows, ParabolicConstrictionIsEnclosedParallel)
@@ -207,8 +239,11 @@ namespace strait
     TEST(FlowWindows, LaminatesAcrossWindowsParallel)
     {
       const double epsilon = .5;
-      const auto   layout =
-        with_windows(*uniform(32), {{-1, 1, 3, 9, 12, 10}, {0, 2, 5, 6, 20, 12}});
+      // One with a window in it, and one across both seams.
+      const auto layout = with_windows(*uniform(32),
+                                       {{-1, 1, 3, 9, 12, 10},
+                                        {0, 2, 5, 6, 20, 12},
+                                        {-1, 1, 26, 28, 9, 8}});
       for (const FlowDirection direction : {FlowDirection::x, FlowDirection::y})
         {
           const double exact =

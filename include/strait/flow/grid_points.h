@@ -33,9 +33,9 @@ namespace strait
    * Those of @p rows in a cell.
    *
    * Of the box those that lie in the cell or on its lower edges, so that every point
-   * belongs to one cell; across the flow the rows may go on beyond the seam. Of a seal
-   * mesh those in the cell or on any edge, with edges taken as straight; hence along the
-   * outline those as well that lie beside the cell by less than a third of it, at the
+   * belongs to one cell; the rows may go on beyond the seam, by less than a period. Of a
+   * seal mesh those in the cell or on any edge, with edges taken as straight; hence along
+   * the outline those as well that lie beside the cell by less than a third of it, at the
    * nearest unit coordinates.
    */
   std::vector<PointInCell> points_in_cell(const FlowMesh                &mesh,
