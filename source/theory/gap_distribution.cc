@@ -42,18 +42,21 @@ namespace strait
   gap_histogram(const SlabField &gap, std::vector<double> edges)
   {
     const std::size_t n = edges.size() - 1;
-    // Of each bin the number of points and the sum of their gaps; at last the contact.
+    // Of each bin the number of points and the sum of their gaps, weighted by area; at
+    // last the contact.
     std::vector<double> sums(2 * n + 1, 0.);
-    for (const double u : gap)
-      if (u > 0)
-        {
-          const auto        next = std::upper_bound(edges.begin(), edges.end(), u);
-          const std::size_t bin  = std::min<std::size_t>(next - edges.begin() - 1, n - 1);
-          sums[2 * bin] += 1;
-          sums[2 * bin + 1] += u;
-        }
-      else
-        sums[2 * n] += 1;
+    for (const SlabLayout::Range &range : gap.layout().ranges())
+      for (std::size_t point = range.begin; point < range.end; ++point)
+        if (const double u = gap[point]; u > 0)
+          {
+            const auto        next = std::upper_bound(edges.begin(), edges.end(), u);
+            const std::size_t bin =
+              std::min<std::size_t>(next - edges.begin() - 1, n - 1);
+            sums[2 * bin] += range.area;
+            sums[2 * bin + 1] += range.area * u;
+          }
+        else
+          sums[2 * n] += range.area;
     sum_in_place(gap.layout().communicator(), sums.data(), static_cast<int>(sums.size()));
 
     GapDistribution result;
