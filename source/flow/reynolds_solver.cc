@@ -215,7 +215,10 @@ namespace strait
     widths.push_back(leakage.relative_width());
     if (!flow_mesh.can_be_refined())
       return "the smallest cells cannot be divided any further";
-    if (widths.size() > patience &&
+    // Below this the next meshes cost next to nothing, and may yet find the channel: half
+    // and double of it matter only where there is none to be found.
+    constexpr unsigned long long many_unknowns = 50000;
+    if (leakage.unknowns > many_unknowns && widths.size() > patience &&
         widths.back() > progress * widths[widths.size() - 1 - patience])
       return "the bracket no longer narrows: the grid of the contact does not resolve "
              "the narrowest constriction";
