@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/spectral/fourier_transform.h>
+#include <strait/spectral/slab_field.h>
 
 #include <cmath>
 #include <complex>
