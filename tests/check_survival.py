@@ -94,6 +94,17 @@ subsection Load programme
   set Pressures = 0.05, 0.053, 0.056
 end
 """
+ZOOMED = ROUGH + """
+subsection Contact
+  subsection Zoom
+    set Enabled = true
+    set Maximum levels = 2
+  end
+end
+subsection Load programme
+  set Pressures = 0.04, 0.045, 0.05
+end
+"""
 OPTIONS = None
 
 
@@ -259,6 +270,9 @@ class Survival(unittest.TestCase):
 
     def test_stopped_with_error_budget(self):
         self.stopped_and_resumed(WITH_ERRORS, [1])
+
+    def test_stopped_with_zoom(self):
+        self.stopped_and_resumed(ZOOMED, [1, 2])
 
     def test_stopped_with_feedback(self):
         self.stopped_and_resumed(COUPLED, [1, 2], signal.SIGINT)

@@ -177,6 +177,17 @@ namespace strait
     return errors;
   }
 
+  void
+  ErrorBudget::transfer(StateArchive &archive, const SlabLayout &layout)
+  {
+    const PeriodicGrid &grid = layout.grid();
+    if (transfer_presence(archive, coarser_state))
+      strait::transfer(archive,
+                       *coarser_state,
+                       make_layout({grid.nx / 2, grid.ny / 2, grid.lx, grid.ly},
+                                   layout.communicator()));
+  }
+
   Json
   to_json(const Step &step)
   {

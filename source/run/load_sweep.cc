@@ -255,6 +255,8 @@ namespace strait
       search->transfer(archive);
     if (transfer_presence(archive, start))
       strait::transfer(archive, *start, layout);
+    if (error_budget)
+      error_budget->transfer(archive, *layout);
     if (next_stop > 0 && scene.contact.enabled)
       strait::transfer(archive, step.state, layout);
   }

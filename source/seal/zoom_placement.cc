@@ -30,11 +30,11 @@ namespace strait
       Place              first;
       std::array<int, 2> n;
 
-      /** Its first point on the lattice of its own level. */
-      Place
-      own_first() const
+      /** The same on the lattice of its own points. */
+      Placed
+      refined() const
       {
-        return {3 * first[0] - 1, 3 * first[1] - 1};
+        return {level + 1, {3 * first[0] - 1, 3 * first[1] - 1}, {3 * n[0], 3 * n[1]}};
       }
     };
 
@@ -50,7 +50,7 @@ namespace strait
             Place first = {window.x, window.y};
             if (window.parent >= 0)
               for (int d = 0; d < 2; ++d)
-                first[d] += placed[window.parent].own_first()[d];
+                first[d] += placed[window.parent].refined().first[d];
             placed.push_back({window.level, first, {window.nx, window.ny}});
           }
       }
@@ -61,7 +61,7 @@ namespace strait
       {
         if (point.window < 0)
           return {point.ix, point.iy};
-        const Place first = placed[point.window].own_first();
+        const Place first = placed[point.window].refined().first;
         return {first[0] + point.ix, first[1] + point.iy};
       }
 
@@ -84,22 +84,12 @@ namespace strait
         Placed window{level, {}, {}};
         for (int d = 0; d < 2; ++d)
           {
+            // A place that has gone round the box is the same as that within it.
             const long n_box = period(level, d);
             window.n[d]      = static_cast<int>(std::min<long>(window_points, n_box / 2));
-            window.first[d]  = centre[d] - window.n[d] / 2;
+            window.first[d]  = (centre[d] % n_box + n_box) % n_box - window.n[d] / 2;
           }
-        std::vector<Placed> others = placed;
-        const auto          near   = [&](const Placed &other) {
-          return other.level == level && touch(other, window);
-        };
-        for (auto other = others.begin();
-             (other = std::find_if(others.begin(), others.end(), near)) != others.end();
-             others.erase(other))
-          if (!join(window, *other))
-            return false; // there is no room
-        placed = std::move(others);
-        placed.push_back(window);
-        return true;
+        return add(window, placed);
       }
 
       /** All that have a parent to lie in. */
@@ -111,20 +101,25 @@ namespace strait
                          [](const Placed &a, const Placed &b) {
                            return a.level < b.level;
                          });
+        // The rim of its parent may push a window onto another one.
+        std::vector<Placed> settled;
+        for (Placed window : placed)
+          if (window.level == 1 || find_parent(settled, window) >= 0)
+            add(window, settled);
+
         std::vector<ZoomWindow> result;
-        std::vector<Placed>     kept;
-        for (const Placed &window : placed)
+        for (Placed window : settled)
           {
-            ZoomWindow found{-1,
-                             window.level,
-                             static_cast<int>(window.first[0]),
-                             static_cast<int>(window.first[1]),
-                             window.n[0],
-                             window.n[1]};
-            if (window.level > 1 && !find_parent(kept, window, found))
-              continue;
-            kept.push_back(window);
-            result.push_back(found);
+            const int parent = find_parent(settled, window);
+            Place     first  = window.first;
+            for (int d = 0; parent >= 0 && d < 2; ++d)
+              first[d] -= settled[parent].refined().first[d];
+            result.push_back({parent,
+                              window.level,
+                              static_cast<int>(first[0]),
+                              static_cast<int>(first[1]),
+                              window.n[0],
+                              window.n[1]});
           }
         return result;
       }
@@ -142,13 +137,14 @@ namespace strait
         return n;
       }
 
-      /** From the first point of @p a to that of @p b the shorter way round. */
+      /** From the first point of @p a to that of @p b: forwards if that is one of a's, or
+       *  the one behind, else backwards. */
       long
       offset(const Placed &a, const Placed &b, const int d) const
       {
         const long n    = period(a.level, d);
         const long here = (((b.first[d] - a.first[d]) % n) + n) % n;
-        return 2 * here < n ? here : here - n;
+        return here <= a.n[d] ? here : here - n;
       }
 
       /** Whether there is no point between them. */
@@ -156,7 +152,7 @@ namespace strait
       touch(const Placed &a, const Placed &b) const
       {
         for (int d = 0; d < 2; ++d)
-          if (const long o = offset(a, b, d); o > a.n[d] || -o > b.n[d])
+          if (-offset(a, b, d) > b.n[d])
             return false;
         return true;
       }
@@ -185,38 +181,55 @@ namespace strait
         return true;
       }
 
+      /** Add @p window to @p others, joined with those that it touches. Returns whether
+       *  there is room for it. */
       bool
-      find_parent(const std::vector<Placed> &candidates,
-                  const Placed              &window,
-                  ZoomWindow                &found) const
+      add(Placed window, std::vector<Placed> &others) const
       {
-        constexpr long margin = ZoomWindow::margin;
+        std::vector<Placed> apart = others;
+        const auto          near  = [&](const Placed &other) {
+          return other.level == window.level && touch(other, window);
+        };
+        for (auto other = apart.begin();
+             (other = std::find_if(apart.begin(), apart.end(), near)) != apart.end();
+             apart.erase(other))
+          if (!join(window, *other))
+            return false;
+        others = std::move(apart);
+        others.push_back(window);
+        return true;
+      }
+
+      /** The number of that of @p candidates that is the parent of @p window, which is
+       *  moved to lie within; −1 if there is none. */
+      int
+      find_parent(const std::vector<Placed> &candidates, Placed &window) const
+      {
+        constexpr int margin = ZoomWindow::margin;
         for (std::size_t p = 0; p < candidates.size(); ++p)
           {
             if (candidates[p].level != window.level - 1)
               continue;
-            Placed parent = candidates[p];
-            parent.first  = parent.own_first();
-            parent.level  = window.level;
-            Place shift;
-            bool  fits = true;
+            const Placed parent = candidates[p].refined();
+            Placed       found  = window;
+            bool         fits   = true;
             for (int d = 0; d < 2; ++d)
               {
-                const long last = 3L * parent.n[d] - margin - window.n[d];
-                shift[d]        = offset(parent, window, d);
+                // A joined one may be as large as there is room.
+                found.n[d]       = std::min(window.n[d], parent.n[d] - 2 * margin);
+                const int  n     = found.n[d];
+                const long last  = parent.n[d] - margin - n;
+                const long shift = offset(parent, window, d);
                 // A little beyond the margin it is moved.
-                fits = fits && shift[d] > -window.n[d] / 2 &&
-                       shift[d] < last + window.n[d] / 2 && last >= margin;
-                shift[d] = std::clamp(shift[d], margin, std::max(last, margin));
+                fits           = fits && shift > -n / 2 && shift < last + n / 2;
+                found.first[d] = parent.first[d] + std::clamp<long>(shift, margin, last);
               }
             if (!fits)
               continue;
-            found.parent = static_cast<int>(p);
-            found.x      = static_cast<int>(shift[0]);
-            found.y      = static_cast<int>(shift[1]);
-            return true;
+            window = found;
+            return static_cast<int>(p);
           }
-        return false;
+        return -1;
       }
 
       const SlabLayout &layout;

@@ -2,6 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/spectral/fill_windows.h>
 #include <strait/spectral/fourier_transform.h>
+#include <strait/spectral/slab_field.h>
 
 #include <algorithm>
 #include <cmath>

@@ -149,6 +149,47 @@ TEST_F(Checkpoint, SpoiltFilesAreRefused)
     }
 }
 
+// The values in windows are the same on all ranks; those at grid points are dealt out.
+TEST_F(Checkpoint, KeepsTheWindowsOfAField)
+{
+  layout                                = make_layout({48, 31, 1., 1.}, MPI_COMM_WORLD);
+  const std::vector<ZoomWindow> windows = {{-1, 1, 40, -3, 14, 12}, {0, 2, 5, 9, 12, 8}};
+  const SlabLayoutPtr           zoomed  = with_windows(*layout, windows);
+  const auto                    height  = [](const double x, const double y) {
+    return 1. / (3. + x + 7 * y);
+  };
+  field                      = sample(zoomed, height);
+  const auto transfer_fields = [&](StateArchive &archive) {
+    archive.value(number);
+    archive.field(field, layout);
+    archive.field(single, field.layout());
+    archive.value(count);
+  };
+  number = 3.;
+  count  = 17;
+  single.assign(field.begin(), field.end());
+  const std::vector<float> single_then = single;
+  {
+    CheckpointWriter writer(path, MPI_COMM_WORLD);
+    transfer_fields(writer);
+    writer.commit();
+  }
+  const SlabField field_then = field;
+  number                     = 0;
+  count                      = 0;
+  field                      = SlabField();
+  single.clear();
+  CheckpointReader reader(path, MPI_COMM_WORLD);
+  transfer_fields(reader);
+  EXPECT_EQ(number, 3.);
+  EXPECT_EQ(count, 17);
+  EXPECT_TRUE(field.layout().windows() == windows);
+  ASSERT_EQ(field.size(), field_then.size());
+  for (std::size_t i = 0; i < field.size(); ++i)
+    ASSERT_EQ(field[i], field_then[i]) << i;
+  EXPECT_EQ(single, single_then);
+}
+
 TEST_F(Checkpoint, WhatIsNotCommittedChangesNothing)
 {
   fill();

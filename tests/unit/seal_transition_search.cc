@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace strait
 {
@@ -76,6 +77,76 @@ namespace strait
       const int second = n_probes;
       EXPECT_EQ(search.enclose(1.25, 0.).before, dry.before);
       EXPECT_EQ(n_probes, second);
+    }
+
+    /** The same, where all that was asked before the resolution grew was judged with a
+     *  critical load of @p coarse. It grows with the answer at the end of a bracket that
+     *  is narrower than @p near. */
+    class Growing
+    {
+    public:
+      Growing(const double coarse, const double fine_, const double near_)
+        : critical(coarse)
+        , fine(fine_)
+        , near(near_)
+      {
+      }
+
+      Probe
+      operator()(const double load)
+      {
+        for (const double other : asked)
+          if (std::abs(load - other) <= near * load)
+            critical = fine;
+        asked.push_back(load);
+        return constriction(critical, n_probes)(load);
+      }
+
+      int n_probes = 0;
+
+    private:
+      double              critical;
+      const double        fine, near;
+      std::vector<double> asked;
+    };
+
+    TEST(TransitionSearch, ForgetsAnswersThatAreContradicted)
+    {
+      const double tolerance = 1e-6;
+      // The threshold that the finer points have lies to either side, far beyond what
+      // the bracket of the coarser ones leaves room for.
+      for (const double fine : {1.41, 1.436 - 1e-5, 1.436 + 1e-5, 1.45})
+        {
+          Growing          contact(1.436, fine, 2 * tolerance);
+          TransitionSearch search([&](const double load) { return contact(load); },
+                                  tolerance);
+          const Passage    found = search.enclose_surely(1.25, 0.);
+          EXPECT_LE(found.before, fine);
+          EXPECT_GT(found.beyond, fine);
+          EXPECT_GT(found.beyond, found.before);
+          EXPECT_LE(relative_width(found), tolerance);
+          EXPECT_LE(contact.n_probes, 80) << fine;
+          // The last answers are those of the finer points.
+          for (const double end : {found.before, found.beyond})
+            {
+              int        n        = 0;
+              const auto expected = constriction(fine, n)(end).openness;
+              EXPECT_EQ(search.at(end).openness, expected);
+            }
+        }
+    }
+
+    TEST(TransitionSearch, AsksBothEndsOnceMoreWhereNothingIsContradicted)
+    {
+      int              n_plain = 0, n_sure = 0;
+      TransitionSearch plain(constriction(1.436, n_plain), 1e-4);
+      TransitionSearch sure(constriction(1.436, n_sure), 1e-4);
+      const Passage    one   = plain.enclose(1.25, 0.);
+      const Passage    other = sure.enclose_surely(1.25, 0.);
+      EXPECT_EQ(one.before, other.before);
+      EXPECT_EQ(one.beyond, other.beyond);
+      EXPECT_EQ(n_sure, n_plain + 2);
+      EXPECT_EQ(sure.n_asked(), n_sure);
     }
 
     TEST(TransitionSearch, SaysWhenThereIsNone)

@@ -47,6 +47,10 @@ namespace strait
     /** The errors of a step that leaks, whose state @p seal has made. Collective. */
     StepErrors assess(const Step &step, SealModel &seal);
 
+    /** What the next assessment begins with; @p layout is that of the contact's grid.
+     *  Collective. */
+    void transfer(StateArchive &archive, const SlabLayout &layout);
+
   private:
     /** The leak rate of the step on a coarser grid; 0 if that seals. */
     double leak_on(int halvings, const Step &step);

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Where windows lie around throats that are placed by hand.
+#include <strait/seal/zoom_placement.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+  using namespace strait;
+
+  using Windows = std::vector<ZoomWindow>;
+
+  const ZoomParameters zoom; // 12 points along a throat
+
+  SlabLayoutPtr
+  box_with(const Windows &windows = {}, const int n = 256)
+  {
+    return with_windows(*make_layout({n, n, 1., 1.}, MPI_COMM_WORLD), windows);
+  }
+
+  ThroatOnPath
+  throat(const int    ix,
+         const int    iy,
+         const int    window   = -1,
+         const double points   = 3.,
+         const double fraction = .5)
+  {
+    return {{ix, iy, window}, fraction, points};
+  }
+
+  Windows
+  placed(const std::vector<ThroatOnPath> &throats, const Windows &windows = {})
+  {
+    return place_windows(*box_with(windows), throats, zoom);
+  }
+
+  /** Whether the window covers a point of the parent, of the box's @p n or none. */
+  bool
+  covers(const ZoomWindow &window, const int ix, const int iy, const int n = 256)
+  {
+    const auto inside = [&](const int i, const int first, const int size) {
+      return window.parent < 0 ? ((i - first) % n + n) % n < size
+                               : i >= first && i < first + size;
+    };
+    return inside(ix, window.x, window.nx) && inside(iy, window.y, window.ny);
+  }
+
+  /** What the type promises: children within their parents, siblings apart. */
+  void
+  expect_sound(const Windows &windows)
+  {
+    for (std::size_t w = 0; w < windows.size(); ++w)
+      {
+        const ZoomWindow &window = windows[w];
+        if (window.parent >= 0)
+          {
+            ASSERT_LT(window.parent, static_cast<int>(w));
+            const ZoomWindow &parent = windows[window.parent];
+            const int         margin = ZoomWindow::margin;
+            EXPECT_EQ(window.level, parent.level + 1);
+            EXPECT_GE(window.x, margin);
+            EXPECT_GE(window.y, margin);
+            EXPECT_LE(window.x + window.nx, parent.n_columns() - margin);
+            EXPECT_LE(window.y + window.ny, parent.n_rows() - margin);
+          }
+        else
+          {
+            EXPECT_EQ(window.level, 1);
+          }
+        // Around another one, and the points between them, there is nothing of this.
+        for (std::size_t other = 0; other < w; ++other)
+          for (int y = -1; y <= window.ny; ++y)
+            for (int x = -1; x <= window.nx; ++x)
+              ASSERT_FALSE(windows[other].parent == window.parent &&
+                           covers(windows[other], window.x + x, window.y + y))
+                << other << " and " << w;
+      }
+  }
+
+  TEST(ZoomPlacement, OpensAWindowAroundAThroat)
+  {
+    const Windows windows = placed({throat(100, 60)});
+    ASSERT_EQ(windows.size(), 1U);
+    EXPECT_TRUE(windows[0] == (ZoomWindow{-1, 1, 60, 20, 80, 80}));
+  }
+
+  TEST(ZoomPlacement, OpensNoneWhereNothingIsLacking)
+  {
+    EXPECT_TRUE(placed({throat(100, 60, -1, 12.)}).empty());
+    EXPECT_TRUE(placed({throat(100, 60, -1, 3., .009)}).empty());
+    // Those that are there stay.
+    const Windows some = {{-1, 1, 60, 20, 80, 80}};
+    EXPECT_TRUE(placed({throat(100, 150, -1, 12.)}, some) == some);
+    EXPECT_TRUE(placed({}, some) == some);
+    ZoomParameters one_level = zoom;
+    one_level.maximum_levels = 1;
+    EXPECT_TRUE(place_windows(*box_with(some), {throat(120, 120, 0)}, one_level) == some);
+  }
+
+  TEST(ZoomPlacement, CrossesTheSeams)
+  {
+    const Windows windows = placed({throat(2, 250)});
+    ASSERT_EQ(windows.size(), 1U);
+    const SlabLayoutPtr layout = box_with(windows);
+    const ZoomWindow   &window = windows[0];
+    EXPECT_TRUE(covers(window, 2, 250));
+    EXPECT_TRUE(covers(window, 230, 20));
+    EXPECT_EQ(window.nx, 80);
+    EXPECT_EQ(window.ny, 80);
+    EXPECT_GE(layout->seam(0, 0), 0);
+    EXPECT_GE(layout->seam(0, 1), 0);
+    expect_sound(windows);
+
+    // A throat on the other side of the seam is within it, and gets a window of its own.
+    ASSERT_EQ(layout->covered_by(-1, 250, 5), 0);
+    const int     ix     = 3 * ((250 - window.x + 256) % 256) + 1;
+    const int     iy     = 3 * ((5 - window.y + 256) % 256) + 1;
+    const Windows nested = placed({throat(ix, iy, 0)}, windows);
+    ASSERT_EQ(nested.size(), 2U);
+    EXPECT_EQ(nested[1].parent, 0);
+    EXPECT_TRUE(covers(nested[1], ix, iy));
+    expect_sound(nested);
+  }
+
+  TEST(ZoomPlacement, JoinsNeighbours)
+  {
+    const Windows joined = placed({throat(100, 60), throat(150, 70)});
+    ASSERT_EQ(joined.size(), 1U);
+    EXPECT_TRUE(joined[0] == (ZoomWindow{-1, 1, 60, 20, 130, 90}));
+    // With one that was there, across the seam.
+    const Windows across = placed({throat(10, 100)}, placed({throat(240, 100)}));
+    ASSERT_EQ(across.size(), 1U);
+    EXPECT_EQ(across[0].nx, 106);
+    EXPECT_TRUE(covers(across[0], 200, 100));
+    EXPECT_TRUE(covers(across[0], 49, 100));
+
+    const Windows apart = placed({throat(40, 40), throat(130, 40)});
+    EXPECT_EQ(apart.size(), 2U);
+    expect_sound(apart);
+  }
+
+  // In a box that is not much larger than a window that was joined.
+  TEST(ZoomPlacement, SeesNeighboursOnTheFarSideOfAWideOne)
+  {
+    const Windows wide    = {{-1, 1, 10, 60, 150, 80}};
+    const Windows windows = placed({throat(176, 100)}, wide);
+    expect_sound(windows);
+    const SlabLayoutPtr layout = box_with(windows);
+    EXPECT_GE(layout->covered_by(-1, 176, 100), 0);
+    // What lies far from the begin of a wide parent finds it.
+    const Windows nested = placed({throat(400, 120, 0)}, wide);
+    expect_sound(nested);
+    ASSERT_EQ(nested.size(), 2U);
+    EXPECT_TRUE(covers(nested[1], 400, 120));
+  }
+
+  TEST(ZoomPlacement, TakesThePlaceOfOneThatWouldMakeItTooLarge)
+  {
+    const Windows windows = placed({throat(40, 40), throat(110, 40), throat(180, 40)});
+    expect_sound(windows);
+    ASSERT_EQ(windows.size(), 1U);
+    EXPECT_TRUE(covers(windows[0], 180, 40));
+    EXPECT_LE(windows[0].nx, 160);
+  }
+
+  TEST(ZoomPlacement, NestsLevelAfterLevel)
+  {
+    Windows windows;
+    int     ix = 100, iy = 60;
+    for (int level = 1; level <= zoom.maximum_levels; ++level)
+      {
+        const int parent = static_cast<int>(windows.size()) - 1;
+        windows          = placed({throat(ix, iy, parent)}, windows);
+        ASSERT_EQ(static_cast<int>(windows.size()), level);
+        const ZoomWindow &finest = windows.back();
+        EXPECT_EQ(finest.parent, parent);
+        ASSERT_TRUE(covers(finest, ix, iy));
+        expect_sound(windows);
+        ix = 3 * (ix - finest.x) + 1;
+        iy = 3 * (iy - finest.y) + 1;
+      }
+    EXPECT_TRUE(placed({throat(ix, iy, zoom.maximum_levels - 1)}, windows) == windows);
+  }
+
+  TEST(ZoomPlacement, FollowsAThroatThatComesNearARim)
+  {
+    const Windows windows = placed({throat(100, 60)});
+    // Resolved, but its length reaches beyond.
+    const Windows moved = placed({throat(234, 120, 0, 14.)}, windows);
+    ASSERT_EQ(moved.size(), 1U);
+    EXPECT_TRUE(covers(moved[0], 138, 60));
+    EXPECT_TRUE(covers(moved[0], 170, 60));
+    EXPECT_TRUE(covers(moved[0], 100, 60));
+    // In the middle it stays, as it does where it has points enough on the parent.
+    EXPECT_TRUE(placed({throat(121, 120, 0, 14.)}, windows) == windows);
+    EXPECT_TRUE(placed({throat(234, 120, 0, 40.)}, windows) == windows);
+  }
+
+  // One that its parent's rim pushes aside comes to lie on another that it did not touch.
+  TEST(ZoomPlacement, JoinsWhatTheRimOfTheParentPushesTogether)
+  {
+    const Windows parent  = placed({throat(100, 60)});
+    const Windows windows = placed({throat(10, 120, 0), throat(95, 120, 0)}, parent);
+    expect_sound(windows);
+    const auto is_covered = [&](const int ix, const int iy) {
+      return std::any_of(windows.begin() + 1, windows.end(), [&](const ZoomWindow &w) {
+        return covers(w, ix, iy);
+      });
+    };
+    EXPECT_TRUE(is_covered(10, 120));
+    EXPECT_TRUE(is_covered(95, 120));
+  }
+
+  // A throat that moves round the box comes home.
+  TEST(ZoomPlacement, StaysWithinABoxThatIsPeriodic)
+  {
+    Windows windows;
+    for (int step = 0; step < 40; ++step)
+      {
+        const int           ix = 20 * step % 256, iy = 250;
+        const SlabLayoutPtr layout = box_with(windows);
+        ThroatOnPath        next   = throat(ix, iy);
+        if (const int w = layout->covered_by(-1, ix, iy); w >= 0)
+          next = throat(3 * ((ix - windows[w].x + 256) % 256) + 1,
+                        3 * ((iy - windows[w].y + 256) % 256) + 1,
+                        w,
+                        14.);
+        windows = place_windows(*layout, {next}, zoom);
+        expect_sound(windows);
+        ASSERT_EQ(box_with(windows)->covered_by(-1, ix, iy), 0) << step;
+        ASSERT_LT(windows[0].x, 256) << step;
+        ASSERT_GT(windows[0].x, -256 + ZoomWindow::margin) << step;
+      }
+  }
+
+  // What lies in one that was pushed aside stays where it was.
+  TEST(ZoomPlacement, ChildrenStayWhereTheirParentsAreMoved)
+  {
+    const Windows       two      = {{-1, 1, 60, 20, 80, 80},
+                                    {0, 2, 4, 80, 80, 80},
+                                    {1, 3, 8, 80, 80, 80}};
+    const SlabLayoutPtr before   = box_with(two);
+    const auto          expected = before->position(2, 0, 0);
+    // Near the left rim of the second level, resolved; the window around it would reach
+    // beyond the first level's rim and is joined with that which is there.
+    const Windows windows = placed({throat(10, 200, 1, 14.)}, two);
+    ASSERT_EQ(windows.size(), 3U);
+    expect_sound(windows);
+    EXPECT_FALSE(windows == two);
+    const auto found = box_with(windows)->position(2, 0, 0);
+    EXPECT_NEAR(found[0], expected[0], 1e-12);
+    EXPECT_NEAR(found[1], expected[1], 1e-12);
+  }
+
+  const Windows three_levels = {{-1, 1, 60, 20, 80, 80},
+                                {-1, 1, 160, 160, 80, 80},
+                                {1, 2, 80, 80, 80, 80},
+                                {2, 3, 80, 80, 80, 80}};
+
+  TEST(ZoomPlacement, DropsWhatIsNotNeeded)
+  {
+    const auto needed = [](const std::vector<ThroatOnPath> &throats) {
+      return needed_windows(*box_with(three_levels), throats, zoom);
+    };
+    // The other throat's window is gone, and parents are numbered anew.
+    const Windows deepest = needed({throat(120, 120, 3, 15.)});
+    ASSERT_EQ(deepest.size(), 3U);
+    EXPECT_TRUE(deepest[0] == three_levels[1]);
+    EXPECT_EQ(deepest[1].parent, 0);
+    EXPECT_EQ(deepest[2].parent, 1);
+    expect_sound(deepest);
+    // One level more than needed stays, two do not.
+    EXPECT_EQ(needed({throat(120, 120, 3, 9 * 11.9)}).size(), 3U);
+    EXPECT_EQ(needed({throat(120, 120, 3, 9 * 12.1)}).size(), 2U);
+    EXPECT_EQ(needed({throat(120, 120, 3, 27 * 12.1)}).size(), 1U);
+    EXPECT_TRUE(needed({throat(120, 120, 3, 81 * 12.1)}).empty());
+    EXPECT_TRUE(needed({throat(30, 30, -1, 15.)}).empty());
+    EXPECT_TRUE(needed({throat(120, 120, 3, 15.), throat(120, 120, 0, 15.)}) ==
+                three_levels);
+  }
+
+  TEST(ZoomPlacement, TheFinestCanBeLeftOut)
+  {
+    const Windows coarser = without_finest(*box_with(three_levels));
+    ASSERT_EQ(coarser.size(), 2U);
+    EXPECT_TRUE(coarser[0] == three_levels[1]);
+    EXPECT_EQ(coarser[1].level, 2);
+    EXPECT_EQ(coarser[1].parent, 0);
+    EXPECT_TRUE(without_finest(*box_with(placed({throat(100, 60)}))).empty());
+  }
+} // namespace
