@@ -266,29 +266,21 @@ namespace strait
   }
 
   double
-  WallFeedback::difference(const SlabField &a, const SlabField &b) const
+  WallFeedback::difference(SlabField a, const SlabField &b) const
   {
-    double squares = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      squares += (a[i] - b[i]) * (a[i] - b[i]);
-    return relative(squares, a);
+    subtract(a, b);
+    return size(a);
   }
 
+  /** Root mean square over the grid. */
   double
   WallFeedback::size(const SlabField &change) const
   {
     double squares = 0;
     for (const double value : change)
       squares += value * value;
-    return relative(squares, change);
-  }
-
-  /** Root mean square over the grid of @p field, whose local @p squares are given. */
-  double
-  WallFeedback::relative(const double squares, const SlabField &field) const
-  {
-    const auto n_points = static_cast<double>(field.grid().n_points());
-    return std::sqrt(sum(field.layout().communicator(), squares) / n_points) / scale;
+    const auto n_points = static_cast<double>(change.grid().n_points());
+    return std::sqrt(sum(change.layout().communicator(), squares) / n_points) / scale;
   }
 
   std::size_t
