@@ -165,11 +165,15 @@ namespace strait
         for (int d = 0; d < 2; ++d)
           {
             const long o     = offset(window, other, d);
-            const long begin = std::min(0L, o);
-            const long end   = std::max<long>(window.n[d], o + other.n[d]);
-            const long most =
-              std::min<long>(2 * window_points, period(window.level, d) - 2);
-            if (end - begin > most)
+            const long most  = period(window.level, d) - 2;
+            long       begin = std::min(0L, o);
+            long       end   = std::max<long>(window.n[d], o + other.n[d]);
+            if (end - begin > most) // all round the box
+              {
+                begin = (window.n[d] - most) / 2;
+                end   = begin + most;
+              }
+            if (end - begin > 2 * window_points)
               return window;
             result.first[d] += begin;
             result.n[d] = static_cast<int>(end - begin);
