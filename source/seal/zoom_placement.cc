@@ -169,10 +169,15 @@ namespace strait
         for (int d = 0; d < 2; ++d)
           {
             const long o     = offset(window, other, d);
-            const long begin = std::min(0L, o);
-            const long end   = std::max<long>(window.n[d], o + other.n[d]);
-            if (end - begin >
-                std::min<long>(n_joined * window_points, period(window.level, d) - 2))
+            const long most  = period(window.level, d) - 2;
+            long       begin = std::min(0L, o);
+            long       end   = std::max<long>(window.n[d], o + other.n[d]);
+            if (end - begin > most) // all round the box
+              {
+                begin = (window.n[d] - most) / 2;
+                end   = begin + most;
+              }
+            if (end - begin > n_joined * window_points)
               return false;
             result.first[d] += begin;
             result.n[d] = static_cast<int>(end - begin);

@@ -167,6 +167,18 @@ namespace
     EXPECT_LE(windows[0].nx, 160);
   }
 
+  // In a small box one window may go all the way round, and no throat is forgotten.
+  TEST(ZoomPlacement, GoesAllRoundASmallBox)
+  {
+    const int     n       = 128;
+    const Windows before  = {{-1, 1, 10, 5, 100, 64}};
+    const Windows windows = place_windows(*box_with(before, n), {throat(60, 110)}, zoom);
+    ASSERT_EQ(windows.size(), 1U);
+    EXPECT_TRUE(covers(windows[0], 60, 110, n));
+    EXPECT_TRUE(covers(windows[0], 60, 20, n));
+    EXPECT_LE(windows[0].ny, n - 2);
+  }
+
   TEST(ZoomPlacement, NestsLevelAfterLevel)
   {
     Windows windows;

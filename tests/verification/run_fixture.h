@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace strait
@@ -22,6 +23,9 @@ namespace strait
     double pressure, contact_area, mean_gap, worst_gap, leak_rate, lower, upper;
     double slip_length, reduced_load;
     Throat throat;
+
+    double      error, points; // of the leak rate; along the throat
+    std::string status;
   };
 
   struct Sweep
@@ -31,29 +35,29 @@ namespace strait
   };
 
   inline SlabField
-  heights_of(const Scene &scene)
+  heights_of(const Scene &scene, const MPI_Comm comm = MPI_COMM_WORLD)
   {
-    return make_surface(scene.surface, MPI_COMM_WORLD)
-      ->heights(make_layout(grid_of(scene), MPI_COMM_WORLD));
+    return make_surface(scene.surface, comm)->heights(make_layout(grid_of(scene), comm));
   }
 
   /** The sweep of a scene, which must outlive it, without a sound. */
   struct SilentSweep
   {
-    explicit SilentSweep(const Scene &scene)
-      : loads(scene, heights_of(scene), log, timers)
+    explicit SilentSweep(const Scene &scene, const MPI_Comm comm = MPI_COMM_WORLD)
+      : log(comm, true)
+      , loads(scene, heights_of(scene, comm), log, timers)
     {
     }
 
-    Log       log{MPI_COMM_WORLD, true};
+    Log       log;
     Timers    timers;
     LoadSweep loads;
   };
 
   inline Sweep
-  run_sweep(const Scene &scene)
+  run_sweep(const Scene &scene, const MPI_Comm comm = MPI_COMM_WORLD)
   {
-    SilentSweep silent(scene);
+    SilentSweep silent(scene, comm);
     Sweep       result;
     if (scene.programme.find_threshold)
       result.thresholds = silent.loads.find_thresholds();
@@ -70,7 +74,10 @@ namespace strait
          flow.upper,
          step.state.control.slip_length,
          step.reduced_load.value_or(0.),
-         step.flow->constrictions ? step.flow->constrictions->throat : Throat()});
+         step.flow->constrictions ? step.flow->constrictions->throat : Throat(),
+         step.errors.sum(),
+         step.flow->channel.throat.points,
+         step.status()});
       return true;
     }));
     return result;

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Leak rates of contacts whose throats are resolved by windows of finer points.
+#include <strait/run/leakage_table.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "run_fixture.h"
+
+namespace strait
+{
+  namespace
+  {
+    Scene
+    zoomed(Scene scene)
+    {
+      scene.contact.zoom.enabled = true;
+      return scene;
+    }
+
+    void
+    expect_resolved(const std::vector<Row> &rows)
+    {
+      for (const Row &row : rows)
+        {
+          EXPECT_EQ(row.status, "ok") << row.reduced_load;
+          EXPECT_GE(row.points, 12.) << row.reduced_load;
+          EXPECT_LT(row.error, .2) << row.reduced_load;
+          EXPECT_GT(row.error, 0.) << row.reduced_load;
+        }
+    }
+
+    /** The exponent of a quantity that had these values at two reduced loads. */
+    double
+    slope(const double a, const double b, const Row &at_a, const Row &at_b)
+    {
+      return std::log(a / b) / std::log(at_a.reduced_load / at_b.reduced_load);
+    }
+
+    // Against grids of 3456² and 1024² points everywhere.
+    TEST(ZoomedSaddle, ClosesAsOnAFineGridParallel)
+    {
+      Scene scene                         = zoomed(saddle_scene(256));
+      scene.programme.pressures           = {};
+      scene.programme.find_threshold      = true;
+      scene.programme.threshold_tolerance = 1e-6;
+      scene.programme.reduced_loads       = {.1, .01, .001};
+      const Sweep result                  = run_sweep(scene);
+      ASSERT_EQ(result.thresholds.size(), 1U);
+      EXPECT_LE(result.thresholds[0].relative_width(), 1e-6);
+      EXPECT_NEAR(result.thresholds[0].middle() / (.228604 * 2 * pi), 1., 5e-6);
+      EXPECT_LE(result.thresholds[0].n_solves, 24);
+
+      const std::vector<Row> &rows = result.rows;
+      ASSERT_EQ(rows.size(), 3U);
+      expect_resolved(rows);
+      EXPECT_NEAR(rows[0].worst_gap / 5.361e-2, 1., 1e-3);
+      EXPECT_NEAR(rows[1].worst_gap / 3.179e-3, 1., 5e-3);
+      const double gap[]  = {1.227, 1.186};
+      const double leak[] = {3.55, 3.44};
+      for (int k = 0; k < 2; ++k)
+        {
+          const Row &wide = rows[k], &narrow = rows[k + 1];
+          EXPECT_NEAR(slope(wide.worst_gap, narrow.worst_gap, wide, narrow), gap[k], .01);
+          EXPECT_NEAR(slope(wide.leak_rate, narrow.leak_rate, wide, narrow),
+                      leak[k],
+                      .02);
+        }
+    }
+
+    // Of three views of one contact; in the first the throat lies on the seam along the
+    // flow.
+    TEST(ZoomedSaddle, DirectionAndPlaceDoNotMatterParallel)
+    {
+      Scene scene                 = zoomed(saddle_scene(128));
+      scene.programme.pressures   = {.99 * 1.43636};
+      scene.fluid.target_accuracy = .01;
+      const Row along_x           = sweep(scene).front();
+      scene.fluid.direction       = FlowDirection::y;
+      const Row along_y           = sweep(scene).front();
+      scene.surface.kind          = SurfaceKind::expression;
+      scene.surface.expression    = "2 + cos(2*pi*(x-0.25)) + cos(2*pi*y)";
+      scene.fluid.direction       = FlowDirection::x;
+      const Row moved             = sweep(scene).front();
+      expect_resolved({along_x, along_y, moved});
+      for (const Row &other : {along_y, moved})
+        {
+          const double allowed = std::min(along_x.error, other.error);
+          EXPECT_NEAR(other.leak_rate / along_x.leak_rate, 1., allowed);
+          EXPECT_NEAR(other.worst_gap / along_x.worst_gap, 1., 1e-3);
+        }
+    }
+
+    bool
+    has_column(const Scene &scene, const std::string &name)
+    {
+      const Table<Step> table   = leakage_table(scene);
+      const auto       &columns = table.info().columns;
+      return std::any_of(columns.begin(), columns.end(), [&](const ColumnInfo &column) {
+        return column.is_written && column.name == name;
+      });
+    }
+
+    TEST(Zoom, HasColumnsOfItsOwn)
+    {
+      const Scene scene = saddle_scene(64);
+      for (const char *name : {"leak_rate_error", "zoom_levels", "points_along_throat"})
+        {
+          EXPECT_FALSE(has_column(scene, name)) << name;
+          EXPECT_TRUE(has_column(zoomed(scene), name)) << name;
+        }
+    }
+  } // namespace
+} // namespace strait
