@@ -29,12 +29,16 @@ namespace strait
       int                level;
       Place              first;
       std::array<int, 2> n;
+      bool               is_used; // a throat that matters lies in it
 
       /** The same on the lattice of its own points. */
       Placed
       refined() const
       {
-        return {level + 1, {3 * first[0] - 1, 3 * first[1] - 1}, {3 * n[0], 3 * n[1]}};
+        return {level + 1,
+                {3 * first[0] - 1, 3 * first[1] - 1},
+                {3 * n[0], 3 * n[1]},
+                is_used};
       }
     };
 
@@ -42,7 +46,7 @@ namespace strait
     class Placement
     {
     public:
-      explicit Placement(const SlabLayout &layout_)
+      Placement(const SlabLayout &layout_, const std::vector<bool> &is_used)
         : layout(layout_)
       {
         for (const ZoomWindow &window : layout.windows())
@@ -51,7 +55,8 @@ namespace strait
             if (window.parent >= 0)
               for (int d = 0; d < 2; ++d)
                 first[d] += placed[window.parent].refined().first[d];
-            placed.push_back({window.level, first, {window.nx, window.ny}});
+            placed.push_back(
+              {window.level, first, {window.nx, window.ny}, is_used[placed.size()]});
           }
       }
 
@@ -81,7 +86,7 @@ namespace strait
       bool
       open(const int level, const Place &centre)
       {
-        Placed window{level, {}, {}};
+        Placed window{level, {}, {}, true};
         for (int d = 0; d < 2; ++d)
           {
             // A place that has gone round the box is the same as that within it.
@@ -182,12 +187,13 @@ namespace strait
             result.first[d] += begin;
             result.n[d] = static_cast<int>(end - begin);
           }
-        window = result;
+        result.is_used = window.is_used || other.is_used;
+        window         = result;
         return true;
       }
 
-      /** Add @p window to @p others, joined with those that it touches. Returns whether
-       *  there is room for it. */
+      /** Add @p window to @p others, joined with those that it touches, or in their place
+       *  where that is too large and they are not used. Returns whether there is room. */
       bool
       add(Placed window, std::vector<Placed> &others) const
       {
@@ -198,7 +204,7 @@ namespace strait
         for (auto other = apart.begin();
              (other = std::find_if(apart.begin(), apart.end(), near)) != apart.end();
              apart.erase(other))
-          if (!join(window, *other))
+          if (!join(window, *other) && other->is_used)
             return false;
         others = std::move(apart);
         others.push_back(window);
@@ -283,7 +289,12 @@ namespace strait
                 const std::vector<ThroatOnPath> &throats,
                 const ZoomParameters            &zoom)
   {
-    Placement                 placement(layout);
+    std::vector<bool> is_used(layout.windows().size(), false);
+    for (const ThroatOnPath &throat : throats)
+      if (throat.fraction >= negligible_fraction)
+        for (int w = throat.point.window; w >= 0; w = layout.windows()[w].parent)
+          is_used[w] = true;
+    Placement                 placement(layout, is_used);
     bool                      is_enough = true;
     std::vector<ThroatOnPath> by_weight = throats;
     std::stable_sort(by_weight.begin(),

@@ -85,7 +85,7 @@ namespace
   {
     const Windows windows = placed({throat(100, 60)});
     ASSERT_EQ(windows.size(), 1U);
-    EXPECT_TRUE(windows[0] == (ZoomWindow{-1, 1, 60, 20, 80, 80}));
+    EXPECT_TRUE(windows[0] == (ZoomWindow{-1, 1, 76, 36, 48, 48}));
   }
 
   TEST(ZoomPlacement, OpensNoneWhereNothingIsLacking)
@@ -108,9 +108,9 @@ namespace
     const SlabLayoutPtr layout = box_with(windows);
     const ZoomWindow   &window = windows[0];
     EXPECT_TRUE(covers(window, 2, 250));
-    EXPECT_TRUE(covers(window, 230, 20));
-    EXPECT_EQ(window.nx, 80);
-    EXPECT_EQ(window.ny, 80);
+    EXPECT_TRUE(covers(window, 240, 10));
+    EXPECT_EQ(window.nx, 48);
+    EXPECT_EQ(window.ny, 48);
     EXPECT_GE(layout->seam(0, 0), 0);
     EXPECT_GE(layout->seam(0, 1), 0);
     expect_sound(windows);
@@ -128,15 +128,15 @@ namespace
 
   TEST(ZoomPlacement, JoinsNeighbours)
   {
-    const Windows joined = placed({throat(100, 60), throat(150, 70)});
+    const Windows joined = placed({throat(100, 60), throat(140, 70)});
     ASSERT_EQ(joined.size(), 1U);
-    EXPECT_TRUE(joined[0] == (ZoomWindow{-1, 1, 60, 20, 130, 90}));
+    EXPECT_TRUE(joined[0] == (ZoomWindow{-1, 1, 76, 36, 88, 58}));
     // With one that was there, across the seam.
     const Windows across = placed({throat(10, 100)}, placed({throat(240, 100)}));
     ASSERT_EQ(across.size(), 1U);
-    EXPECT_EQ(across[0].nx, 106);
-    EXPECT_TRUE(covers(across[0], 200, 100));
-    EXPECT_TRUE(covers(across[0], 49, 100));
+    EXPECT_EQ(across[0].nx, 74);
+    EXPECT_TRUE(covers(across[0], 216, 100));
+    EXPECT_TRUE(covers(across[0], 33, 100));
 
     const Windows apart = placed({throat(40, 40), throat(130, 40)});
     EXPECT_EQ(apart.size(), 2U);
@@ -146,25 +146,34 @@ namespace
   // In a box that is not much larger than a window that was joined.
   TEST(ZoomPlacement, SeesNeighboursOnTheFarSideOfAWideOne)
   {
-    const Windows wide    = {{-1, 1, 10, 60, 150, 80}};
-    const Windows windows = placed({throat(176, 100)}, wide);
+    const Windows near    = {{-1, 1, 60, 60, 100, 80}};
+    const Windows windows = placed({throat(176, 100), throat(100, 100, 0)}, near);
     expect_sound(windows);
     const SlabLayoutPtr layout = box_with(windows);
     EXPECT_GE(layout->covered_by(-1, 176, 100), 0);
     // What lies far from the begin of a wide parent finds it.
+    const Windows wide   = {{-1, 1, 10, 60, 150, 80}};
     const Windows nested = placed({throat(400, 120, 0)}, wide);
     expect_sound(nested);
     ASSERT_EQ(nested.size(), 2U);
     EXPECT_TRUE(covers(nested[1], 400, 120));
   }
 
-  TEST(ZoomPlacement, TakesThePlaceOfOneThatWouldMakeItTooLarge)
+  TEST(ZoomPlacement, LeavesOutWhatWouldMakeOneTooLarge)
   {
-    const Windows windows = placed({throat(40, 40), throat(110, 40), throat(180, 40)});
+    const Windows windows =
+      placed({throat(40, 40), throat(75, 40), throat(110, 40), throat(145, 40)});
     expect_sound(windows);
     ASSERT_EQ(windows.size(), 1U);
-    EXPECT_TRUE(covers(windows[0], 180, 40));
-    EXPECT_LE(windows[0].nx, 160);
+    EXPECT_TRUE(covers(windows[0], 40, 40));
+    EXPECT_TRUE(covers(windows[0], 110, 40));
+    EXPECT_FALSE(covers(windows[0], 145, 40));
+    EXPECT_LE(windows[0].nx, 144);
+    // But it takes the place of one in which no throat lies any more.
+    const Windows next = placed({throat(145, 40)}, windows);
+    ASSERT_EQ(next.size(), 1U);
+    EXPECT_TRUE(covers(next[0], 145, 40));
+    EXPECT_EQ(next[0].nx, 48);
   }
 
   // In a small box one window may go all the way round, and no throat is forgotten.
@@ -202,14 +211,14 @@ namespace
   {
     const Windows windows = placed({throat(100, 60)});
     // Resolved, but its length reaches beyond.
-    const Windows moved = placed({throat(234, 120, 0, 14.)}, windows);
+    const Windows moved = placed({throat(138, 72, 0, 14.)}, windows);
     ASSERT_EQ(moved.size(), 1U);
-    EXPECT_TRUE(covers(moved[0], 138, 60));
-    EXPECT_TRUE(covers(moved[0], 170, 60));
+    EXPECT_TRUE(covers(moved[0], 122, 60));
+    EXPECT_TRUE(covers(moved[0], 140, 60));
     EXPECT_TRUE(covers(moved[0], 100, 60));
     // In the middle it stays, as it does where it has points enough on the parent.
-    EXPECT_TRUE(placed({throat(121, 120, 0, 14.)}, windows) == windows);
-    EXPECT_TRUE(placed({throat(234, 120, 0, 40.)}, windows) == windows);
+    EXPECT_TRUE(placed({throat(73, 72, 0, 14.)}, windows) == windows);
+    EXPECT_TRUE(placed({throat(138, 72, 0, 40.)}, windows) == windows);
   }
 
   // One that its parent's rim pushes aside comes to lie on another that it did not touch.

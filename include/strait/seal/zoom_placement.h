@@ -18,7 +18,8 @@ namespace strait
    * is lacking.
    *
    * A new window that would touch another one of its level is joined with it or, where
-   * that would be too large, left out; throats that matter most come first.
+   * that would be too large, left out, unless no throat lies in the other; throats that
+   * matter most come first.
    */
   std::vector<ZoomWindow> place_windows(const SlabLayout                &layout,
                                         const std::vector<ThroatOnPath> &throats,
