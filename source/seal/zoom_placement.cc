@@ -230,9 +230,11 @@ namespace strait
                 found.n[d]       = std::min(window.n[d], parent.n[d] - 2 * margin);
                 const int  n     = found.n[d];
                 const long last  = parent.n[d] - margin - n;
-                const long shift = offset(parent, window, d);
+                long       shift = offset(parent, window, d);
+                if (shift >= last + margin + n / 2) // or it begins before a wide parent
+                  shift -= period(window.level, d);
                 // A little beyond the margin it is moved.
-                fits           = fits && shift > -n / 2 && shift < last + n / 2;
+                fits           = fits && shift > -n / 2 && shift < last + margin + n / 2;
                 found.first[d] = parent.first[d] + std::clamp<long>(shift, margin, last);
               }
             if (!fits)

@@ -186,6 +186,17 @@ namespace
     EXPECT_TRUE(covers(windows[0], 60, 110, n));
     EXPECT_TRUE(covers(windows[0], 60, 20, n));
     EXPECT_LE(windows[0].ny, n - 2);
+    // Wherever in it a throat is, it gets a window.
+    for (const int iy : {5, 40, 200, windows[0].n_rows() - 40, windows[0].n_rows() - 6})
+      {
+        const Windows nested =
+          place_windows(*box_with(windows, n), {throat(150, iy, 0)}, zoom);
+        expect_sound(nested);
+        ASSERT_EQ(nested.size(), 2U) << iy;
+        EXPECT_TRUE(covers(nested[1], 150, iy)) << iy;
+      }
+    const Windows wide = {{-1, 1, 22, 42, 126, 111}};
+    EXPECT_EQ(place_windows(*box_with(wide, n), {throat(49, 178, 0)}, zoom).size(), 2U);
   }
 
   TEST(ZoomPlacement, NestsLevelAfterLevel)
