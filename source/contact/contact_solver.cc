@@ -70,10 +70,11 @@ namespace strait
 
     const double of_solid = share_of_solid(target);
     // Only states under the same fluid lie on a line.
-    const bool           is_dry = fluid_pressure == nullptr;
-    const bool           starts = from != nullptr && is_near(*from, of_solid);
+    const bool is_dry = fluid_pressure == nullptr;
+    const bool starts = from != nullptr && is_near(*from, of_solid);
+    // A state that was never solved has neither fields nor windows.
     const SlabLayoutPtr &layout =
-      from != nullptr ? from->gap.layout_pointer() : wall.layout();
+      from != nullptr && !from->gap.empty() ? from->gap.layout_pointer() : wall.layout();
     SlabField pressure =
       starts ? start_from(*from, of_solid, is_dry) : start_without(layout, of_solid);
     SlabField              gap(layout);
