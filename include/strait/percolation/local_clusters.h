@@ -23,6 +23,7 @@ namespace strait
       std::iota(parent.begin(), parent.end(), std::size_t(0));
     }
 
+    /** The root of the set of @p a. */
     std::size_t
     find(std::size_t a)
     {
@@ -31,6 +32,7 @@ namespace strait
       return a;
     }
 
+    /** Make the sets of @p a and @p b one. */
     void
     join(const std::size_t a, const std::size_t b)
     {
