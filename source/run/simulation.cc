@@ -241,7 +241,7 @@ namespace strait
         return;
       }
     // Contact fields; two moment pyramids, the gap and the path search.
-    const double bytes_contact = scene.contact.adhesion.enabled ? 123. : 57.;
+    const double bytes_contact = scene.contact.adhesion.enabled ? 105. : 57.;
     const double bytes_flow =
       2 * 8. / 3 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
     const SlabField heights = make_heights(scene, log);

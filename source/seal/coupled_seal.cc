@@ -2,9 +2,10 @@
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
 #include <strait/flow/reynolds_solver.h>
+#include <strait/flow/solution_on_grid.h>
 #include <strait/seal/coupled_seal.h>
+#include <strait/seal/unsettled_pools.h>
 #include <strait/seal/wall_feedback.h>
-#include <strait/seal/wall_pressure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,12 @@ namespace strait
     // that are left again; with double of it what the rounds leave over is taken for an
     // error of the mesh.
     constexpr double looseness = .1;
+
+    // How much smaller than the target accuracy the width of the bracket is on the first
+    // mesh, and how much on each mesh than on the one before: the gap amplifies the
+    // errors of the fluid's pressure, the more so the closer it is to the threshold. Half
+    // of it makes each mesh larger, double of it takes more meshes.
+    constexpr double mesh_share = .25;
 
     struct LiftedOff
     {
@@ -44,14 +51,17 @@ namespace strait
     std::size_t
     memory_consumption() const
     {
-      return feedback.memory_consumption() + wall_pressure.memory_consumption();
+      return feedback.memory_consumption() + pools.memory_consumption() +
+             seal.extension.memory_consumption();
     }
 
   private:
     bool          is_limited_by_load() const;
     void          agree(FeedbackGoal goal);
     FeedbackRound round(const SlabField &assumed);
+    SlabField     pressure_in_gap(SlabField start);
     void          lift_off();
+    double        largest_pressure() const;
 
     CoupledSeal        &seal;
     const Control       control;
@@ -61,8 +71,9 @@ namespace strait
     FlowStage          &flow;
     StepFlow            fluid_flow;
     WallFeedback        feedback;
-    WallPressure        wall_pressure;
+    UnsettledPools      pools;
     FeedbackResult      last_result;
+    bool                has_extended; // so that the pressure is a start under the contact
     int                 n_iterations = 0;
     long                fft_pairs    = 0;
   };
@@ -110,9 +121,7 @@ namespace strait
     , near(from != nullptr ? &*from->contact : nullptr)
     , flow(seal.flow)
     , feedback(seal.scene.fluid.feedback, seal.layout)
-    , wall_pressure(seal.extension,
-                    seal.scene.fluid.feedback.pool_pressure,
-                    from != nullptr)
+    , has_extended(from != nullptr)
   {
     state.control = control;
     state.fluid.emplace();
@@ -207,14 +216,12 @@ namespace strait
       goal.largest_mean = control.target;
     if (from != nullptr)
       goal.percolates = from->fluid->percolates;
-    FluidState  &fluid   = *state.fluid;
-    const double largest = std::max(std::abs(flow.fluid().inlet_pressure),
-                                    std::abs(flow.fluid().outlet_pressure));
+    FluidState &fluid = *state.fluid;
     try
       {
         last_result =
           feedback.solve([&](const SlabField &assumed) { return round(assumed); },
-                         largest > 0 ? largest : 1.,
+                         largest_pressure(),
                          goal);
         fluid.converged           = last_result.converged;
         fluid.undecided           = last_result.undecided;
@@ -228,6 +235,14 @@ namespace strait
         lift_off();
       }
     fluid.pressure = feedback.pressure();
+  }
+
+  double
+  CoupledSeal::Iteration::largest_pressure() const
+  {
+    const double largest = std::max(std::abs(flow.fluid().inlet_pressure),
+                                    std::abs(flow.fluid().outlet_pressure));
+    return largest > 0 ? largest : 1.;
   }
 
   FeedbackRound
@@ -253,15 +268,60 @@ namespace strait
     FeedbackRound result;
     result.percolates     = fluid_flow.channel.percolates();
     result.leak_rate      = fluid_flow.leakage.upper;
-    result.fluid_pressure = assumed;
-    wall_pressure.update(result.fluid_pressure,
-                         fluid_flow,
-                         open_gap(state.contact->gap, control.slip_length),
-                         flow.fluid());
+    result.fluid_pressure = pressure_in_gap(assumed);
     seal.log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",
                              mean(result.fluid_pressure),
                              result.leak_rate));
     return result;
+  }
+
+  /** The pressure of the fluid in the present gap; @p start under the contact is where
+   *  its extension starts from. */
+  SlabField
+  CoupledSeal::Iteration::pressure_in_gap(SlabField start)
+  {
+    const std::vector<NodeState> &states = fluid_flow.channel.clusters.states;
+    pools.note(states);
+    SlabField               open  = open_gap(state.contact->gap, control.slip_length);
+    const double            inlet = flow.fluid().inlet_pressure;
+    const double            drop  = inlet - flow.fluid().outlet_pressure;
+    const GridDeposit::Sums channel =
+      fluid_flow.solution ? pressure_on_grid(*fluid_flow.solution, seal.layout)
+                          : GridDeposit::Sums();
+    for (std::size_t k = 0; k < start.size(); ++k)
+      switch (pools.contains(k) ? pools.state_before(k) : states[k])
+        {
+          case NodeState::percolating:
+            if (pools.contains(k))
+              break; // it keeps what it had when it was cut off
+            // On the seam the channel may reach one side only; see extend().
+            start[k] = channel.area.empty() || channel.area[k] == 0
+                         ? inlet
+                         : inlet - drop * (1. - channel.integral[k] / channel.area[k]);
+            break;
+          case NodeState::inlet_side:
+            start[k] = inlet;
+            break;
+          case NodeState::outlet_side:
+            start[k] = flow.fluid().outlet_pressure;
+            break;
+          case NodeState::trapped:
+          case NodeState::outside: // there is none of them in the box
+            start[k] = seal.scene.fluid.feedback.pool_pressure;
+            break;
+          case NodeState::closed:
+            if (!has_extended)
+              start[k] = .5 * (inlet + flow.fluid().outlet_pressure);
+            open[k] = std::min(open[k], 0.);
+            break;
+        }
+    has_extended = true;
+    // The next round starts from here, so that no more is needed than to come nearer.
+    // With half of it each round takes an iteration or so more, with double of it fewer,
+    // and more rounds until the pressure under the contact has followed.
+    constexpr double reduction = 1e-3;
+    seal.extension.extend(start, open, inlet, flow.fluid().outlet_pressure, reduction);
+    return start;
   }
 
   void
@@ -285,5 +345,29 @@ namespace strait
                            : "the fluid alone carries a load of %.6g: the walls part and "
                              "nothing limits the leak",
                          control.target));
+  }
+
+  double
+  share_of_bracket(const SealState &state, const double target_accuracy)
+  {
+    return state.fluid
+             ? std::max(mesh_share, 1. - 2. * state.fluid->mesh_error / target_accuracy)
+             : 1.;
+  }
+
+  void
+  allow_for_feedback(Leakage          &result,
+                     const FluidState &fluid,
+                     const double      target_accuracy)
+  {
+    result.lower *= std::max(0., 1. - fluid.mesh_error);
+    result.upper *= 1. + fluid.mesh_error;
+    if (fluid.undecided)
+      result.lower = 0; // it is closed at times
+    else if (result.status == "ok" && result.relative_width() > target_accuracy)
+      {
+        result.status = "flow-accuracy";
+        result.reason = "the fluid's pressure on the wall still changes with the mesh";
+      }
   }
 } // namespace strait

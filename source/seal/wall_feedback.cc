@@ -266,21 +266,29 @@ namespace strait
   }
 
   double
-  WallFeedback::difference(SlabField a, const SlabField &b) const
+  WallFeedback::difference(const SlabField &a, const SlabField &b) const
   {
-    subtract(a, b);
-    return size(a);
+    double squares = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      squares += (a[i] - b[i]) * (a[i] - b[i]);
+    return relative(squares, a);
   }
 
-  /** Root mean square over the grid. */
   double
   WallFeedback::size(const SlabField &change) const
   {
     double squares = 0;
     for (const double value : change)
       squares += value * value;
-    const auto n_points = static_cast<double>(change.grid().n_points());
-    return std::sqrt(sum(change.layout().communicator(), squares) / n_points) / scale;
+    return relative(squares, change);
+  }
+
+  /** Root mean square over the grid of @p field, whose local @p squares are given. */
+  double
+  WallFeedback::relative(const double squares, const SlabField &field) const
+  {
+    const auto n_points = static_cast<double>(field.grid().n_points());
+    return std::sqrt(sum(field.layout().communicator(), squares) / n_points) / scale;
   }
 
   std::size_t

@@ -18,9 +18,11 @@ namespace strait
    * and the gap decides where the fluid goes. Exists only where the scene enables
    * Wall feedback.
    *
-   * Under the fluid's pressure (WallPressure) the contact is the dry problem for the wall
-   * that this pressure has displaced, under the load that it leaves (the pressure of the
-   * contact is that of the solid beyond the fluid's).
+   * The fluid's pressure is that of the flow in the channel, that of the reservoir in
+   * regions that only one of them reaches, the pool pressure in those that none does
+   * (but see UnsettledPools), and harmonic under the contact. Contact is then the dry
+   * problem for the wall that this pressure has displaced, under the load that it leaves
+   * (the pressure of the contact is that of the solid beyond the fluid's).
    *
    * For a leak rate, contact and flow agree on finer and finer meshes, until what the
    * last mesh changed and the width of a bracket on it are together as small as the
@@ -64,12 +66,6 @@ namespace strait
     HarmonicExtension             extension;
     std::size_t                   peak_memory = 0; // of an iteration
   };
-
-  /** How much smaller than the target accuracy the width of the bracket is on the first
-   *  mesh, and how much on each mesh than on the one before: the gap amplifies the errors
-   *  of the fluid's pressure, the more so the closer it is to the threshold. Half of it
-   *  makes each mesh larger, double of it takes more meshes. */
-  constexpr double mesh_share = .25;
 
   /** The share of the target accuracy that the bracket of the leak rate in a state may
    *  take, when the fluid's pressure on the wall has taken its own. */

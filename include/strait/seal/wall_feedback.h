@@ -127,8 +127,9 @@ namespace strait
     bool enclose(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
     bool
     is_undecided(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
-    double difference(SlabField a, const SlabField &b) const;
+    double difference(const SlabField &a, const SlabField &b) const;
     double size(const SlabField &change) const;
+    double relative(double squares, const SlabField &field) const;
 
     const FeedbackParameters parameters;
     double                   scale = 1.;

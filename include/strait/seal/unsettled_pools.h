@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_wall_pressure_h
-#define strait_seal_wall_pressure_h
+#ifndef strait_seal_unsettled_pools_h
+#define strait_seal_unsettled_pools_h
 
 #include <strait/percolation/clusters.h>
-#include <strait/seal/flow_stage.h>
-#include <strait/seal/harmonic_extension.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +24,9 @@ namespace strait
   class UnsettledPools
   {
   public:
+    /** Begin an iteration: nothing has changed yet. */
+    void restart();
+
     /** Take note of the states of the next round, one per local grid point. */
     void note(const std::vector<NodeState> &now);
 
@@ -58,40 +59,6 @@ namespace strait
     std::vector<NodeState>    before;
     std::vector<std::uint8_t> was_pool; // in the last round
     std::vector<std::uint8_t> n_changes;
-  };
-
-  /**
-   * The pressure that a fluid puts on the walls of a gap: that of the flow in the
-   * channel, that of the reservoir in regions that only one of them reaches, the pool
-   * pressure in those that none does (but see UnsettledPools), and harmonic under the
-   * contact.
-   */
-  class WallPressure
-  {
-  public:
-    /** @p has_start: the first pressure is one to start from under the contact. @p
-     *  extension must outlive this object. */
-    WallPressure(HarmonicExtension &extension, double pool_pressure, bool has_start);
-
-    /** Replace @p pressure, that of the round before, by that which follows from @p flow
-     * in the gap @p open that the fluid sees. Collective. */
-    void update(SlabField             &pressure,
-                const StepFlow        &flow,
-                SlabField              open,
-                const FluidParameters &fluid);
-
-    /** Bytes on this rank. */
-    std::size_t
-    memory_consumption() const
-    {
-      return extension.memory_consumption() + pools.memory_consumption();
-    }
-
-  private:
-    HarmonicExtension &extension;
-    const double       pool_pressure;
-    bool               has_start;
-    UnsettledPools     pools;
   };
 } // namespace strait
 

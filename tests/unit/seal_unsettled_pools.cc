@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/seal/wall_pressure.h>
+#include <strait/seal/unsettled_pools.h>
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ TEST(UnsettledPools, AreThoseThatComeAndGo)
       for (std::size_t k = 0; k < wet.size(); ++k)
         EXPECT_FALSE(pools.contains(k)); // wet, or a contact
     }
-  pools = UnsettledPools();
+  pools.restart();
   pools.note(wet);
   pools.note(trap);
   for (std::size_t k = 0; k < trap.size(); ++k)
