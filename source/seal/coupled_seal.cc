@@ -66,13 +66,13 @@ namespace strait
     CoupledSeal        &seal;
     const Control       control;
     const bool          has_parted; // walls that no load joins but one that presses
-    const SealState    *from;       // null where the past does not matter
     const ContactState *near;       // that the next contact starts from, if there is one
     FlowStage          &flow;
     StepFlow            fluid_flow;
     WallFeedback        feedback;
     UnsettledPools      pools;
     FeedbackResult      last_result;
+    std::optional<bool> percolates;   // in the round before, or where the path is
     bool                has_extended; // so that the pressure is a start under the contact
     int                 n_iterations = 0;
     long                fft_pairs    = 0;
@@ -116,22 +116,27 @@ namespace strait
                                     const SealState *from_)
     : seal(seal_)
     , control(control_)
-    , has_parted(from_ != nullptr && from_->fluid->lifted_off)
-    , from(has_parted ? nullptr : from_)
-    , near(from != nullptr ? &*from->contact : nullptr)
+    , has_parted(from_ != nullptr && from_->fluid && from_->fluid->lifted_off)
+    , near(from_ != nullptr && !has_parted ? &*from_->contact : nullptr)
     , flow(seal.flow)
     , feedback(seal.scene.fluid.feedback, seal.layout)
-    , has_extended(from != nullptr)
+    , has_extended(from_ != nullptr && from_->fluid)
   {
     state.control = control;
     state.fluid.emplace();
-    if (from == nullptr)
+    if (!has_extended)
       return;
-    feedback.pressure() = from->fluid->pressure;
-    // What carried a larger load is not to lift this one off before it was tried.
-    if (is_limited_by_load() && mean(feedback.pressure()) >= control.target)
+    feedback.pressure() = from_->fluid->pressure;
+    if (!has_parted)
+      percolates = from_->fluid->percolates;
+    // What carried another load is not to lift this one off before it was tried. The
+    // share of the load is only a start; half of it starts farther from where the fluid
+    // carries nearly all, and it must stay below one.
+    constexpr double largest_share = .99;
+    const double     fluid_load    = mean(feedback.pressure());
+    if (is_limited_by_load() && fluid_load >= control.target)
       for (double &pressure : feedback.pressure())
-        pressure *= control.target / from->control.target;
+        pressure *= largest_share * control.target / fluid_load;
   }
 
   /** Whether the fluid cannot carry more than the load: adhesion could hold against it.
@@ -146,9 +151,13 @@ namespace strait
   void
   CoupledSeal::Iteration::settle()
   {
-    // The verdict should not depend on what the iteration leaves over.
-    FeedbackGoal goal{std::min(seal.scene.fluid.feedback.tolerance,
-                               looseness * seal.scene.programme.threshold_tolerance)};
+    // The verdict should not depend on what the iteration leaves over, but below that it
+    // is what contact and flow leave over that counts. Half of it takes a few rounds
+    // more, double of it blurs the tightest thresholds that can be asked for.
+    constexpr double least = 1e-5;
+    FeedbackGoal     goal{
+      std::min(seal.scene.fluid.feedback.tolerance,
+               std::max(looseness * seal.scene.programme.threshold_tolerance, least))};
     goal.leak_rate = false;
     agree(goal);
   }
@@ -161,10 +170,14 @@ namespace strait
   void
   CoupledSeal::Iteration::find_mesh()
   {
-    // For one state, and for others that it leads to. Half as many may leave the leak
-    // rate to change with the mesh, which the bracket then says; twice as many cost more
-    // for gaps that no mesh settles.
-    constexpr int max_meshes = 4;
+    // If the leak rate changes by more than that, contact and flow went to another
+    // state, for which another mesh of this share is wanted. Half of it discards meshes
+    // that are merely coarse, double of it refines meshes that were made for another gap.
+    constexpr double another_state = .5;
+    // Of meshes for one state, and of states. Half as many may leave the leak rate to
+    // change with the mesh, which the bracket then says; twice as many cost more for gaps
+    // that no mesh settles.
+    constexpr int max_finer = 2, max_states = 4;
 
     const double target_accuracy = flow.fluid().target_accuracy;
     const double tolerance       = seal.scene.fluid.feedback.tolerance;
@@ -173,7 +186,11 @@ namespace strait
     double       share = mesh_share;
 
     std::optional<double> leak_before;
-    for (int n_meshes = 1;; ++n_meshes)
+    const auto            certify = [&]() -> const Leakage            &{
+      flow.certify(fluid_flow, share);
+      return fluid_flow.leakage;
+    };
+    for (int finer = 0, states = 1;;)
       {
         agree(goal);
         goal.goes_on = true;
@@ -181,28 +198,32 @@ namespace strait
           return;
         if (!fluid.converged || !fluid_flow.solution)
           break;
-        bool is_another = false;
+        bool stays = true;
         if (leak_before)
           {
-            // A mesh for another state is compared once the fluid has been found on it.
-            is_another         = flow.certify(fluid_flow, share);
-            const Leakage &now = fluid_flow.leakage;
             // A change below the width of the bracket, or below what the iteration leaves
             // over, is chance.
-            fluid.mesh_error = std::max({std::abs(*leak_before / now.rate - 1.),
-                                         .5 * now.relative_width(),
-                                         goal.tolerance});
+            const Leakage &now = certify();
+            fluid.mesh_error   = std::max({std::abs(*leak_before / now.rate - 1.),
+                                           .5 * now.relative_width(),
+                                           goal.tolerance});
+            stays              = fluid.mesh_error <= another_state;
             const bool is_narrow =
               now.relative_width() + 2. * fluid.mesh_error <= target_accuracy;
-            if (is_narrow || n_meshes == max_meshes)
+            if (is_narrow || (stays ? finer == max_finer : states == max_states))
               break;
           }
-        if (!is_another)
+        if (stays)
           {
+            ++finer;
             share *= mesh_share;
-            flow.certify(fluid_flow, share);
           }
-        leak_before = fluid_flow.leakage.rate;
+        else
+          {
+            ++states;
+            flow.discard_mesh();
+          }
+        leak_before = certify().rate;
       }
     goal.tolerance = tolerance;
     if (fluid.converged && !last_result.agrees_within(goal))
@@ -214,8 +235,7 @@ namespace strait
   {
     if (is_limited_by_load())
       goal.largest_mean = control.target;
-    if (from != nullptr)
-      goal.percolates = from->fluid->percolates;
+    goal.percolates   = percolates;
     FluidState &fluid = *state.fluid;
     try
       {
@@ -267,6 +287,7 @@ namespace strait
 
     FeedbackRound result;
     result.percolates     = fluid_flow.channel.percolates();
+    percolates            = result.percolates;
     result.leak_rate      = fluid_flow.leakage.upper;
     result.fluid_pressure = pressure_in_gap(assumed);
     seal.log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",

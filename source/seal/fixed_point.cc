@@ -5,7 +5,6 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace strait
@@ -92,7 +91,11 @@ namespace strait
   std::vector<double>
   FixedPoint::best_weights() const
   {
-    const std::size_t      m = differences.size();
+    // Rounds that say almost the same as others must not fight each other. Half and
+    // double of it treat alike all but rounds that are just that close; much less is the
+    // rounding of single precision, squared.
+    constexpr double       dependent = 1e-8;
+    const std::size_t      m         = differences.size();
     dealii::Vector<double> b(m), weights(m);
     if (m > 0)
       {
@@ -104,8 +107,7 @@ namespace strait
                 product(differences[i].residual, differences[j].residual);
             b(i) = product(differences[i].residual, last_residual);
           }
-        // Rounds that say the same as others but for rounding must not fight each other.
-        A.compute_inverse_svd(std::numeric_limits<float>::epsilon());
+        A.compute_inverse_svd(dependent);
         A.vmult(weights, b);
       }
     return {weights.begin(), weights.end()};

@@ -147,20 +147,18 @@ namespace strait
     flow.leakage.upper = flow.solution->solve_pressure();
   }
 
-  bool
+  void
   FlowStage::certify(StepFlow &flow, const double tolerance_factor)
   {
     // Cells that are small where a very different gap was narrow are a burden here.
-    const double change     = flow.leakage.upper / meshed_leak_rate;
-    const bool   is_another = std::max(change, 1. / change) > another_gap;
-    if (is_another)
+    const double change = flow.leakage.upper / meshed_leak_rate;
+    if (std::max(change, 1. / change) > another_gap)
       mesh_and_bracket(flow, tolerance_factor, ReynoldsSolver::unlimited);
     else
       {
         update_bridge(flow.channel, true);
         bracket(flow, tolerance_factor, ReynoldsSolver::unlimited);
       }
-    return is_another;
   }
 
   /** With paths only where reservoirs differ in pressure. */

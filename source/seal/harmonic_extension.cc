@@ -81,6 +81,9 @@ namespace strait
     // Of the boundary values' own residual. Half and double of it take an iteration more
     // or less; single precision would not tell them apart.
     constexpr double tolerance = 1e-7;
+    // It only ends what would go on for ever: half of it would be enough where the
+    // preconditioner works, double of it fails later.
+    constexpr int max_iterations = 1000;
     classify(flow_gap);
 
     // Boundary values and springs alone, which are the right-hand side.
@@ -115,7 +118,7 @@ namespace strait
 
     double last_rz   = 0;
     int    iteration = 0;
-    while (std::sqrt(product(r, r)) > goal && iteration < layout->grid().n_points())
+    while (std::sqrt(product(r, r)) > goal && iteration < max_iterations)
       {
         precondition(r, z);
         const double rz   = product(r, z);

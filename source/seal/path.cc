@@ -11,9 +11,11 @@ namespace strait
 {
   namespace
   {
-    // How many times faster than in the last step the mean gap (or, under gap control,
-    // the pressure) may change. Half of it halves steps that are smooth, which costs
-    // contact problems; double of it lets jumps pass that change the gap by as little.
+    // How many times faster than in the last step the contact area, and the mean gap
+    // (or, under gap control, the pressure) may change; of the area how much more. Half
+    // of any of them halves steps that are smooth, which costs contact problems; double
+    // of it lets jumps pass that change the area or the gap by as little.
+    constexpr double steeper_area = 3., free_change_of_area = .01;
     constexpr double steeper = 1.3;
 
     /** Between the change of the energy and the trapezoidal rule, in units of the
@@ -82,9 +84,12 @@ namespace strait
           return false;
         if (!trend.is_known)
           return true;
-        return std::abs(slope_at(after) - slope_at(before)) <=
-               slope_noise * trend.largest_slope +
-                 steeper * std::abs(trend.slope * change);
+        const double area  = std::abs(after.contact_area - before.contact_area);
+        const double slope = std::abs(slope_at(after) - slope_at(before));
+        return area <=
+                 free_change_of_area + steeper_area * std::abs(trend.area * change) &&
+               slope <= slope_noise * trend.largest_slope +
+                          steeper * std::abs(trend.slope * change);
       }
 
       /** What a step that is no smooth one, and can be no shorter, may be. */
@@ -111,6 +116,7 @@ namespace strait
         if (change != 0)
           {
             next.is_known = true;
+            next.area     = (after.contact_area - before.contact_area) / change;
             next.slope    = (slope_at(after) - slope_at(before)) / change;
           }
         return next;

@@ -11,6 +11,10 @@ namespace strait
 {
   namespace
   {
+    // Of a usual pressure: what leaks with so little leaks by itself. Half and double of
+    // it judge alike, as neither bends the walls.
+    constexpr double negligible = 1e-6;
+
     void
     transfer_probe(StateArchive &archive, Probe &probe)
     {
@@ -162,13 +166,14 @@ namespace strait
     const auto holds = [&](const Probe &probe) { return !leaks(probe); };
 
     BlowOut result;
-    result.load             = load;
-    const bool leaks_anyway = leaks(search.ask_at(0.));
+    result.load               = load;
+    const double least        = negligible * load;
+    const bool   leaks_anyway = leaks(search.ask_at(least));
     if (!leaks_anyway)
       {
         const auto passage = holds(search.ask_at(load))
                                ? search.leave(load, load, holds)
-                               : search.approach({0., load}, holds);
+                               : search.approach({least, load}, holds);
         if (!passage)
           throw ComputationError("An inlet pressure of " + to_text(outlet + load) +
                                  " and much more is held; no blow-out pressure was "

@@ -24,6 +24,7 @@ namespace strait
         archive.value(state.fluid->lifted_off);
       }
     archive.value(state.trend.is_known);
+    archive.value(state.trend.area);
     archive.value(state.trend.slope);
     archive.value(state.trend.largest_slope);
   }

@@ -89,22 +89,6 @@ namespace strait
     return run_sweep(scene).rows;
   }
 
-  /** The last of its steps, which all are to converge, with its leak rate and without the
-   *  mesh. */
-  inline Step
-  last_step(const Scene &scene)
-  {
-    SilentSweep silent(scene);
-    Step        last;
-    EXPECT_TRUE(silent.loads.run([&last](const Step &step) {
-      last.state         = step.state;
-      last.flow          = StepFlow();
-      last.flow->leakage = step.flow->leakage;
-      return true;
-    }));
-    return last;
-  }
-
   inline Scene
   saddle_scene(const int n = 512)
   {
@@ -114,20 +98,6 @@ namespace strait
     scene.fluid.viscosity       = 1. / 12;
     scene.fluid.target_accuracy = 1e-3;
     scene.programme.pressures   = {.18 * 2 * pi, .20 * 2 * pi, .22 * 2 * pi};
-    return scene;
-  }
-
-  /** The saddle of doc/feedback.md, whose throat is in the middle of the box, under a
-   * fluid that presses on the walls. */
-  inline Scene
-  coupled_saddle(const int n)
-  {
-    Scene scene                  = saddle_scene(n);
-    scene.surface.kind           = SurfaceKind::expression;
-    scene.surface.expression     = "2 - cos(2*pi*x) + cos(2*pi*y)";
-    scene.fluid.target_accuracy  = .02;
-    scene.fluid.feedback.enabled = true;
-    scene.fluid.inlet_pressure   = .15;
     return scene;
   }
 } // namespace strait

@@ -56,10 +56,16 @@ namespace strait
     /**
      * Complete what follow() left out, the bracket of the leak rate, on the same mesh
      * or finer ones, or on a new one if the leak rate is quite another than when that was
-     * made, to @p tolerance_factor times the target accuracy if possible. Returns whether
-     * it made a new one. Collective.
+     * made, to @p tolerance_factor times the target accuracy if possible. Collective.
      */
-    bool certify(StepFlow &flow, double tolerance_factor);
+    void certify(StepFlow &flow, double tolerance_factor);
+
+    /** Let the next certify() make a new mesh in any case. */
+    void
+    discard_mesh()
+    {
+      meshed_leak_rate = 0.;
+    }
 
     /** Say how well a leak rate is known, and why no better, if there is a reason. */
     void warn_of_width(const Leakage &leakage);
@@ -115,8 +121,8 @@ namespace strait
     FlowDomain                      flow_domain;
     double                          aspect;            // of the domain, see Leakage
     GridPoint                       meshed_bottleneck; // that the last mesh was made for
-    double                          meshed_leak_rate      = 0.; // likewise
-    bool                            watches_constrictions = false;
+    double meshed_leak_rate      = 0.;                 // likewise; 0: it was discarded
+    bool   watches_constrictions = false;
   };
 } // namespace strait
 
