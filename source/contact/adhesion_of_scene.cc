@@ -6,11 +6,8 @@
 #include <strait/contact/contact_solver.h>
 #include <strait/surface/statistics.h>
 
-#include <boost/math/tools/roots.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace strait
 {
@@ -23,7 +20,7 @@ namespace strait
     // Contact problems. It ends a search that would go on for ever where the area does
     // not follow the energy; half of it would still do for all that can be enclosed
     // within a factor of a million, double of it only fails later.
-    constexpr std::uintmax_t max_evaluations = 60;
+    constexpr int max_evaluations = 60;
 
     /** γ0 at which the contact area doubles, see adhesion_of_scene(). */
     double
@@ -49,29 +46,30 @@ namespace strait
                                      scale.law(surface_energy),
                                      AdhesiveStart::without_adhesion,
                                      heights);
-        const double value = solver.solve(pressure, &without).contact_area / wanted - 1;
-        return std::abs(value) < area_tolerance ? 0. : value;
+        return solver.solve(pressure, &without).contact_area / wanted - 1;
       };
-      // The area grows with γ0. Where it jumps over what is wanted the bracket closes in
-      // on the jump; there the last state before it is taken.
-      std::uintmax_t n = max_evaluations;
-      try
+      // The area grows with γ0, with jumps: enclose it, then halve the logarithm or
+      // follow the secant of the ends, in turns.
+      double low = 0, high = 0, below = -.5, above = 0;
+      double energy = pressure * without.mean_gap;
+      for (int k = 0; k < max_evaluations; ++k)
         {
-          return boost::math::tools::bracket_and_solve_root(
-                   excess,
-                   pressure * without.mean_gap,
-                   2.,
-                   true,
-                   boost::math::tools::eps_tolerance<double>(20),
-                   n)
-            .first;
+          const double value = excess(energy);
+          if (std::abs(value) < area_tolerance)
+            return energy;
+          (value < 0 ? low : high)    = energy;
+          (value < 0 ? below : above) = value;
+          if (high == 0 || low == 0)
+            energy *= high == 0 ? 2. : .5;
+          else if (high < low * (1 + 1e-6)) // the doubled area is skipped by a jump
+            return low;
+          else
+            energy = k % 3 == 2 ? std::sqrt(low * high)
+                                : low + (high - low) * below / (below - above);
         }
-      catch (const boost::math::evaluation_error &)
-        {
-          throw ComputationError(
-            "No surface energy was found that doubles the contact area at the pressure " +
-            to_text(pressure) + "; give Contact/Adhesion/Surface energy instead.");
-        }
+      throw ComputationError(
+        "No surface energy was found that doubles the contact area at the pressure " +
+        to_text(pressure) + "; give Contact/Adhesion/Surface energy instead.");
     }
   } // namespace
 

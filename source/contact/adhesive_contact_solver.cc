@@ -76,12 +76,13 @@ namespace strait
         relaxation.push_back(step);
       };
     const auto optimiser = make_optimiser(of_solid, observer);
-    // While stability is checked the optimiser still holds the curvature of the energy.
     peak_memory =
       std::max(peak_memory,
-               wall.memory_consumption() + gap.size() * sizeof(double) +
-                 problem.memory_consumption() + optimiser->memory_consumption() +
-                 stability.memory_consumption());
+               wall.memory_consumption() +
+                 (2 * gap.size() + stability.direction().size()) * sizeof(double) +
+                 problem.memory_consumption() +
+                 std::max(optimiser->memory_consumption(),
+                          stability.memory_consumption()));
 
     GapSolution solution   = optimiser->solve(gap.data());
     int         iterations = solution.iterations;

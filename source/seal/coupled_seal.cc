@@ -65,14 +65,12 @@ namespace strait
 
     CoupledSeal        &seal;
     const Control       control;
-    const bool          has_parted; // walls that no load joins but one that presses
-    const ContactState *near;       // that the next contact starts from, if there is one
+    const ContactState *near; // that the next contact starts from, if there is one
     FlowStage          &flow;
     StepFlow            fluid_flow;
     WallFeedback        feedback;
     UnsettledPools      pools;
     FeedbackResult      last_result;
-    std::optional<bool> percolates;   // in the round before, or where the path is
     bool                has_extended; // so that the pressure is a start under the contact
     int                 n_iterations = 0;
     long                fft_pairs    = 0;
@@ -116,8 +114,9 @@ namespace strait
                                     const SealState *from_)
     : seal(seal_)
     , control(control_)
-    , has_parted(from_ != nullptr && from_->fluid && from_->fluid->lifted_off)
-    , near(from_ != nullptr && !has_parted ? &*from_->contact : nullptr)
+    , near(from_ != nullptr && !(from_->fluid && from_->fluid->lifted_off)
+             ? &*from_->contact
+             : nullptr)
     , flow(seal.flow)
     , feedback(seal.scene.fluid.feedback, seal.layout)
     , has_extended(from_ != nullptr && from_->fluid)
@@ -127,8 +126,6 @@ namespace strait
     if (!has_extended)
       return;
     feedback.pressure() = from_->fluid->pressure;
-    if (!has_parted)
-      percolates = from_->fluid->percolates;
     // What carried another load is not to lift this one off before it was tried. The
     // share of the load is only a start; half of it starts farther from where the fluid
     // carries nearly all, and it must stay below one.
@@ -235,7 +232,6 @@ namespace strait
   {
     if (is_limited_by_load())
       goal.largest_mean = control.target;
-    goal.percolates   = percolates;
     FluidState &fluid = *state.fluid;
     try
       {
@@ -245,7 +241,6 @@ namespace strait
                          goal);
         fluid.converged           = last_result.converged;
         fluid.undecided           = last_result.undecided;
-        fluid.percolates          = fluid_flow.channel.percolates();
         fluid.load                = mean(feedback.pressure());
         state.contact->iterations = n_iterations;
         state.contact->fft_pairs  = fft_pairs;
@@ -268,8 +263,7 @@ namespace strait
   FeedbackRound
   CoupledSeal::Iteration::round(const SlabField &assumed)
   {
-    if ((is_limited_by_load() && mean(assumed) >= control.target) ||
-        (has_parted && !(control.target > 0.)))
+    if (is_limited_by_load() && mean(assumed) >= control.target)
       throw LiftedOff();
     const auto   start = Timers::Clock::now();
     ContactState next  = seal.contact->solve(control.target, near, &assumed);
@@ -287,7 +281,6 @@ namespace strait
 
     FeedbackRound result;
     result.percolates     = fluid_flow.channel.percolates();
-    percolates            = result.percolates;
     result.leak_rate      = fluid_flow.leakage.upper;
     result.fluid_pressure = pressure_in_gap(assumed);
     seal.log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",
@@ -360,12 +353,10 @@ namespace strait
     state.fluid->lifted_off           = true;
     state.fluid->converged            = false;
     state.fluid->load                 = control.target;
-    seal.log.warn(format(has_parted && !(control.target > 0.)
-                           ? "the walls have parted, and a load of %.6g does not join "
-                             "them: nothing limits the leak"
-                           : "the fluid alone carries a load of %.6g: the walls part and "
-                             "nothing limits the leak",
-                         control.target));
+    seal.log.warn(
+      format("the fluid alone carries a load of %.6g: the walls part and nothing "
+             "limits the leak",
+             control.target));
   }
 
   double

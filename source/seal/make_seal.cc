@@ -16,9 +16,11 @@ namespace strait
 {
   namespace
   {
-    /** Find the law and tell of it. */
-    AdhesionLaw
-    find_adhesion(const ContactParameters &parameters, const SlabField &heights, Log &log)
+    /** Find the law and tell of it. Returns its surface energy. */
+    double
+    find_surface_energy(const ContactParameters &parameters,
+                        const SlabField         &heights,
+                        Log                     &log)
     {
       if (parameters.adhesion.matched_pressure > 0)
         log.line("adhesion: a surface energy is sought that doubles the contact area");
@@ -39,7 +41,7 @@ namespace strait
                  "of jumps depend on the grid",
                  resolution,
                  resolved_adhesion));
-      return law;
+      return law.surface_energy;
     }
 
     std::unique_ptr<ContactModel>
@@ -47,8 +49,7 @@ namespace strait
     {
       if (!contact.adhesion.enabled)
         return std::make_unique<ContactSolver>(contact, std::move(heights));
-      const AdhesionParameters &adhesion = contact.adhesion;
-      const AdhesionLaw   law{adhesion.surface_energy, adhesion.range, adhesion.shape};
+      const AdhesionLaw   law   = adhesion_of_scene(contact, heights);
       const AdhesiveStart start = scene.programme.path == LoadPath::unloading
                                     ? AdhesiveStart::full_contact
                                     : AdhesiveStart::without_adhesion;
@@ -72,16 +73,13 @@ namespace strait
         std::min(parameters.tolerance, .01 * scene.programme.threshold_tolerance);
     if (!scene.contact.enabled || !scene.contact.adhesion.enabled)
       return parameters;
-    AdhesionParameters &adhesion = parameters.adhesion;
+    const auto know = [&](const double energy) {
+      parameters.adhesion.surface_energy   = energy;
+      parameters.adhesion.matched_pressure = 0.;
+    };
     if (surface_energy > 0.)
-      {
-        adhesion.surface_energy   = surface_energy;
-        adhesion.matched_pressure = 0.;
-      }
-    const AdhesionLaw law   = find_adhesion(parameters, heights, log);
-    adhesion.surface_energy = law.surface_energy;
-    adhesion.range          = law.range;
-    adhesion.tabor_number = adhesion.matched_pressure = 0.;
+      know(surface_energy);
+    know(find_surface_energy(parameters, heights, log));
     return parameters;
   }
 

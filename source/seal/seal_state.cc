@@ -18,7 +18,6 @@ namespace strait
         archive.value(state.fluid->load);
         archive.value(state.fluid->rounds);
         archive.value(state.fluid->mesh_error);
-        archive.value(state.fluid->percolates);
         archive.value(state.fluid->converged);
         archive.value(state.fluid->undecided);
         archive.value(state.fluid->lifted_off);

@@ -42,15 +42,6 @@ namespace strait
         from[i] -= field[i];
     }
 
-    SlabField
-    middle(const SlabField &a, const SlabField &b)
-    {
-      SlabField result = a;
-      for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] = .5 * (a[i] + b[i]);
-      return result;
-    }
-
     /** Replace @p a by its mixture with @p b that is smallest. */
     void
     mix_towards_zero(SlabField &a, const SlabField &b)
@@ -81,14 +72,14 @@ namespace strait
   }
 
   FeedbackResult
-  WallFeedback::solve(const Round &round,
-                      const double largest_pressure,
-                      FeedbackGoal goal)
+  WallFeedback::solve(const Round        &round,
+                      const double        largest_pressure,
+                      const FeedbackGoal &goal)
   {
     scale = largest_pressure;
     FeedbackResult result;
     int            changes_of_verdict = 0;
-    bool           is_first = true, percolated = false, keeps_side = false;
+    bool           is_first = true, percolated = false;
     if (goal.goes_on && !last_image.empty())
       {
         propose(last_image, 0, goal);
@@ -118,9 +109,6 @@ namespace strait
             walk             = Walk();
             return result;
           }
-        if (is_first)
-          keeps_side = now.percolates == goal.percolates;
-        const bool leaps = keeps_side && flips;
         if (flips)
           {
             fixed_point.restart();
@@ -129,24 +117,18 @@ namespace strait
             ++changes_of_verdict;
           }
         is_first                                   = false;
-        percolated                                 = now.percolates != leaps;
+        percolated                                 = now.percolates;
         last_leak_rate                             = now.leak_rate;
         (now.percolates ? open_side : closed_side) = assumed;
         if (changes_of_verdict <= changes_allowed)
-          {
-            if (leaps)
-              assumed = middle(open_side, closed_side);
-            else
-              propose(now.fluid_pressure, result.iterations, goal);
-          }
+          propose(now.fluid_pressure, result.iterations, goal);
         else if (enclose(round, goal, result))
           return result;
         else
           {
             changes_of_verdict = 0;
             is_first           = true;
-            goal.percolates.reset();
-            walk = Walk();
+            walk               = Walk();
             fixed_point.restart();
             fixed_point.relax(parameters.relaxation);
           }
@@ -224,7 +206,8 @@ namespace strait
       {
         if (result.iterations >= parameters.maximum_iterations)
           return true;
-        assumed                 = middle(open_side, closed_side);
+        for (std::size_t i = 0; i < assumed.size(); ++i)
+          assumed[i] = .5 * (open_side[i] + closed_side[i]);
         const FeedbackRound now = round(assumed);
         ++result.iterations;
         result.change = difference(now.fluid_pressure, assumed);

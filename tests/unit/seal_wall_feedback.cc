@@ -130,24 +130,6 @@ namespace strait
       EXPECT_NEAR(seal.pressure, .55, 2. * tolerance);
     }
 
-    TEST(WallFeedback, KeepsTheStateOfThePathWhereARoundLeapsOverTheJump)
-    {
-      // Two states, open at 0.5 and closed at 0.1. The first round from 0.58 leaps over
-      // the jump at 0.4, beyond which the closed state draws on.
-      const auto open = [](const double p) { return p > .4; };
-      const auto next = [open](const double p) {
-        return open(p) ? .5 - 1.8 * (p - .5) : .1 + .5 * (p - .1);
-      };
-      UniformSeal  seal(next, open);
-      FeedbackGoal goal{tolerance};
-      for (const bool was_open : {true, false})
-        {
-          goal.percolates = was_open;
-          EXPECT_TRUE(seal.solve(.58, goal).converged);
-          EXPECT_NEAR(seal.pressure, was_open ? .5 : .1, 10. * tolerance);
-        }
-    }
-
     TEST(WallFeedback, FindsTheGapThatStaysAjar)
     {
       // Closed it fills and opens, open it empties and closes: the mixture is a state.

@@ -14,9 +14,9 @@ namespace strait
 {
   /**
    * The contact parameters of the scene with all that a run has to find out first: a
-   * tolerance that the verdict of a threshold search does not notice, and energy and
-   * range of the adhesion, the energy being @p surface_energy where that is positive.
-   * What adhesion there is is told to @p log. Collective. Throws as adhesion_of_scene().
+   * tolerance that the verdict of a threshold search does not notice, and the surface
+   * energy of the adhesion, which is @p surface_energy where that is positive. What
+   * adhesion there is is told to @p log. Collective. Throws as adhesion_of_scene().
    */
   ContactParameters complete_contact(const Scene     &scene,
                                      const SlabField &heights,

@@ -25,7 +25,6 @@ namespace strait
     int    rounds     = 0;  // of contact and flow, until they agreed
     double mesh_error = 0.; // what the last mesh changed of the leak rate, relative
 
-    bool percolates = false;
     bool converged  = false;
     bool undecided  = false; // the seal opens and closes at this control
     bool lifted_off = false; // the fluid carries more than the load

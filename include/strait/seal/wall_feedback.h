@@ -8,7 +8,6 @@
 
 #include <functional>
 #include <limits>
-#include <optional>
 
 namespace strait
 {
@@ -26,9 +25,6 @@ namespace strait
     double tolerance; // of the change of the fluid pressure, as FeedbackParameters'
     bool   leak_rate = true; // until that has settled as closely, too
     bool   goes_on = false;  // the iteration before, with a map that has changed a little
-
-    /** Whether a channel percolates where the path comes from, if that is known. */
-    std::optional<bool> percolates = {};
 
     /** No guess may have a larger mean pressure, such as the load. */
     double largest_mean = std::numeric_limits<double>::infinity();
@@ -69,15 +65,12 @@ namespace strait
    * all are plain. (Such alternation: Banerjee, Suryanarayana, Pask, Chem. Phys. Lett.
    * 647, 2016.)
    *
-   * Where the verdict on percolation changes, the map has jumped, and open and closed
-   * states may exist side by side. The iteration goes on more cautiously from where it
-   * is. But a step along a path that is so small that the first round keeps the verdict
-   * of the path must not lose it because a guess leaps too far: there it goes on from
-   * half way back. After a few such changes it halves the distance between a pressure
-   * that leaves the channel open and one that closes it, until they agree within the
-   * tolerance. There it goes on along the jump, or away from it; where the two sides only
-   * lead to each other there is no state, and the last round is one that leaves the
-   * channel open.
+   * Where the verdict on percolation changes, the map has jumped: the iteration goes on
+   * more cautiously from where it is, and after a few such changes it halves the distance
+   * between a pressure that leaves the channel open and one that closes it, until they
+   * agree within the tolerance. There it goes on along the jump, or away from it; where
+   * the two sides only lead to each other there is no state, and the last round is one
+   * that leaves the channel open.
    *
    * The map also jumps, or is too steep for the grid, where a gap that is ajar lets the
    * fluid through and closes once it has: a throttle that regulates itself. Where the
@@ -96,7 +89,8 @@ namespace strait
      * that is left. @p largest_pressure, that of a reservoir, is the measure of
      * changes. Collective.
      */
-    FeedbackResult solve(const Round &round, double largest_pressure, FeedbackGoal goal);
+    FeedbackResult
+    solve(const Round &round, double largest_pressure, const FeedbackGoal &goal);
 
     /** The pressure that is assumed, on the grid; a start for solve(). */
     SlabField &
