@@ -86,26 +86,33 @@ namespace strait
         set_boundary(FlowMesh::right_wall, 0.);
         set_boundary(FlowMesh::left_wall, 1.);
       }
-    else
-      {
-        if (ring)
-          ring->complete(constraints, relevant);
-        pin_one_value();
-      }
+    else if (ring)
+      ring->complete(constraints, relevant);
     constraints.close();
   }
 
   void
   PotentialProblem::pin_one_value()
   {
-    auto k = owned.begin();
-    while (k != owned.end() && constraints.is_constrained(*k))
-      ++k;
-    auto first = k != owned.end() ? static_cast<unsigned int>(*k)
-                                  : std::numeric_limits<unsigned int>::max();
-    first      = Utilities::MPI::min(first, mesh.triangulation().get_communicator());
-    if (relevant.is_element(first))
-      constraints.add_line(first);
+    // The potential is known but for a constant, and as the equations add up to zero,
+    // a spring at one unknown sets that to zero. It is where the coefficient is largest:
+    // elsewhere its share would be lost in the rounding of larger entries.
+    MPI_Comm                comm     = mesh.triangulation().get_communicator();
+    double                  largest  = 0.;
+    types::global_dof_index stiffest = numbers::invalid_dof_index;
+    for (const auto k : owned)
+      if (!constraints.is_constrained(k) && matrix.diag_element(k) > largest)
+        {
+          largest  = matrix.diag_element(k);
+          stiffest = k;
+        }
+    const bool is_here = largest > 0 && largest == Utilities::MPI::max(largest, comm);
+    const int  rank    = Utilities::MPI::this_mpi_process(comm);
+    const int  first_rank =
+      Utilities::MPI::min(is_here ? rank : std::numeric_limits<int>::max(), comm);
+    if (rank == first_rank)
+      matrix.add(stiffest, stiffest, largest);
+    matrix.compress(VectorOperation::add);
   }
 
   void
@@ -176,6 +183,8 @@ namespace strait
         }
     matrix.compress(VectorOperation::add);
     right_hand_side.compress(VectorOperation::add);
+    if (is_free())
+      pin_one_value();
     pin_unreached_rows();
   }
 
@@ -196,7 +205,8 @@ namespace strait
       matrix.set(k, k, 1.);
     matrix.compress(VectorOperation::insert);
     n_active_unknowns =
-      Utilities::MPI::sum(n_active, mesh.triangulation().get_communicator());
+      Utilities::MPI::sum(n_active, mesh.triangulation().get_communicator()) -
+      (is_free() ? 1 : 0);
   }
 
   LinearSolve

@@ -135,20 +135,28 @@ namespace strait
       EXPECT_NEAR(six.flow.rate / two.flow.rate / 1e-12, 1., 1e-2);
     }
 
-    // Across the flow a window may cross the seam: a shift changes nothing.
+    // Across the flow a window may cross the seam, and a shift changes nothing, though
+    // 1/K differs by 1e15 over the box and the stream function is free but for one value.
+    // On the first mesh, since of symmetric cells rounding decides which one is refined.
     TEST(FlowWindows, MayCrossTheSeamParallel)
     {
-      const FluidParameters fluid = plain_fluid(1e-2);
-      const Solved          middle(sample(nested(64, 2, 20, 32), saddle(1e-3)), fluid);
-      const Solved          seam(sample(nested(64, 2, 20, 0), saddle(1e-3, -.5)), fluid);
-      EXPECT_EQ(seam.given.field.layout().windows().front().y, 54);
-      EXPECT_NEAR(seam.flow.upper / middle.flow.upper, 1., 1e-9);
-      // 1/K differs by 1e17 over the box, of which the linear solver leaves a few 1e-6.
-      EXPECT_NEAR(seam.flow.lower / middle.flow.lower, 1., 1e-5);
-      EXPECT_NEAR(
-        report_constrictions(seam.given.channel, seam.solver).fraction_at_worst,
-        report_constrictions(middle.given.channel, middle.solver).fraction_at_worst,
-        1e-6);
+      const FluidParameters fluid = plain_fluid(.2);
+      const Solved          middle(sample(nested(64, 2, 20, 32), saddle(4e-3)), fluid);
+      const double          of_middle =
+        report_constrictions(middle.given.channel, middle.solver).fraction_at_worst;
+      EXPECT_EQ(middle.flow.refinements, 0U);
+      for (const int row : {0, 8})
+        {
+          const Solved moved(sample(nested(64, 2, 20, row), saddle(4e-3, row / 64. - .5)),
+                             fluid);
+          EXPECT_EQ(moved.given.field.layout().windows().front().y, (row + 54) % 64);
+          EXPECT_NEAR(moved.flow.upper / middle.flow.upper, 1., 1e-7);
+          EXPECT_NEAR(moved.flow.lower / middle.flow.lower, 1., 1e-7);
+          EXPECT_NEAR(
+            report_constrictions(moved.given.channel, moved.solver).fraction_at_worst,
+            of_middle,
+            1e-6);
+        }
     }
 
     // The pressure at the points of a window is that at the same points of the grid.

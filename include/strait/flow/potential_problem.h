@@ -146,8 +146,16 @@ namespace strait
     }
 
   private:
-    void                             number_unknowns();
-    void                             make_constraints();
+    void number_unknowns();
+    void make_constraints();
+    /** Whether a constant may be added to the potential. */
+    bool
+    is_free() const
+    {
+      return problem_kind == Kind::stream_function &&
+             (mesh.seal() == nullptr || mesh.seal()->is_ring);
+    }
+
     void                             pin_one_value();
     void                             pin_unreached_rows();
     std::unique_ptr<CellCoefficient> make_cell_coefficient() const;
