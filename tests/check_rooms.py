@@ -21,8 +21,7 @@ WITHOUT_DEAL_II = ["base", "reference", "spectral", "surface", "contact", "perco
                    "theory"]
 # What a header declares side by side may have a source each.
 SHARED_HEADERS = ("surface/readers/formats.h", "contact/optimisers.h",
-                  "percolation/clusters.h", "seal/coupled_seal.h",
-                  "seal/seal_search.h")
+                  "percolation/clusters.h")
 LICENCE = "// SPDX-License-Identifier: GPL-2.0-or-later"
 INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>")
 

@@ -101,16 +101,17 @@ namespace strait
     if (layout->windows().empty())
       {
         zoomed.reset();
+        zoomed_heights = SlabField();
         return problem;
       }
-    if (zoomed == nullptr || !(zoomed->layout().windows() == layout->windows()))
+    if (zoomed == nullptr || !(zoomed_heights.layout().windows() == layout->windows()))
       {
-        SlabField heights(layout);
-        std::copy(wall.heights().begin(), wall.heights().end(), heights.begin());
-        fill_windows(heights);
         zoomed.reset(); // before the next one needs its memory
-        zoomed = std::make_unique<ZoomedProblem>(std::move(heights),
-                                                 parameters.effective_modulus);
+        zoomed_heights = SlabField(layout);
+        std::copy(wall.heights().begin(), wall.heights().end(), zoomed_heights.begin());
+        fill_windows(zoomed_heights);
+        zoomed =
+          std::make_unique<ZoomedProblem>(zoomed_heights, parameters.effective_modulus);
       }
     return *zoomed;
   }
@@ -303,10 +304,12 @@ namespace strait
                              const std::size_t n_values)
   {
     // Pressure and gap; the coarser grids hold a quarter of this.
-    const std::size_t bytes = wall.memory_consumption() + 2 * n_values * sizeof(double) +
-                              problem.memory_consumption() +
-                              (zoomed ? zoomed->memory_consumption() : 0) +
-                              optimiser_bytes;
+    const std::size_t bytes =
+      wall.memory_consumption() + 2 * n_values * sizeof(double) +
+      problem.memory_consumption() +
+      (zoomed ? zoomed->memory_consumption() + zoomed_heights.size() * sizeof(double)
+              : 0) +
+      optimiser_bytes;
     peak_memory = std::max(peak_memory, bytes);
   }
 } // namespace strait

@@ -58,8 +58,7 @@ namespace strait
     : GridProblem(heights)
     , law(adhesion)
     , transform(heights.layout_pointer())
-    , unit_stiffness(M_PI * contact_modulus / heights.grid().lx)
-    , aspect(heights.grid().lx / heights.grid().ly)
+    , stiffness(heights.grid(), contact_modulus)
   {
     if (TwoScaleOperator::suits_compliance(heights.grid()))
       compliance.emplace(TwoScaleOperator::compliance(heights.layout_pointer(),
@@ -74,16 +73,9 @@ namespace strait
   }
 
   double
-  HalfSpaceGapProblem::stiffness(const int kx, const int ky) const
-  {
-    const double x = kx, y = ky * aspect;
-    return unit_stiffness * std::sqrt(x * x + y * y);
-  }
-
-  double
   HalfSpaceGapProblem::mean_stiffness() const
   {
-    return unit_stiffness * std::min(1., aspect);
+    return std::min(stiffness(1, 0), stiffness(0, 1));
   }
 
   double
@@ -95,7 +87,7 @@ namespace strait
     transform.multiply_in_passes(
       displacement,
       traction,
-      [this](const int kx, const int ky) { return stiffness(kx, ky); },
+      stiffness,
       by_rows(before),
       [&](const double local_work) {
         work = sum(surface.layout().communicator(), local_work);

@@ -144,10 +144,4 @@ namespace strait
       }
     return state;
   }
-
-  ContactState
-  zoom_out(ContactState state)
-  {
-    return zoom_in(std::move(state), {});
-  }
 } // namespace strait

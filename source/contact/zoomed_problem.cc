@@ -90,38 +90,17 @@ namespace strait
     std::vector<double> in_coarse_box, in_fine_box; // the same in their boxes
   };
 
-  ZoomedProblem::ZoomedProblem(SlabField heights, const double contact_modulus)
-    : surface(std::move(heights))
+  ZoomedProblem::ZoomedProblem(const SlabField &heights, const double contact_modulus)
+    : GridProblem(heights)
     , modulus(contact_modulus)
     , grid_transform(surface.layout_pointer())
     , room(surface.size())
   {
-    const auto n_points = static_cast<double>(surface.grid().n_points());
-    for (const SlabLayout::Range &range : layout().ranges())
-      own_points.push_back({range.begin, range.end, range.area / n_points});
     for (std::size_t w = 0; w < layout().windows().size(); ++w)
       windows.push_back(std::make_unique<Window>(layout(), static_cast<int>(w)));
   }
 
   ZoomedProblem::~ZoomedProblem() = default;
-
-  std::size_t
-  ZoomedProblem::size() const
-  {
-    return surface.size();
-  }
-
-  const std::vector<ContactProblem::Block> &
-  ZoomedProblem::blocks() const
-  {
-    return own_points;
-  }
-
-  const double *
-  ZoomedProblem::heights() const
-  {
-    return surface.data();
-  }
 
   double *
   ZoomedProblem::scratch()
@@ -135,18 +114,6 @@ namespace strait
     return grid_transform.n_pairs();
   }
 
-  void
-  ZoomedProblem::sum_over_ranks(double *values, const int count) const
-  {
-    sum_in_place(layout().communicator(), values, count);
-  }
-
-  double
-  ZoomedProblem::largest_over_ranks(const double value) const
-  {
-    return maximum(layout().communicator(), value);
-  }
-
   double
   ZoomedProblem::apply(const double   *pressure,
                        double         *displacement,
@@ -154,7 +121,7 @@ namespace strait
                        const WorkPass &after)
   {
     std::fill_n(displacement, size(), 0.);
-    for (const Block &block : own_points)
+    for (const Block &block : blocks())
       {
         before(block);
         std::copy(pressure + block.begin,
@@ -165,7 +132,7 @@ namespace strait
     const auto [work] = weighted_sums<1>(*this, [=](const std::size_t i, auto &sums) {
       sums[0] += pressure[i] * displacement[i];
     });
-    for (const Block &block : own_points)
+    for (const Block &block : blocks())
       after(block, work);
     return work;
   }
@@ -174,7 +141,7 @@ namespace strait
   ZoomedProblem::precondition(double *values, const Pass &before, const Pass &after)
   {
     std::size_t end = 0;
-    for (const Block &block : own_points)
+    for (const Block &block : blocks())
       {
         std::fill(values + end, values + block.begin, 0.); // at covered points
         before(block);
@@ -182,7 +149,7 @@ namespace strait
       }
     std::fill(values + end, values + size(), 0.);
     multiply(values, Symbol::stiffness);
-    for (const Block &block : own_points)
+    for (const Block &block : blocks())
       after(block);
   }
 
@@ -283,22 +250,18 @@ namespace strait
                            double           *values,
                            const Symbol      symbol) const
   {
-    // q = 2π |(kx/lx, ky/ly)|, in units of lx so that tiny boxes do not overflow.
-    const PeriodicGrid &grid   = box.layout().grid();
-    const double        aspect = grid.lx / grid.ly;
-    const double        unit   = M_PI * modulus / grid.lx; // E* q / 2 of the longest wave
+    const WaveStiffness stiffness(box.layout().grid(), modulus);
     box.multiply(values, values, [=](const int kx, const int ky) {
-      const double y = ky * aspect;
-      const double q = std::sqrt(static_cast<double>(kx) * kx + y * y) * unit;
-      return symbol == Symbol::stiffness ? q : q > 0 ? 1. / q : 0.;
+      const double of_wave = stiffness(kx, ky);
+      return symbol == Symbol::stiffness ? of_wave : of_wave > 0 ? 1. / of_wave : 0.;
     });
   }
 
   std::size_t
   ZoomedProblem::memory_consumption() const
   {
-    std::size_t bytes = (surface.size() + room.size()) * sizeof(double) +
-                        grid_transform.memory_consumption();
+    std::size_t bytes =
+      room.size() * sizeof(double) + grid_transform.memory_consumption();
     for (const auto &window : windows)
       bytes += window->coarse_box.memory_consumption() +
                window->fine_box.memory_consumption() +

@@ -129,8 +129,6 @@ namespace strait
         return result;
       }
 
-      std::vector<Placed> placed;
-
     private:
       /** Points of the lattice that is the parent's of @p level, along axis @p d. */
       long
@@ -245,7 +243,8 @@ namespace strait
         return -1;
       }
 
-      const SlabLayout &layout;
+      const SlabLayout   &layout;
+      std::vector<Placed> placed;
     };
 
     /** Those of the windows of @p layout that @p is_kept, with their parents. */

@@ -33,36 +33,42 @@ namespace strait
     std::vector<std::vector<ZoomWindow>> tried;
     while (aim != Aim::comparison)
       {
-        const SlabLayout &layout = state.gap().layout();
-        const Channel     channel =
-          make_channel(state.gap(),
-                       control.slip_length,
-                       direction,
-                       aim == Aim::verdict ? 1 : FlowStage::n_paths_wanted);
-        std::vector<ThroatOnPath> narrow = throats(channel);
-        if (aim == Aim::verdict && !narrow.empty())
-          narrow = {narrowest(narrow)}; // what decides
-        std::vector<ZoomWindow> windows = place_windows(layout, narrow, zoom);
-        if (windows == layout.windows() && !std::exchange(is_trimmed, true) &&
-            channel.percolates())
-          windows = needed_windows(layout, narrow, zoom);
+        const std::vector<ZoomWindow> &present = state.gap().layout().windows();
+        std::vector<ZoomWindow>        windows = windows_for(state, aim, is_trimmed);
         // Throats that take windows from each other would go on for ever.
-        if (windows == layout.windows() ||
+        if (windows == present ||
             std::find(tried.begin(), tried.end(), windows) != tried.end())
           break;
-        tried.push_back(layout.windows());
+        tried.push_back(present);
         log.progress(
           format("  %zu windows at a load of %.8g", windows.size(), control.target));
 
-        const double       seconds = state.contact_seconds;
-        const ContactState before =
-          zoom_in(*std::move(state.contact), std::move(windows));
-        state.contact = before;
-        state         = seal->solve(control, &state, aim);
+        const double seconds    = state.contact_seconds;
+        const int    iterations = state.contact->iterations;
+        const long   fft_pairs  = state.contact->fft_pairs;
+        state.contact           = zoom_in(*std::move(state.contact), std::move(windows));
+        state                   = seal->solve(control, &state, aim);
         state.contact_seconds += seconds;
-        state.contact->iterations += before.iterations;
-        state.contact->fft_pairs += before.fft_pairs;
+        state.contact->iterations += iterations;
+        state.contact->fft_pairs += fft_pairs;
       }
     return state;
+  }
+
+  std::vector<ZoomWindow>
+  ZoomedSeal::windows_for(const SealState &state, const Aim aim, bool &is_trimmed) const
+  {
+    const SlabLayout  &layout  = state.gap().layout();
+    const unsigned int n_paths = aim == Aim::verdict ? 1 : FlowStage::n_paths_wanted;
+    const Channel      channel =
+      make_channel(state.gap(), state.control.slip_length, direction, n_paths);
+    std::vector<ThroatOnPath> narrow = throats(channel);
+    if (aim == Aim::verdict && !narrow.empty())
+      narrow = {narrowest(narrow)}; // what decides
+    std::vector<ZoomWindow> windows = place_windows(layout, narrow, zoom);
+    if (windows == layout.windows() && !std::exchange(is_trimmed, true) &&
+        channel.percolates())
+      windows = needed_windows(layout, narrow, zoom);
+    return windows;
   }
 } // namespace strait

@@ -84,7 +84,8 @@ namespace
   TEST(Zoom, OperatorsAreSymmetricToRounding)
   {
     const SlabLayoutPtr layout = nested_layout();
-    ZoomedProblem       problem(SlabField(layout), 2.);
+    const SlabField     flat(layout);
+    ZoomedProblem       problem(flat, 2.);
     const SlabField     a = rough_values(layout, 1.), b = rough_values(layout, 1.7);
     SlabField           Ga(layout), Gb(layout), Ma = a, Mb = b;
     const double        work = problem.apply(a.data(), Ga.data(), no_pass, no_work_pass);
@@ -118,7 +119,8 @@ namespace
     layout->for_each_covered(0, [&](const std::size_t parent, std::size_t) {
       p[parent] = 0.;
     });
-    ZoomedProblem problem(SlabField(layout), 1.);
+    const SlabField flat(layout);
+    ZoomedProblem   problem(flat, 1.);
     problem.apply(p.data(), u.data(), no_pass, no_work_pass);
 
     const SlabField fine_p = sampled({3 * n, 3 * n, 1., 1.}, narrow);

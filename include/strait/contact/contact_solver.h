@@ -87,6 +87,7 @@ namespace strait
     HalfSpaceProblem        problem;
 
     // With windows, those of the last state.
+    SlabField                      zoomed_heights;
     std::unique_ptr<ZoomedProblem> zoomed;
     std::size_t                    peak_memory = 0;
   };

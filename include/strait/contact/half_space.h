@@ -4,10 +4,35 @@
 
 #include <strait/spectral/fourier_transform.h>
 
+#include <cmath>
 #include <functional>
 
 namespace strait
 {
+  /** E* q/2, by which a half-space answers a displacement by a wave of a periodic box. */
+  class WaveStiffness
+  {
+  public:
+    WaveStiffness(const PeriodicGrid &grid, const double contact_modulus)
+      : unit(M_PI * contact_modulus / grid.lx)
+      , aspect(grid.lx / grid.ly)
+    {
+    }
+
+    /** Of the wave that fits into the box @p kx times along x and @p ky times along y. */
+    double
+    operator()(const int kx, const int ky) const
+    {
+      // In units of lx, so that tiny boxes do not underflow.
+      const double x = kx, y = ky * aspect;
+      return unit * std::sqrt(x * x + y * y);
+    }
+
+  private:
+    double unit; // of the wave that fits once along x
+    double aspect;
+  };
+
   /**
    * A periodic elastic half-space: u = G p with u~(q) = 2 p~(q) / (q E*) for
    * q ≠ 0 and u~(0) = 0 (Johnson, Contact Mechanics, 1985). p > 0 presses, u > 0

@@ -11,7 +11,8 @@
 
 namespace strait
 {
-  /** What problems on one periodic grid have in common: its points and their heights. */
+  /** What problems on one periodic grid have in common, perhaps with windows: its points
+   *  and their heights. */
   template <class Problem>
   class GridProblem : public Problem
   {
@@ -51,9 +52,10 @@ namespace strait
   protected:
     explicit GridProblem(const SlabField &heights)
       : surface(heights)
-      , all_points(
-          {{0, heights.size(), 1. / static_cast<double>(heights.grid().n_points())}})
     {
+      const auto n_points = static_cast<double>(heights.grid().n_points());
+      for (const SlabLayout::Range &range : heights.layout().ranges())
+        all_points.push_back({range.begin, range.end, range.area / n_points});
     }
 
     /** The points of one row of this rank. */
@@ -74,7 +76,7 @@ namespace strait
     const SlabField &surface;
 
   private:
-    const std::vector<Block> all_points;
+    std::vector<Block> all_points;
   };
 
   /** The contact of a half-space with heights on one periodic grid. */
@@ -127,12 +129,9 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    double stiffness(int kx, int ky) const;
-
-    const AdhesionLaw law;
-    FourierTransform  transform;
-    double            unit_stiffness; // of the wave that fits into the box once along x
-    double            aspect;         // lx/ly
+    const AdhesionLaw   law;
+    FourierTransform    transform;
+    const WaveStiffness stiffness;
 
     std::optional<TwoScaleOperator> compliance; // if the grid suits it
   };

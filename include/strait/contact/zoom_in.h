@@ -14,9 +14,6 @@ namespace strait
    * the window's parent. Collective.
    */
   ContactState zoom_in(ContactState state, std::vector<ZoomWindow> windows);
-
-  /** Pressure and gap alone of @p state without its windows; the rest stays. */
-  ContactState zoom_out(ContactState state);
 } // namespace strait
 
 #endif

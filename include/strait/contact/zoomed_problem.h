@@ -2,7 +2,7 @@
 #ifndef strait_contact_zoomed_problem_h
 #define strait_contact_zoomed_problem_h
 
-#include <strait/contact/contact_problem.h>
+#include <strait/contact/half_space_problem.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/spectral/slab_field.h>
 
@@ -24,34 +24,23 @@ namespace strait
    * space is needed. The operator is symmetric in the scalar product that is weighted by
    * area. The same with the half-space's stiffness preconditions it.
    */
-  class ZoomedProblem : public DualProblem
+  class ZoomedProblem : public GridProblem<DualProblem>
   {
   public:
-    /** @p heights on a layout with windows [length]; @p contact_modulus is E* > 0.
-     *  Collective. */
-    ZoomedProblem(SlabField heights, double contact_modulus);
+    /** @p heights, on a layout with windows [length], are referred to and must outlive
+     *  this object; @p contact_modulus is E* > 0. Collective. */
+    ZoomedProblem(const SlabField &heights, double contact_modulus);
     ~ZoomedProblem() override;
 
-    const SlabLayout &
-    layout() const
-    {
-      return surface.layout();
-    }
-
-    std::size_t               size() const override;
-    const std::vector<Block> &blocks() const override;
-    const double             *heights() const override;
-    double                    apply(const double   *pressure,
-                                    double         *displacement,
-                                    const Pass     &before,
-                                    const WorkPass &after) override;
+    double  apply(const double   *pressure,
+                  double         *displacement,
+                  const Pass     &before,
+                  const WorkPass &after) override;
     void    precondition(double *values, const Pass &before, const Pass &after) override;
     double *scratch() override;
     long    n_applications() const override;
-    void    sum_over_ranks(double *values, int count) const override;
-    double  largest_over_ranks(double value) const override;
 
-    /** Bytes on this rank, the heights included. */
+    /** Bytes on this rank, without the heights. */
     std::size_t memory_consumption() const;
 
   private:
@@ -69,11 +58,15 @@ namespace strait
     void spread_to_windows(double *values, Symbol symbol);
     void transform(FourierTransform &box, double *values, Symbol symbol) const;
 
-    const SlabField                      surface;
+    const SlabLayout &
+    layout() const
+    {
+      return surface.layout();
+    }
+
     const double                         modulus;
     FourierTransform                     grid_transform;
     std::vector<std::unique_ptr<Window>> windows;
-    std::vector<Block>                   own_points;
     std::vector<double>                  room;
   };
 } // namespace strait

@@ -8,8 +8,8 @@
 #include <strait/seal/seal_model.h>
 
 #include <memory>
-#include <string>
 #include <utility>
+#include <vector>
 
 namespace strait
 {
@@ -55,6 +55,12 @@ namespace strait
     }
 
   private:
+    /** The windows that @p state should have for @p aim. Once none is lacking those that
+     *  are not needed are left out, unless @p is_trimmed, which is then set. Collective.
+     */
+    std::vector<ZoomWindow>
+    windows_for(const SealState &state, Aim aim, bool &is_trimmed) const;
+
     std::unique_ptr<SealModel> seal;
     const ZoomParameters       zoom;
     const FlowDirection        direction;
