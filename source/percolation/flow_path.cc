@@ -27,8 +27,9 @@ namespace strait
       {
       }
 
-      /** The least-resistance path that avoids blocked points; may be empty. */
-      FlowPath run();
+      /** The least-resistance path that avoids blocked points; empty if there is none of
+       *  less than @p most. */
+      FlowPath run(double most);
 
       /** Bar the throats of @p path to later searches. */
       void block_throats(const FlowPath &path);
@@ -47,6 +48,9 @@ namespace strait
       }
 
       double step_resistance(const FlowLattice::Step &step) const;
+
+      /** From point @p k of the grid to the nearest closed one, in spacings. */
+      int reach_of(std::size_t k) const;
 
       FlowPath trace_back(std::size_t                      end,
                           const std::vector<std::uint8_t> &came_by) const;
@@ -78,7 +82,7 @@ namespace strait
     }
 
     FlowPath
-    PathSearch::run()
+    PathSearch::run(const double most)
     {
       using Entry = std::pair<double, std::size_t>;
       resistance.assign(gap.size(), infinity);
@@ -101,7 +105,7 @@ namespace strait
           const double here = so_far;
           gap.for_each_step(k, 8, [&](const FlowLattice::Step &step) {
             const double total = here + step_resistance(step);
-            if (total < resistance[step.point])
+            if (total < resistance[step.point] && total <= most)
               {
                 resistance[step.point] = total;
                 came_by[step.point]    = step.number;
@@ -138,6 +142,23 @@ namespace strait
       return path;
     }
 
+    int
+    PathSearch::reach_of(const std::size_t k) const
+    {
+      // The shortest bars a way through a gap between two points, and one around a
+      // corner. A throat of more than twice the longest is no throat.
+      constexpr int shortest = 2, longest = 32;
+      int           reach   = shortest;
+      const auto    is_open = [this](const std::size_t near) { return gap[near] > 0; };
+      for (; reach < longest; ++reach)
+        {
+          const std::vector<std::size_t> near = gap.points_around(k, reach);
+          if (!std::all_of(near.begin(), near.end(), is_open))
+            break;
+        }
+      return reach;
+    }
+
     void
     PathSearch::block_throats(const FlowPath &path)
     {
@@ -153,7 +174,7 @@ namespace strait
           if (resistivity(gap[k]) <= threshold || on_grid == last)
             continue;
           last = on_grid;
-          for (const std::size_t near : gap.points_around(on_grid, 2))
+          for (const std::size_t near : gap.points_around(on_grid, reach_of(on_grid)))
             blocked[near] = true;
         }
     }
@@ -206,9 +227,9 @@ namespace strait
                   const unsigned int n_paths)
   {
     // Paths of more resistance than that, over the first one's, carry no flow that
-    // counts; each of them costs a search. Half and double of it change only where the
-    // mesh starts.
-    constexpr double          largest_ratio = 2e4;
+    // counts, and a search that ends there is short. Half of it misses channels of half a
+    // percent of the flow, double of it searches for what no accuracy asks for.
+    constexpr double          largest_ratio = 500.;
     MPI_Comm                  comm          = gap.layout().communicator();
     const std::vector<double> whole         = gather_on_root(gap);
     std::vector<FlowPath>     paths;
@@ -217,10 +238,10 @@ namespace strait
       PathSearch        search(lattice);
       while (paths.size() < n_paths)
         {
-          FlowPath path = search.run();
-          if (path.points.empty() ||
-              (!paths.empty() &&
-               path.resistance() > largest_ratio * paths.front().resistance()))
+          const double most =
+            paths.empty() ? infinity : largest_ratio * paths.front().resistance();
+          FlowPath path = search.run(most);
+          if (path.points.empty())
             break;
           search.block_throats(path);
           paths.push_back(std::move(path));

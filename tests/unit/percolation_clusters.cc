@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -236,10 +237,10 @@ namespace strait
 
     TEST(FlowPath, TakesTheWideDetourAndFindsItsBottleneck)
     {
-      // A straight slit of gap 0.1 and a bent one of gap 1, with a neck of 0.5.
+      // A straight slit of gap 0.2 and a bent one of gap 1, with a neck of 0.5.
       const auto gap_at = [](const int ix, const int iy) {
         if (iy == 3)
-          return .1;
+          return .2;
         if (iy == 9)
           return ix == 11 ? .5 : 1.;
         return 0.;
@@ -257,9 +258,31 @@ namespace strait
       EXPECT_DOUBLE_EQ(x[0].bottleneck_gap, .5);
       // 14 steps at gap 1, two half-way into the neck.
       EXPECT_NEAR(x[0].resistance(), (14 * 1. + 2 * (.5 * 8 + .5)) / 16, 1e-12);
-      EXPECT_NEAR(x[1].resistance(), 1000., 1e-9);
+      EXPECT_NEAR(x[1].resistance(), 125., 1e-9);
       EXPECT_EQ(y[0].bottleneck.iy, 11);
       EXPECT_DOUBLE_EQ(y[0].resistance(), x[0].resistance());
+    }
+
+    TEST(FlowPath, TakesAnotherChannelNotAnotherWayThroughTheSameThroat)
+    {
+      // Two channels, 13 points wide: one with a throat of a gap of 0.5, the other of
+      // 0.2.
+      const SlabField gap   = fill(32, 32, [](const int ix, const int iy) {
+        const double from_wall = std::min(iy % 16 - 1, 15 - iy % 16);
+        const double throat    = ix == 16 ? (iy < 16 ? .5 : .2) : 1.;
+        return std::max(throat * from_wall, 0.);
+      });
+      const auto      paths = find_flow_paths(gap, FlowDirection::x, 6);
+      ASSERT_EQ(paths.size(), 2U);
+      EXPECT_LT(paths[0].bottleneck.iy, 16);
+      EXPECT_GT(paths[1].bottleneck.iy, 16);
+      // Of the same gaps one that resists more than any accuracy asks for is left out.
+      const SlabField uneven = fill(32, 32, [](const int ix, const int iy) {
+        const double from_wall = std::min(iy % 16 - 1, 15 - iy % 16);
+        const double throat    = ix == 16 ? (iy < 16 ? .5 : .02) : 1.;
+        return std::max(throat * from_wall, 0.);
+      });
+      EXPECT_EQ(find_flow_paths(uneven, FlowDirection::x, 6).size(), 1U);
     }
 
     TEST(FlowPath, CrossesThePeriodicSideButNoTouchingCorners)

@@ -29,9 +29,9 @@ namespace strait
   /**
    * Paths from inlet to outlet in the order of their resistance ∫ ds/gap³, at most
    * @p n_paths. Each further path avoids the throats of those before it (the
-   * points, within two grid spacings, that offer more than 5 % of the largest
-   * resistance per length), and is dropped, with all that would follow, once it
-   * resists more than 2·10⁴ times as much as the first.
+   * points that offer more than 5 % of the largest resistance per length, and those
+   * around them to the nearest contact, at least two grid spacings); none resists more
+   * than 500 times as much as the first.
    *
    * Dijkstra's algorithm over the eight neighbours; a diagonal step is paid for at
    * the mean resistivity of its ends or that of its middle, whichever is larger. @p gap
