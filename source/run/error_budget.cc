@@ -28,18 +28,24 @@ namespace strait
     }
   } // namespace
 
-  ErrorBudget::ErrorBudget(const Scene &scene_, const SlabField &heights)
+  ErrorBudget::ErrorBudget(const Scene             &scene_,
+                           const ContactParameters &contact,
+                           const SlabField         &heights)
     : scene(scene_)
     , rms_height(rms(heights))
     , silent(heights.layout().communicator(), true)
   {
     if (scene.contact.zoom.enabled && can_be_coarsened(heights.grid()))
-      coarser_zoomed = std::make_unique<ZoomedSeal>(
-        std::make_unique<DrySeal>(
-          std::make_unique<ContactSolver>(scene.contact, restrict_by_injection(heights))),
-        scene.contact.zoom,
-        scene.fluid.direction,
-        silent);
+      {
+        SlabField coarse = restrict_by_injection(heights);
+        coarser_layout   = coarse.layout_pointer();
+        coarser_zoomed   = std::make_unique<ZoomedSeal>(
+          std::make_unique<DrySeal>(
+            std::make_unique<ContactSolver>(contact, std::move(coarse))),
+          scene.contact.zoom,
+          scene.fluid.direction,
+          silent);
+      }
     // What a contact remembers, and what a fluid does to it, is not that of a coarser
     // grid at the same load alone.
     if (!scene.output.error_budget || !scene.contact.enabled ||
@@ -50,7 +56,7 @@ namespace strait
     while (coarser.size() < 2 && can_be_coarsened(grid_heights.grid()))
       {
         grid_heights = restrict_by_injection(grid_heights);
-        coarser.push_back(std::make_unique<ContactSolver>(scene.contact, grid_heights));
+        coarser.push_back(std::make_unique<ContactSolver>(contact, grid_heights));
       }
   }
 
@@ -99,8 +105,30 @@ namespace strait
     errors.items.push_back({"contact grid", error, "Contact/Grid points"});
   }
 
+  Control
+  ErrorBudget::coarser_control(const Step &step, const Transition *counted_from)
+  {
+    Control control = step.state.control;
+    if (counted_from == nullptr)
+      return control;
+    if (coarser_thresholds.empty())
+      {
+        const FlowDomain box(scene.fluid.direction);
+        SealSearch       search(scene, *coarser_zoomed, coarser_layout, box, silent);
+        coarser_thresholds = search.find_critical_loads(counted_from->lower);
+        coarser_state      = search.take_state();
+      }
+    for (const Transition &threshold : coarser_thresholds)
+      if (threshold.slip_length == counted_from->slip_length)
+        control.target = (1. - *step.reduced_load) * threshold.middle();
+    return control;
+  }
+
   void
-  ErrorBudget::add_zoom(const Step &step, SealModel &seal, StepErrors &errors)
+  ErrorBudget::add_zoom(const Step       &step,
+                        SealModel        &seal,
+                        const Transition *counted_from,
+                        StepErrors       &errors)
   {
     const double fine = step.flow->leakage.rate, slip = step.state.control.slip_length;
     const auto   change = [&](const SlabField &gap) {
@@ -118,7 +146,8 @@ namespace strait
       }
     if (coarser_zoomed)
       {
-        coarser_state = coarser_zoomed->solve(step.state.control,
+        const Control control = coarser_control(step, counted_from);
+        coarser_state         = coarser_zoomed->solve(control,
                                               coarser_state ? &*coarser_state : nullptr,
                                               Aim::leak_rate);
         errors.items.push_back(
@@ -141,8 +170,11 @@ namespace strait
   }
 
   StepErrors
-  ErrorBudget::assess(const Step &step, SealModel &seal)
+  ErrorBudget::assess(const Step &step, SealModel &seal, const Transition *counted_from)
   {
+    // What it costs to be wrong about the distance from the critical load.
+    constexpr double leak_exponent = 69. / 20;
+
     StepErrors     errors;
     const Leakage &leakage = step.flow->leakage;
     const double   by_wall = step.state.fluid ? step.state.fluid->mesh_error : 0.;
@@ -163,8 +195,13 @@ namespace strait
                                 scene.fluid.feedback.tolerance,
                                 "Fluid/Wall feedback/Tolerance"});
       }
+    if (counted_from != nullptr)
+      errors.items.push_back(
+        {"critical load",
+         leak_exponent * .5 * counted_from->relative_width() / *step.reduced_load,
+         "Load programme/Threshold tolerance"});
     if (scene.contact.zoom.enabled)
-      add_zoom(step, seal, errors);
+      add_zoom(step, seal, counted_from, errors);
     else if (scene.output.error_budget)
       add_contact_grid(step, errors);
     if (scene.contact.zoom.enabled || scene.output.error_budget)
@@ -178,14 +215,11 @@ namespace strait
   }
 
   void
-  ErrorBudget::transfer(StateArchive &archive, const SlabLayout &layout)
+  ErrorBudget::transfer(StateArchive &archive)
   {
-    const PeriodicGrid &grid = layout.grid();
+    strait::transfer(archive, coarser_thresholds);
     if (transfer_presence(archive, coarser_state))
-      strait::transfer(archive,
-                       *coarser_state,
-                       make_layout({grid.nx / 2, grid.ny / 2, grid.lx, grid.ly},
-                                   layout.communicator()));
+      strait::transfer(archive, *coarser_state, coarser_layout);
   }
 
   Json

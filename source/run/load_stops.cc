@@ -38,7 +38,7 @@ namespace strait
     for (const Transition &threshold : thresholds)
       for (const double reduced : scene.programme.reduced_loads)
         near_threshold.push_back(
-          {(1 - reduced) * threshold.middle(), threshold.slip_length});
+          {(1 - reduced) * threshold.middle(), threshold.slip_length, true});
     const bool upwards = scene.programme.path != LoadPath::unloading;
     std::stable_sort(near_threshold.begin(),
                      near_threshold.end(),

@@ -44,7 +44,7 @@ namespace strait
         flow = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
         if (scene.programme.find_threshold)
           flow->watch_constrictions();
-        error_budget = std::make_unique<ErrorBudget>(scene, heights);
+        error_budget = std::make_unique<ErrorBudget>(scene, contact, heights);
       }
     if (scene.theory.enabled)
       theory = std::make_unique<TheoryPrediction>(scene, &heights);
@@ -124,7 +124,7 @@ namespace strait
             break;
           }
         leak(step);
-        judge(step);
+        judge(step, stops[next_stop]);
         report_step(step, static_cast<int>(stops.size()), timers.total(), log);
         ++next_stop;
         if (!consume(step))
@@ -196,13 +196,16 @@ namespace strait
 
   /** Say how sure the step is, and what theory makes of it. */
   void
-  LoadSweep::judge(Step &step)
+  LoadSweep::judge(Step &step, const LoadStop &stop)
   {
     compare_with_threshold(step);
     compare_with_theory(step);
-    step.errors =
-      step.flow && step.flow->solution ? error_budget->assess(step, *seal) : StepErrors();
-    converged = converged && step.converged();
+    const Transition *counted_from =
+      stop.is_reduced ? threshold_of(stop.slip_length) : nullptr;
+    step.errors = step.flow && step.flow->solution
+                    ? error_budget->assess(step, *seal, counted_from)
+                    : StepErrors();
+    converged   = converged && step.converged();
   }
 
   void
@@ -256,7 +259,7 @@ namespace strait
     if (transfer_presence(archive, start))
       strait::transfer(archive, *start, layout);
     if (error_budget)
-      error_budget->transfer(archive, *layout);
+      error_budget->transfer(archive);
     if (next_stop > 0 && scene.contact.enabled)
       strait::transfer(archive, step.state, layout);
   }

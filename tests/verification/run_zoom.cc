@@ -58,6 +58,13 @@ namespace strait
       const std::vector<Row> &rows = result.rows;
       ASSERT_EQ(rows.size(), 3U);
       expect_resolved(rows);
+      // Of 768² points with windows, each as far from its own critical load.
+      const double leak_rate[] = {1.8303e-4, 5.1331e-8, 1.8608e-11};
+      for (int k = 0; k < 3; ++k)
+        {
+          EXPECT_LT(rows[k].error, .02);
+          EXPECT_NEAR(rows[k].leak_rate / leak_rate[k], 1., rows[k].error);
+        }
       EXPECT_NEAR(rows[0].worst_gap / 5.361e-2, 1., 1e-3);
       EXPECT_NEAR(rows[1].worst_gap / 3.179e-3, 1., 5e-3);
       const double gap[]  = {1.227, 1.186};

@@ -16,6 +16,7 @@ namespace strait
   {
     double target; // nominal pressure or mean gap
     double slip_length;
+    bool   is_reduced  = false; // the target is that far from the critical load
     bool   begins_anew = false; // a contact that remembers begins a new path here
   };
 
