@@ -8,6 +8,7 @@
 #include <strait/run/field_output.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/picture_data.h>
+#include <strait/run/validity.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -174,6 +175,7 @@ namespace strait
       }
     scaling.transfer(archive);
     archive.value(error_budget);
+    archive.value(validity);
     auto n_jumps_written = static_cast<long>(n_jumps);
     archive.value(n_jumps_written);
     n_jumps = n_jumps_written;
@@ -215,6 +217,7 @@ namespace strait
   {
     if (!step.errors.items.empty())
       error_budget.push_back(to_json(step).text());
+    validity.push_back(validity_record(step).text());
     run_on_root(comm, [&]() {
       table.append(step);
       if (step.state.contact && step.state.contact->adhesion &&
@@ -269,9 +272,12 @@ namespace strait
     Json grid = Json::object();
     grid.set("nx", scene.contact.grid_points[0]).set("ny", scene.contact.grid_points[1]);
     grid.set("lx", scene.surface.size[0]).set("ly", scene.surface.size[1]);
-    Json errors = Json::array(); // of the steps
-    for (const std::string &text : error_budget)
-      errors.append(Json::verbatim(text));
+    const auto of_steps = [](const std::vector<std::string> &records) {
+      Json all = Json::array();
+      for (const std::string &text : records)
+        all.append(Json::verbatim(text));
+      return all;
+    };
     Json record = Json::object();
     record.set("program", "strait")
       .set("version", version())
@@ -279,7 +285,8 @@ namespace strait
       .set("grid", grid)
       .set("bytes_per_grid_point", bytes_per_point)
       .set("seconds", seconds)
-      .set("error_budget", errors)
+      .set("error_budget", of_steps(error_budget))
+      .set("validity", of_steps(validity))
       .set("warnings", Json(log.warnings()))
       .set("parameters", scene.resolved);
     if (scene.units.are_complete())

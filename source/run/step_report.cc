@@ -36,6 +36,8 @@ namespace strait
                      step.theory->leak_rate);
     if (step.status() != "ok")
       text += "; " + step.status();
+    if (step.validity() != "ok")
+      text += "; validity: " + step.validity();
     log.line(text);
     if (!step.errors.items.empty())
       log.line(describe_errors(step.errors));

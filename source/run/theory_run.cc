@@ -5,6 +5,7 @@
 #include <strait/run/step_report.h>
 #include <strait/run/theory_prediction.h>
 #include <strait/run/theory_run.h>
+#include <strait/run/validity.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/resolution.h>
 
@@ -60,6 +61,7 @@ namespace strait
             const auto scope = timers.scope("theory");
             step.theory      = theory.predict(pressure, slip_length, nullptr, nullptr);
           }
+          judge_validity(step, scene, std::sqrt(theory.spectrum().slope_square()), log);
           report_step(step, n_steps, timers.total(), log);
           const auto scope = timers.scope("output");
           output.write(step, step.number == n_steps);

@@ -89,6 +89,7 @@ namespace strait
     std::size_t  n_jumps = 0; // written
 
     std::vector<std::string> error_budget; // JSON, of the steps so far
+    std::vector<std::string> validity;     // likewise
   };
 } // namespace strait
 
