@@ -231,6 +231,16 @@ namespace strait
     scene.contact.take_elastic_constants();
     scene.fluid.take_gas(scene.units);
     scene.check();
+    const bool has_size =
+      std::any_of(entries.begin(), entries.end(), [](const SceneEntry &entry) {
+        return entry.section == std::vector<std::string>{"Surface"} &&
+               entry.name == "Size";
+      });
+    if (!has_size && !scene.units.length.empty() &&
+        scene.surface.kind != SurfaceKind::file)
+      throw InputError("Units/Length = " + scene.units.length +
+                       " is stated, but not how large the surface is; set Surface/Size "
+                       "in this unit.");
     return scene;
   }
 

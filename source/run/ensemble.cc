@@ -3,6 +3,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/signals.h>
 #include <strait/run/disk_space.h>
+#include <strait/run/earlier_results.h>
 #include <strait/run/ensemble.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/result_tables.h>

@@ -4,6 +4,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/json.h>
 #include <strait/run/disk_space.h>
+#include <strait/run/earlier_results.h>
 #include <strait/run/error_budget.h>
 #include <strait/run/field_output.h>
 #include <strait/run/output_directory.h>
@@ -11,9 +12,7 @@
 #include <strait/run/validity.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -21,33 +20,6 @@ namespace strait
 {
   namespace
   {
-    namespace fs = std::filesystem;
-
-    /** Whether an earlier run of this program may have written a file. */
-    bool
-    is_result(const std::string &name)
-    {
-      static const std::regex number("-[0-9]+\\.");
-      for (const TableInfo &table : all_tables({}))
-        if (std::regex_replace(name, number, "-STEP.") == table.file)
-          return true;
-      for (const char *exact : {"leakage.png",
-                                "gaps.png",
-                                "ensemble.png",
-                                "surface.nc",
-                                "spectrum.png",
-                                "run.json",
-                                "checkpoint",
-                                "checkpoint.new",
-                                "log.txt",
-                                "parameters.prm"})
-        if (name == exact)
-          return true;
-      static const std::regex numbered_file(
-        "(fields|flow|picture)-[0-9]+\\.(h5|xmf|vtu|pvtu|png)");
-      return std::regex_match(name, numbered_file);
-    }
-
     /** What is in a file; nothing if there is none. */
     std::string
     text_of(const std::string &path)
@@ -94,26 +66,6 @@ namespace strait
       return result + "'";
     }
   } // namespace
-
-  void
-  prepare_directory(const std::string &path, MPI_Comm comm)
-  {
-    run_on_root(comm, [&path]() {
-      std::error_code error;
-      fs::create_directories(path, error);
-      const fs::path probe = fs::path(path) / "log.txt";
-      if (error || !std::ofstream(probe, std::ios::app))
-        throw InputError("The output directory '" + path +
-                         "' cannot be written; choose another with Output/Directory or "
-                         "--output.");
-      std::vector<fs::path> earlier;
-      for (const auto &entry : fs::directory_iterator(path))
-        if (entry.is_regular_file() && is_result(entry.path().filename().string()))
-          earlier.push_back(entry.path());
-      for (const fs::path &file : earlier)
-        fs::remove(file, error);
-    });
-  }
 
   void
   draw_pictures(const std::string &path, Log &log)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
+#include <strait/run/guards.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/step_report.h>
 #include <strait/run/theory_prediction.h>
@@ -19,6 +20,8 @@ namespace strait
     make_theory(const Scene &scene, Log &log)
     {
       for (const std::string &warning : scene.warnings())
+        log.warn(warning);
+      for (const std::string &warning : implausible_numbers(scene))
         log.warn(warning);
       if (scene.theory.spectrum == TheorySpectrum::model)
         return {scene, nullptr};

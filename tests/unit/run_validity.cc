@@ -16,7 +16,8 @@ namespace
   const Overrides in_si  = {"Units/Length=m",
                             "Units/Pressure=Pa",
                             "Units/Time=s",
-                            "Surface/Size=1e-4"};
+                            "Surface/Size=1e-4",
+                            "Surface/Kind=flat"};
   const Overrides helium = {"Fluid/State=gas", "Fluid/Gas=helium"};
 
   Overrides
@@ -42,7 +43,8 @@ namespace
     step.state.contact->gap = SlabField(layout);
     step.flow.emplace();
     step.flow->channel.clusters.percolates = true;
-    step.flow->channel.clusters.states.assign(layout->size(), NodeState::percolating);
+    step.flow->channel.clusters.states.assign(step.state.contact->gap.size(),
+                                              NodeState::percolating);
     step.flow->channel.throat.points = 10.;
     FlowPath path;
     path.points.resize(3);
@@ -84,7 +86,8 @@ namespace
                               helium + Overrides{"Units/Length=mm",
                                                  "Units/Pressure=MPa",
                                                  "Units/Time=min",
-                                                 "Surface/Size=0.1"});
+                                                 "Surface/Size=0.1",
+                                                 "Surface/Kind=flat"});
     EXPECT_NEAR(mean_free_path_times_pressure(mm), 0.019169e-3, 1e-9);
     EXPECT_DOUBLE_EQ(mm.fluid.viscosity, 19.6e-12 / 60);
   }

@@ -15,13 +15,6 @@
 
 namespace strait
 {
-  /**
-   * Make the folder @p path and remove the results of an earlier run from it, and
-   * only those, so that a folder never mixes two runs. Collective. Throws InputError
-   * on all ranks if the folder cannot be made or written to.
-   */
-  void prepare_directory(const std::string &path, MPI_Comm comm);
-
   /** Let the plotting script draw the results in @p path; a failure is a warning.
    *  For rank 0 only. */
   void draw_pictures(const std::string &path, Log &log);
