@@ -12,6 +12,17 @@
 
 namespace strait
 {
+  namespace
+  {
+    // Where the leak rate falls exponentially: half of the nearest reduced load takes
+    // loads in at which the power law has begun, a larger farthest one those at which
+    // there is hardly any contact.
+    constexpr double nearest = .3, farthest = .7;
+
+    // Reduced loads of steps are those asked for but for rounding.
+    constexpr double rounding = 1e-9;
+  } // namespace
+
   std::vector<ExponentFit>
   local_slopes(std::vector<ScalingPoint> points)
   {
@@ -59,9 +70,10 @@ namespace strait
   {
     ExponentFit         fit;
     std::vector<double> x, y;
-    for (const auto &[epsilon, value] : points)
-      if (epsilon <= largest * (1 + 1e-9))
+    for (const auto &[epsilon, value, status] : points)
+      if (epsilon <= largest * (1 + rounding))
         {
+          add_words(fit.status, status);
           fit.from = x.empty() ? epsilon : std::min(fit.from, epsilon);
           fit.to   = std::max(fit.to, epsilon);
           x.push_back(std::log(epsilon));
@@ -79,13 +91,10 @@ namespace strait
   double
   crossover_reduced_load(const std::vector<ScalingPoint> &points)
   {
-    // The exponent is that of the law near the threshold. The window is where the leak
-    // rate falls exponentially: half of its nearest end takes loads in at which that law
-    // has begun, a larger farthest one those at which there is hardly any contact.
-    constexpr double    exponent = 69. / 20, nearest = .3, farthest = .7;
+    constexpr double    exponent = 69. / 20; // of the law near the threshold
     std::vector<double> x, y;
-    for (const auto &[epsilon, value] : points)
-      if (epsilon >= nearest - 1e-9 && epsilon <= farthest + 1e-9)
+    for (const auto &[epsilon, value, status] : points)
+      if (epsilon >= nearest - rounding && epsilon <= farthest + rounding)
         {
           x.push_back(epsilon);
           y.push_back(std::log(value));
@@ -100,7 +109,12 @@ namespace strait
       return;
     Sample sample{step.state.control.slip_length,
                   *step.reduced_load,
-                  step.doubts.empty(),
+                  step.status(),
+                  std::any_of(step.checks.begin(),
+                              step.checks.end(),
+                              [](const ValidityCheck &check) {
+                                return check.word == "coarse-throat" && !check.holds();
+                              }),
                   {}};
     if (step.flow && step.flow->constrictions && step.converged())
       {
@@ -125,23 +139,86 @@ namespace strait
       {
         archive.value(sample.slip_length);
         archive.value(sample.reduced_load);
-        archive.value(sample.is_trusted);
+        archive.value(sample.status);
+        archive.value(sample.is_coarse);
         for (double &value : sample.values)
           archive.value(value);
       }
   }
 
+  bool
+  Scaling::serves(const Sample &sample, const Quantity quantity, const Trust trust)
+  {
+    return sample.values[quantity] > 0 &&
+           !(trust == Trust::doubtless && sample.status != "ok") &&
+           !(trust == Trust::resolved && sample.is_coarse);
+  }
+
   std::vector<ScalingPoint>
   Scaling::series(const Quantity quantity,
                   const double   slip_length,
-                  const bool     only_trusted) const
+                  const Trust    trust) const
   {
     std::vector<ScalingPoint> points;
     for (const Sample &sample : samples)
-      if (sample.slip_length == slip_length && sample.values[quantity] > 0 &&
-          (sample.is_trusted || !only_trusted))
-        points.push_back({sample.reduced_load, sample.values[quantity]});
+      if (sample.slip_length == slip_length && serves(sample, quantity, trust))
+        points.push_back({sample.reduced_load, sample.values[quantity], sample.status});
     return points;
+  }
+
+  Scaling::Window
+  Scaling::window(const double from, const double to, const Trust trust) const
+  {
+    double slip_length = std::nan("");
+    for (const Sample &sample : samples)
+      slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
+    Window result;
+    for (const Sample &sample : samples)
+      if (sample.slip_length == slip_length && sample.reduced_load >= from - rounding &&
+          sample.reduced_load <= to + rounding)
+        {
+          ++result.n_steps;
+          if (serves(sample, leak_rate, trust))
+            ++result.n_used;
+          else if (trust == Trust::resolved && sample.is_coarse)
+            add_words(result.status_of_others, "coarse-throat");
+          else
+            add_words(result.status_of_others, sample.status);
+        }
+    return result;
+  }
+
+  std::string
+  Scaling::missing() const
+  {
+    std::string words = "ok";
+    if (window(0., largest, Trust::doubtless).lacks_steps())
+      add_words(words, "no-exponent");
+    if (window(nearest, farthest, Trust::resolved).lacks_steps())
+      add_words(words, "no-crossover");
+    return words;
+  }
+
+  void
+  Scaling::report_missing(Log &log) const
+  {
+    const auto warn =
+      [&log](const char *what, const Window &window, const double from, const double to) {
+        if (window.n_steps > window.n_used)
+          log.warn(
+            format("%s: %d of %d steps with 1 - L/L_c from %.3g to %.3g serve; the "
+                   "others are left out for %s",
+                   window.lacks_steps()
+                     ? (std::string("no ") + what + ", which takes two steps").c_str()
+                     : what,
+                   window.n_used,
+                   window.n_steps,
+                   from,
+                   to,
+                   window.status_of_others.c_str()));
+      };
+    warn("exponent of leak_rate", window(0., largest, Trust::doubtless), 0., largest);
+    warn("crossover load", window(nearest, farthest, Trust::resolved), nearest, farthest);
   }
 
   double
@@ -157,20 +234,22 @@ namespace strait
   ExponentFit
   Scaling::leak_rate_fit() const
   {
-    return fit_exponent(series(leak_rate, smallest_slip(leak_rate), true), largest);
+    return fit_exponent(series(leak_rate, smallest_slip(leak_rate), Trust::doubtless),
+                        largest);
   }
 
   double
   Scaling::crossover() const
   {
-    return crossover_reduced_load(series(leak_rate, smallest_slip(leak_rate)));
+    return crossover_reduced_load(
+      series(leak_rate, smallest_slip(leak_rate), Trust::resolved));
   }
 
   double
   Scaling::theory_crossover() const
   {
     return crossover_reduced_load(
-      series(theory_leak_rate, smallest_slip(theory_leak_rate)));
+      series(theory_leak_rate, smallest_slip(theory_leak_rate), Trust::all));
   }
 
   namespace
@@ -251,26 +330,28 @@ namespace strait
       slip_lengths.insert(sample.slip_length);
     std::vector<FitRow>            rows;
     std::vector<ClosingLaw::Slope> closing;
-    for (const ExponentFit &slope : local_slopes(series(leak_rate, 0., true)))
+    for (const ExponentFit &slope : local_slopes(series(leak_rate, 0., Trust::doubtless)))
       if (slope.to <= largest)
         closing.push_back({std::sqrt(slope.from * slope.to), slope.exponent});
     const ClosingLaw law = ClosingLaw::fit(closing);
     for (const double slip_length : slip_lengths)
       for (const auto &[quantity, name] : quantities)
         {
-          for (const ExponentFit &slope : local_slopes(series(quantity, slip_length)))
+          for (const ExponentFit &slope :
+               local_slopes(series(quantity, slip_length, Trust::all)))
             rows.push_back({slope,
                             name,
                             slip_length,
                             "local",
                             law_exponent(law, quantity, slope, slip_length)});
-          const auto        trusted = series(quantity, slip_length, true);
+          const auto        trusted = series(quantity, slip_length, Trust::doubtless);
           const ExponentFit fit     = fit_exponent(trusted, largest);
           if (fit.n_points < 2)
             continue;
           rows.push_back({fit, name, slip_length, "fit", std::nan("")});
           report_fit(name, fit, local_slopes(trusted), log);
         }
+    report_missing(log);
     return rows;
   }
 } // namespace strait

@@ -128,6 +128,8 @@ namespace strait
     scaling.transfer(archive);
     archive.value(error_budget);
     archive.value(validity);
+    archive.value(words_of_status);
+    archive.value(words_of_validity);
     auto n_jumps_written = static_cast<long>(n_jumps);
     archive.value(n_jumps_written);
     n_jumps = n_jumps_written;
@@ -170,6 +172,8 @@ namespace strait
     if (!step.errors.items.empty())
       error_budget.push_back(to_json(step).text());
     validity.push_back(validity_record(step).text());
+    add_words(words_of_status, step.status());
+    add_words(words_of_validity, step.validity());
     run_on_root(comm, [&]() {
       table.append(step);
       if (step.state.contact && step.state.contact->adhesion &&
@@ -195,6 +199,17 @@ namespace strait
       }
     if (scene.output.pictures && !step.state.gap().empty())
       write_picture_data(path, step, scene.fluid);
+  }
+
+  void
+  OutputDirectory::summarise(RunSummary &summary) const
+  {
+    summary.exponent         = scaling.leak_rate_fit();
+    summary.crossover        = scaling.crossover();
+    summary.theory_crossover = scaling.theory_crossover();
+    summary.status           = words_of_status;
+    add_words(summary.status, scaling.missing());
+    summary.validity = words_of_validity;
   }
 
   void

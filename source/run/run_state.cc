@@ -24,6 +24,8 @@ namespace strait
       archive.value(summary.exponent.n_points);
       archive.value(summary.crossover);
       archive.value(summary.theory_crossover);
+      archive.value(summary.status);
+      archive.value(summary.validity);
     }
 
     void

@@ -230,9 +230,7 @@ namespace strait
     log.line(timers.summary());
     output.finish(timers, bytes / n_points);
     log.line("results are in " + scene.output.directory);
-    summary.exponent         = output.exponents().leak_rate_fit();
-    summary.crossover        = output.exponents().crossover();
-    summary.theory_crossover = output.exponents().theory_crossover();
+    output.summarise(summary);
     if (!summary.stopped)
       state.save_end(summary);
     return summary;

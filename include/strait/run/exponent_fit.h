@@ -20,6 +20,8 @@ namespace strait
   {
     double reduced_load = 0.; // ε = 1 − L/L_c > 0
     double value        = 0.; // > 0
+
+    std::string status = "ok"; // of the step that it is from
   };
 
   /** The exponent β of value ∝ ε^β over a window of ε. */
@@ -30,6 +32,8 @@ namespace strait
     double exponent = 0.;
     double error    = 0.; // standard error of the fit; 0 for two points
     int    n_points = 0;
+
+    std::string status = "ok"; // all words of its points
   };
 
   /** A row of fit.csv. */
@@ -60,7 +64,8 @@ namespace strait
 
   /**
    * Exponents of leak rate and throat against 1 − L/L_c. Collects the steps that
-   * converged; those in doubt (Step::doubts) are left out of the fits.
+   * converged; those in doubt (Step::doubts) are left out of the fits, and those whose
+   * throat has too few points for a leak rate (validity.h) out of the crossover.
    */
   class Scaling
   {
@@ -85,8 +90,12 @@ namespace strait
     double crossover() const;
     double theory_crossover() const;
 
+    /** "ok", or words for what could not be told of the leak rate because too few of the
+     *  steps that it takes are resolved: no-exponent, no-crossover. */
+    std::string missing() const;
+
     /** The local slopes of each quantity, and its fit over all steps that are trusted,
-     *  which goes to @p log as well. Collective. */
+     *  which goes to @p log as well, with a warning of what is missing. Collective. */
     std::vector<FitRow> fits(Log &log) const;
 
   private:
@@ -105,13 +114,42 @@ namespace strait
     {
       double                           slip_length  = 0.;
       double                           reduced_load = 0.;
-      bool                             is_trusted   = false;
+      std::string                      status       = "ok";
+      bool                             is_coarse    = false; // its throat
       std::array<double, n_quantities> values       = {};
     };
 
+    /** Which steps serve. */
+    enum class Trust
+    {
+      all,      // that converged
+      resolved, // whose leak rate the grid resolves
+      doubtless // whose status is ok: for exponents
+    };
+
+    static bool serves(const Sample &sample, Quantity quantity, Trust trust);
+
     /** The known values of a quantity at one slip length, in the order of the steps. */
     std::vector<ScalingPoint>
-    series(Quantity quantity, double slip_length, bool only_trusted = false) const;
+    series(Quantity quantity, double slip_length, Trust trust) const;
+
+    /** Of the steps with reduced loads in a window at the smallest slip: how many there
+     *  are, how many have a leak rate that serves, and the status of the others. */
+    struct Window
+    {
+      int         n_steps          = 0;
+      int         n_used           = 0;
+      std::string status_of_others = "ok";
+
+      /** Whether there is no result because too few steps serve. */
+      bool
+      lacks_steps() const
+      {
+        return n_steps > n_used && n_used < 2;
+      }
+    };
+    Window window(double from, double to, Trust trust) const;
+    void   report_missing(Log &log) const;
 
     /** What the law of closing says of a slope; not a number where it says nothing. */
     static double law_exponent(const ClosingLaw  &law,

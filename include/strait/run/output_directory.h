@@ -28,6 +28,9 @@ namespace strait
     ExponentFit             exponent;          // of the leak rate at the smallest slip
     double                  crossover = 0.; // reduced load, see crossover_reduced_load()
     double theory_crossover = 0.; // that of the theory, if the scene asks for it
+
+    std::string status   = "ok"; // words of all steps, and of what is not known for them
+    std::string validity = "ok"; // likewise
   };
 
   /**
@@ -63,12 +66,8 @@ namespace strait
      */
     void finish(const Timers &timers, double bytes_per_point);
 
-    /** What is known of exponents so far. */
-    const Scaling &
-    exponents() const
-    {
-      return scaling;
-    }
+    /** Complete @p summary with what the steps leave. */
+    void summarise(RunSummary &summary) const;
 
   private:
     void write_record(const Timers &timers, double bytes_per_point) const;
@@ -83,6 +82,8 @@ namespace strait
 
     std::vector<std::string> error_budget; // JSON, of the steps so far
     std::vector<std::string> validity;     // likewise
+
+    std::string words_of_status = "ok", words_of_validity = "ok"; // of the steps so far
   };
 } // namespace strait
 

@@ -7,6 +7,7 @@
 #include <strait/seal/seal_state.h>
 #include <strait/seal/step_flow.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -14,6 +15,18 @@
 
 namespace strait
 {
+  /** Add to @p all, "ok" or words joined by +, those of @p more that it lacks. */
+  inline void
+  add_words(std::string &all, const std::string &more)
+  {
+    std::vector<std::string> words =
+      all == "ok" ? std::vector<std::string>() : split(all, '+');
+    for (const std::string &word : split(more, '+'))
+      if (word != "ok" && std::find(words.begin(), words.end(), word) == words.end())
+        words.push_back(word);
+    all = words.empty() ? "ok" : join(words, "+");
+  }
+
   /** One source of error of a leak rate. */
   struct ErrorItem
   {
