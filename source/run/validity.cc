@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/text.h>
+#include <strait/run/rarefaction.h>
 #include <strait/run/validity.h>
 
 #include <algorithm>
@@ -46,94 +47,86 @@ namespace strait
     // points along the throat and 9 % with 2.4.
     constexpr double least_points_along_throat = 3.;
 
-    /** The checks of one step. */
+    /** The checks of one step, one function for each mechanism that is left out. */
     class Verdict
     {
     public:
       Verdict(const Step &step, const Scene &scene)
         : step(step)
         , scene(scene)
+        , nominal_pressure(step.state.contact ? step.state.contact->nominal_pressure
+                           : step.theory      ? step.theory->pressure
+                                              : std::nan(""))
+        , path(step.flow && !step.flow->channel.paths.empty()
+                 ? &step.flow->channel.paths.front()
+                 : nullptr)
       {
       }
 
       void add_slope(double rms_slope);
       void add_contact_pressure();
       void add_fluid_pressure();
-      void add_throat();
+      void add_meniscus();
+      void add_grid();
       void add_gas();
       void add_trapped_fluid();
 
       std::vector<ValidityCheck> checks;
 
     private:
-      /** Of the step; not a number where there is no load. */
-      double
-      nominal_pressure() const
+      /** A check that @p number does not exceed @p limit. */
+      void
+      add(const char *word, double number, double limit, const std::string &advice)
       {
-        return step.state.contact ? step.state.contact->nominal_pressure
-               : step.theory      ? step.theory->pressure
-                                  : std::nan("");
+        checks.push_back({word, number, limit, false, advice});
       }
 
-      /** Null where nothing leaks, or where nothing limits the leak. */
-      const FlowPath *
-      path() const
-      {
-        return step.flow && !step.flow->channel.paths.empty()
-                 ? &step.flow->channel.paths.front()
-                 : nullptr;
-      }
-
-      const Step  &step;
-      const Scene &scene;
+      const Step     &step;
+      const Scene    &scene;
+      const double    nominal_pressure;
+      const FlowPath *path; // null where nothing leaks, or nothing limits the leak
     };
 
     void
     Verdict::add_slope(const double rms_slope)
     {
       if (scene.has_physical_modulus())
-        checks.push_back({"steep",
-                          rms_slope,
-                          most_slope,
-                          false,
-                          format("the rms slope of the surface is %.3g, and small slopes "
-                                 "are assumed",
-                                 rms_slope)});
+        add("steep",
+            rms_slope,
+            most_slope,
+            format("the rms slope of the surface is %.3g, and small slopes are assumed",
+                   rms_slope));
     }
 
     void
     Verdict::add_contact_pressure()
     {
-      double in_contact = std::nan("");
-      if (step.state.contact && !step.state.contact->pressure.empty() &&
-          step.state.contact->contact_area > 0.)
-        in_contact =
-          mean(step.state.contact->pressure) / step.state.contact->contact_area;
-      else if (!step.state.contact && step.theory && step.theory->contact_area > 0.)
+      double      in_contact = std::nan("");
+      const auto &contact    = step.state.contact;
+      if (contact && !contact->pressure.empty() && contact->contact_area > 0.)
+        in_contact = mean(contact->pressure) / contact->contact_area;
+      else if (!contact && step.theory && step.theory->contact_area > 0.)
         in_contact = step.theory->pressure / step.theory->contact_area;
       if (std::isnan(in_contact)) // no contact, or no state to show
         return;
-      const double modulus = scene.contact.effective_modulus;
+      const double of_hardness = in_contact / scene.contact.hardness;
+      const double of_modulus  = in_contact / scene.contact.effective_modulus;
       if (scene.contact.hardness > 0.)
-        checks.push_back(
-          {"plastic",
-           in_contact / scene.contact.hardness,
-           most_of_hardness,
-           false,
-           format("the mean pressure in contact is %.3g of Contact/Hardness, so that "
-                  "asperities flow: there is more contact and less leakage than in the "
-                  "elastic contact that is computed",
-                  in_contact / scene.contact.hardness)});
+        add("plastic",
+            of_hardness,
+            most_of_hardness,
+            format("the mean pressure in contact is %.3g of Contact/Hardness, so that "
+                   "asperities flow: there is more contact and less leakage than in the "
+                   "elastic contact that is computed",
+                   of_hardness));
       else if (scene.has_physical_modulus())
-        checks.push_back(
-          {"large-strain",
-           in_contact / modulus,
-           most_of_modulus,
-           false,
-           format("the mean pressure in contact is %.3g of the effective modulus, where "
-                  "few solids are linearly elastic; give Contact/Hardness if yield "
-                  "decides",
-                  in_contact / modulus)});
+        add("large-strain",
+            of_modulus,
+            most_of_modulus,
+            format("the mean pressure in contact is %.3g of the effective modulus, where "
+                   "few solids are linearly elastic; give Contact/Hardness if yield "
+                   "decides",
+                   of_modulus));
     }
 
     void
@@ -144,76 +137,72 @@ namespace strait
       if (!step.flow || !step.state.contact || fluid.feedback.enabled || !is_meant)
         return;
       // Under tension any pressure is too much.
-      const double load   = std::max(nominal_pressure(), 0.);
-      const double number = excess_pressure(fluid) / load;
-      checks.push_back({"fluid-pressure",
-                        number,
-                        most_fluid_pressure,
-                        false,
-                        format("the fluid's pressure is %.3g of the nominal pressure and "
-                               "presses the walls apart, so that more leaks: switch on "
-                               "Fluid/Wall feedback",
-                               number)});
+      const double number = excess_pressure(fluid) / std::max(nominal_pressure, 0.);
+      add("fluid-pressure",
+          number,
+          most_fluid_pressure,
+          format("the fluid's pressure is %.3g of the nominal pressure and presses the "
+                 "walls apart, so that more leaks: switch on Fluid/Wall feedback",
+                 number));
     }
 
     void
-    Verdict::add_throat()
+    Verdict::add_meniscus()
     {
-      if (path() == nullptr)
-        return;
       const FluidParameters &fluid = scene.fluid;
-      const double drop = std::abs(fluid.inlet_pressure - fluid.outlet_pressure);
-      if (fluid.surface_tension > 0. && !fluid.is_gas)
-        {
-          const double number =
-            2. * fluid.surface_tension / path()->bottleneck_gap / drop;
-          checks.push_back(
-            {"capillary",
-             number,
-             most_laplace_pressure,
-             false,
-             format(
-               "the pressure across a meniscus in the throat is %.3g of the one that "
-               "drives the flow: a liquid that has to enter a dry throat, or to "
-               "leave it, may not leak at all",
-               number)});
-        }
-      if (scene.contact.enabled)
-        {
-          const double number = step.flow->channel.throat.points;
-          checks.push_back(
-            {"coarse-throat",
-             number,
-             least_points_along_throat,
-             true,
-             format("there are %.2g grid points along the throat, so that the contact "
-                    "grid's error may exceed that of the bracket: switch on Contact/Zoom "
-                    "or raise Contact/Grid points",
-                    number)});
-        }
+      if (path == nullptr || fluid.surface_tension == 0. || fluid.is_gas)
+        return;
+      const double number = 2. * fluid.surface_tension / path->bottleneck_gap /
+                            std::abs(fluid.inlet_pressure - fluid.outlet_pressure);
+      add("capillary",
+          number,
+          most_laplace_pressure,
+          format("the pressure across a meniscus in the throat is %.3g of the one that "
+                 "drives the flow: a liquid that has to enter a dry throat, or to leave "
+                 "it, may not leak at all",
+                 number));
+    }
+
+    void
+    Verdict::add_grid()
+    {
+      if (path == nullptr || !scene.contact.enabled)
+        return;
+      const double points = step.flow->channel.throat.points;
+      checks.push_back(
+        {"coarse-throat",
+         points,
+         least_points_along_throat,
+         true,
+         format("there are %.2g grid points along the throat, so that the contact grid's "
+                "error may exceed that of the bracket: switch on Contact/Zoom or raise "
+                "Contact/Grid points",
+                points)});
     }
 
     void
     Verdict::add_gas()
     {
-      if (!scene.fluid.is_gas || scene.fluid.molar_mass == 0. || path() == nullptr)
+      if (path == nullptr || !scene.fluid.is_gas || scene.fluid.molar_mass == 0.)
         return;
-      const KnudsenNumbers knudsen = knudsen_numbers(*path(), scene);
-      const auto           add = [&](const char *word, const char *place, double number) {
-        checks.push_back(
-          {word,
-           number,
-           most_knudsen,
-           false,
-           format(
-             "the Knudsen number %s is %.3g: the gas slips along the walls, which is "
-                       "not computed, and leaks faster, there by a factor of about %.3g or more",
-             place,
-             number,
-             1. + 6. * number)});
+      const auto advice = [](const char *place, const double number) {
+        return format(
+          "the Knudsen number %s is %.3g: the gas slips along the walls, which "
+          "is not computed, and leaks faster, there by a factor of about %.3g "
+          "or more",
+          place,
+          number,
+          1. + 6. * number);
       };
-      add("rarefied", "of the mean resistance", knudsen.mean);
-      add("rarefied-throat", "in the throat", knudsen.at_throat);
+      const KnudsenNumbers knudsen = knudsen_numbers(*path, scene);
+      add("rarefied",
+          knudsen.mean,
+          most_knudsen,
+          advice("of the mean resistance", knudsen.mean));
+      add("rarefied-throat",
+          knudsen.at_throat,
+          most_knudsen,
+          advice("in the throat", knudsen.at_throat));
     }
 
     void
@@ -223,24 +212,23 @@ namespace strait
         return;
       // Points stand for different areas where there are windows, which feedback
       // excludes.
-      const auto &states = step.flow->channel.clusters.states;
-      const auto  n_trapped =
-        static_cast<double>(std::count(states.begin(), states.end(), NodeState::trapped));
+      const auto       &states = step.flow->channel.clusters.states;
       const SlabLayout &layout = step.state.gap().layout();
       const double      area =
-        sum(layout.communicator(), n_trapped) / layout.grid().n_points();
+        sum(layout.communicator(),
+            static_cast<double>(
+              std::count(states.begin(), states.end(), NodeState::trapped))) /
+        layout.grid().n_points();
       const double number =
-        area * excess_pressure(scene.fluid) / std::max(nominal_pressure(), 0.);
-      checks.push_back(
-        {"trapped-fluid",
-         number,
-         most_trapped_load,
-         false,
-         format("fluid is trapped on %.2g %% of the area, which at the pressure of the "
-                "reservoirs would carry %.2g of the load: compare runs with Fluid/Wall "
-                "feedback/Pool pressure from 0 to that pressure",
-                100. * area,
-                number)});
+        area * excess_pressure(scene.fluid) / std::max(nominal_pressure, 0.);
+      add("trapped-fluid",
+          number,
+          most_trapped_load,
+          format("fluid is trapped on %.2g %% of the area, which at the pressure of the "
+                 "reservoirs would carry %.2g of the load: compare runs with Fluid/Wall "
+                 "feedback/Pool pressure from 0 to that pressure",
+                 100. * area,
+                 number));
     }
   } // namespace
 
@@ -252,7 +240,8 @@ namespace strait
     verdict.add_contact_pressure();
     verdict.add_slope(rms_slope);
     verdict.add_gas();
-    verdict.add_throat();
+    verdict.add_meniscus();
+    verdict.add_grid();
     verdict.add_trapped_fluid();
     step.checks = verdict.checks;
     for (const ValidityCheck &check : step.checks)
@@ -296,39 +285,5 @@ namespace strait
   {
     return fluid.is_gas ? std::abs(fluid.inlet_pressure - fluid.outlet_pressure)
                         : std::max(fluid.inlet_pressure, fluid.outlet_pressure);
-  }
-
-  double
-  mean_free_path_times_pressure(const Scene &scene)
-  {
-    constexpr double       gas_constant = 8.314462618; // J/(mol K)
-    const FluidParameters &fluid        = scene.fluid;
-    const double           speed =
-      std::sqrt(.5 * M_PI * gas_constant * fluid.temperature / fluid.molar_mass); // m/s
-    return fluid.viscosity * speed * seconds_in(scene.units.time).value_or(1.) /
-           scene.units.length_in_metres();
-  }
-
-  KnudsenNumbers
-  knudsen_numbers(const FlowPath &path, const Scene &scene)
-  {
-    const double constant    = mean_free_path_times_pressure(scene);
-    const double inlet       = scene.fluid.inlet_pressure;
-    const double outlet      = scene.fluid.outlet_pressure;
-    const auto   pressure_at = [&](const std::size_t k) {
-      const double fraction = path.resistances[k] / path.resistance();
-      return std::sqrt((1. - fraction) * inlet * inlet + fraction * outlet * outlet);
-    };
-    const auto     narrowest = std::min_element(path.gaps.begin(), path.gaps.end());
-    KnudsenNumbers result;
-    result.at_throat =
-      constant / (*narrowest * pressure_at(narrowest - path.gaps.begin()));
-    // The mean of λ/g over the resistance r is Σ c/g ∫ dr/p, with dr/p = −2 dp/(p_in² −
-    // p_out²).
-    for (std::size_t k = 1; k < path.gaps.size(); ++k)
-      result.mean += .5 * constant * (1. / path.gaps[k - 1] + 1. / path.gaps[k]) * 2. *
-                     (pressure_at(k - 1) - pressure_at(k)) /
-                     (inlet * inlet - outlet * outlet);
-    return result;
   }
 } // namespace strait

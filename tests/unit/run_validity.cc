@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/run/rarefaction.h>
 #include <strait/run/validity.h>
 
 #include <gtest/gtest.h>

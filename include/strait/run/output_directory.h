@@ -5,9 +5,9 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
-#include <strait/run/exponent_fit.h>
 #include <strait/run/leakage_table.h>
 #include <strait/run/result_tables.h>
+#include <strait/run/scaling.h>
 #include <strait/run/step.h>
 
 #include <string>
