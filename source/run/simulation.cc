@@ -79,9 +79,6 @@ namespace strait
       for (const std::string &warning : surface->remarks().warnings)
         log.warn(warning);
       report_surface(scene, heights, log);
-      const std::string doubt = implausible_slope(scene, statistics(heights).rms_slope);
-      if (!doubt.empty())
-        log.warn(doubt);
       return heights;
     }
 

@@ -81,6 +81,13 @@ namespace strait
         checks.push_back({word, number, limit, false, advice});
       }
 
+      /** What a pressure of the fluid is of the load; under tension any is too much. */
+      double
+      part_of_load(const double pressure) const
+      {
+        return pressure > 0. ? pressure / std::max(nominal_pressure, 0.) : 0.;
+      }
+
       const Step     &step;
       const Scene    &scene;
       const double    nominal_pressure;
@@ -136,8 +143,7 @@ namespace strait
       const bool is_meant = scene.has_physical_modulus() || excess_pressure(fluid) != 1.;
       if (!step.flow || !step.state.contact || fluid.feedback.enabled || !is_meant)
         return;
-      // Under tension any pressure is too much.
-      const double number = excess_pressure(fluid) / std::max(nominal_pressure, 0.);
+      const double number = part_of_load(excess_pressure(fluid));
       add("fluid-pressure",
           number,
           most_fluid_pressure,
@@ -219,8 +225,7 @@ namespace strait
             static_cast<double>(
               std::count(states.begin(), states.end(), NodeState::trapped))) /
         layout.grid().n_points();
-      const double number =
-        area * excess_pressure(scene.fluid) / std::max(nominal_pressure, 0.);
+      const double number = part_of_load(area * excess_pressure(scene.fluid));
       add("trapped-fluid",
           number,
           most_trapped_load,

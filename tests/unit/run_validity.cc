@@ -122,10 +122,13 @@ namespace
   TEST(Validity, EachWordWhereItsLimitIsPassed)
   {
     const Overrides metal = in_si + Overrides{"Contact/Effective modulus=1e11"};
+    const Overrides with_suction =
+      metal + Overrides{"Fluid/Inlet pressure=0", "Fluid/Outlet pressure=-1"};
     const Overrides water = metal + Overrides{"Fluid/Inlet pressure=1e5"};
     EXPECT_EQ(verdict(scene_of("", water), step_at(1.01e6, .1, 1e-6)), "ok");
     EXPECT_EQ(verdict(scene_of("", water), step_at(.99e6, .1, 1e-6)), "fluid-pressure");
     EXPECT_EQ(verdict(scene_of("", water), step_at(-1e6, .1, 1e-6)), "fluid-pressure");
+    EXPECT_EQ(verdict(scene_of("", with_suction), step_at(0., .1, 1e-6)), "ok");
     EXPECT_EQ(verdict(scene_of("", water), step_at(2e9, .1, 1e-6)), "large-strain");
     EXPECT_EQ(verdict(scene_of("", water), step_at(2e9, .1, 1e-6), .31),
               "large-strain+steep");
