@@ -6,6 +6,7 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/signals.h>
+#include <strait/run/earlier_results.h>
 #include <strait/run/ensemble.h>
 #include <strait/run/result_tables.h>
 #include <strait/run/simulation.h>
@@ -39,9 +40,14 @@ namespace
     Log         log(MPI_COMM_WORLD, command.quiet);
     catch_signals();
     if (command.dry_run)
-      describe(scene, log);
-    else if (!run_all_realisations(
-               command.scene, command.overrides, scene, log, command.resume))
+      {
+        describe(scene, log);
+        return 0;
+      }
+    if (!command.force && !command.resume)
+      refuse_results_of_another_scene(scene, MPI_COMM_WORLD);
+    if (!run_all_realisations(
+          command.scene, command.overrides, scene, log, command.resume))
       throw ComputationError(
         "Some steps did not reach what was asked; the column status of "
         "the table in '" +

@@ -159,12 +159,15 @@ def mark_flow(axes, about):
 
 
 def headline(about, units):
-    """What is known of load, contact area and leak rate, in one line."""
+    """What is known of load, contact area, leak rate and the model's limits, in one line."""
     words = {"nominal pressure": (scientific(about["nominal_pressure"]), units.get("pressure", "")),
              "contact area": (f"{100 * about['contact_area']:.1f}", "%"),
              "leak rate": (scientific(about["leak_rate"]), units.get("leak_rate", ""))}
-    return "   ·   ".join(f"{name} {value} {unit}".rstrip()
-                          for name, (value, unit) in words.items() if value != "nan")
+    parts = [f"{name} {value} {unit}".rstrip()
+             for name, (value, unit) in words.items() if value != "nan"]
+    if about.get("validity", "ok") != "ok":
+        parts.append(f"validity: {about['validity']}")
+    return "   ·   ".join(parts)
 
 
 def add_window(axes, fields, about):

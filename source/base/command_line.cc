@@ -13,6 +13,7 @@ namespace strait
   {
     const std::map<std::string, bool CommandLine::*> flags = {
       {"--resume", &CommandLine::resume},
+      {"--force", &CommandLine::force},
       {"--dry-run", &CommandLine::dry_run},
       {"--quiet", &CommandLine::quiet},
       {"--version", &CommandLine::version},
@@ -105,6 +106,7 @@ namespace strait
   --output DIR                      folder of the results, overrides Output/Directory
   --resume                          continue the run in the folder of the results from
                                     its last complete step, on any number of ranks
+  --force                           overwrite the results of another scene
   --dry-run                         check the scene, print sizes, memory, warnings and
                                     active effects; compute nothing
   --parameters [prm|md]             print all parameters with defaults, units and

@@ -128,6 +128,14 @@ namespace strait
                 any_number.above(-1.).at_most(0.5),
                 "nu1, nu2 of the same bodies [1].");
     section.add(
+      "Hardness",
+      hardness,
+      not_negative,
+      "H: pressure at which the softer body flows, about three times its yield "
+      "stress; the column validity compares the contact pressure with it, and "
+      "with a tenth of the effective modulus if it is 0. The contact is elastic "
+      "in either case [pressure].");
+    section.add(
       "Control",
       control,
       Names<ContactControl>(

@@ -2,9 +2,44 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/fluid_parameters.h>
 #include <strait/base/parameter_table.h>
+#include <strait/base/units.h>
+
+#include <array>
 
 namespace strait
 {
+  namespace
+  {
+    struct Gas
+    {
+      const char *name;
+      double      molar_mass; // kg/mol
+      double      viscosity;  // Pa s, at room temperature
+    };
+
+    constexpr std::array<Gas, 3> gases = {{{"helium", 4.0026e-3, 19.6e-6},
+                                           {"air", 28.965e-3, 18.13e-6},
+                                           {"nitrogen", 28.0134e-3, 17.58e-6}}};
+
+    const Gas *
+    find_gas(const std::string &name)
+    {
+      for (const Gas &gas : gases)
+        if (gas.name == name)
+          return &gas;
+      return nullptr;
+    }
+
+    std::string
+    gas_names()
+    {
+      std::vector<std::string> names;
+      for (const Gas &gas : gases)
+        names.emplace_back(gas.name);
+      return join(names, ", ");
+    }
+  } // namespace
+
   void
   FeedbackParameters::bind(ParameterSection section)
   {
@@ -57,10 +92,34 @@ namespace strait
       "gas: pressures are absolute, leak_rate is the volume flow at their mean, and "
       "throughputs may be asked for with Output/Leak rate units. The flow is "
       "viscous in either case.");
+    section.add(
+      "Gas",
+      gas,
+      Text{gas_names() + ", or empty",
+           [](const std::string &name) {
+             return name.empty() || find_gas(name) != nullptr;
+           }},
+      "Gives a gas its molar mass, and its viscosity at 293.15 K unless Viscosity "
+      "is given. The column validity then tells where it is rarefied.");
+    section.add("Molar mass",
+                molar_mass,
+                not_negative,
+                "M: of a gas that Gas does not know; 0: not known [kg/mol].");
+    section.add("Temperature",
+                temperature,
+                positive,
+                "T: of a gas, for its mean free path [K].");
+    section.add("Surface tension",
+                surface_tension,
+                not_negative,
+                "gamma: of a liquid, which the column validity needs to compare the "
+                "pressure across a meniscus in the throat with the one that drives the "
+                "flow; 0: not known [energy/area].");
     section.add("Viscosity",
                 viscosity,
                 positive,
-                "eta: dynamic viscosity of the fluid [pressure * time].");
+                "eta: dynamic viscosity of the fluid; of a named Gas it may be left out "
+                "[pressure * time].");
     section.add("Inlet pressure",
                 inlet_pressure,
                 any_number,
@@ -132,6 +191,27 @@ namespace strait
       "that the true value for the interpolated gap lies between the bounds, which cannot "
       "come as close.");
     feedback.bind(section.subsection("Wall feedback"));
+  }
+
+  void
+  FluidParameters::take_gas(const UnitParameters &units)
+  {
+    if (!is_gas && (!gas.empty() || molar_mass > 0.))
+      throw InputError(
+        "Fluid/Gas and Molar mass are of a gas; set Fluid/State = gas, or remove them.");
+    if (gas.empty())
+      return;
+    const Gas &known = *find_gas(gas);
+    if (molar_mass > 0.)
+      throw InputError("Fluid/Gas and Molar mass are both given; remove one.");
+    molar_mass = known.molar_mass;
+    if (viscosity != FluidParameters().viscosity)
+      return;
+    if (temperature != room_temperature)
+      throw InputError("Fluid/Gas knows the viscosity of " + gas +
+                       " at 293.15 K only; give Fluid/Viscosity at the temperature.");
+    viscosity = known.viscosity / (pascals_in(units.pressure).value_or(1.) *
+                                   seconds_in(units.time).value_or(1.));
   }
 
   void

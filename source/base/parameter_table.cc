@@ -141,7 +141,8 @@ namespace strait
         (std::filesystem::path(entry.folder) / entry.value).lexically_normal().string();
     if (!parameter.take(parameter.value))
       throw InputError(entry.place + ": '" + entry.value + "' is no value for " +
-                       parameter.path() + "; expected " + parameter.allowed + ".");
+                       parameter.path() + "; expected " + parameter.allowed +
+                       magnitude_note(entry.value) + ".");
   }
 
   std::string
@@ -171,7 +172,8 @@ namespace strait
       << "# Parameters\n\n"
       << "All parameters of a scene, section by section, as `strait --parameters md` "
          "prints them;\n`strait --parameters prm` prints a scene with every default. The "
-         "unit stands in brackets,\n[1] for a number without one.\n\n";
+         "unit stands in brackets,\n[1] for a number without one. Numbers are 0 or of a "
+         "magnitude from 1e-30 to 1e30.\n\n";
     std::vector<std::string> section;
     for (const Parameter &parameter : parameters)
       {

@@ -18,6 +18,19 @@ namespace strait
       in >> number;
       return in && in.peek() == std::istringstream::traits_type::eof();
     }
+
+    // Numbers other than 0 are no further from 1 than this: a conductivity g³/12η and the
+    // squares of what follows from it are then still far from the limits of a double. In
+    // any consistent units seals are within 1e±20; with 1e±60 these squares vanish.
+    constexpr double largest_magnitude = 1e30;
+
+    bool
+    has_usable_magnitude(const double number)
+    {
+      const double magnitude = std::abs(number);
+      return number == 0. ||
+             (magnitude <= largest_magnitude && magnitude >= 1. / largest_magnitude);
+    }
   } // namespace
 
   bool
@@ -27,8 +40,18 @@ namespace strait
     const bool is_one  = is_integer ? is_number(text, integer) : is_number(text, number);
     if (is_integer)
       number = integer;
-    return is_one && (with_lower ? number >= lower : number > lower) &&
+    return is_one && (is_integer || has_usable_magnitude(number)) &&
+           (with_lower ? number >= lower : number > lower) &&
            (with_upper ? number <= upper : number < upper);
+  }
+
+  std::string
+  magnitude_note(const std::string &values)
+  {
+    for (const std::string &part : split(values, ','))
+      if (double number = 0.; is_number(part, number) && !has_usable_magnitude(number))
+        return ", 0 or of a magnitude from 1e-30 to 1e30";
+    return "";
   }
 
   std::string

@@ -204,13 +204,18 @@ namespace strait
   std::vector<std::string>
   Scene::warnings() const
   {
-    const double shorter_side = std::min(surface.size[0], surface.size[1]);
+    std::vector<std::string> warnings;
+    const double             shorter_side = std::min(surface.size[0], surface.size[1]);
     if (surface.kind == SurfaceKind::self_affine &&
         surface.roll_off_wavelength > shorter_side)
-      return {
+      warnings.emplace_back(
         "Surface/Roll-off wavelength exceeds the shorter side of the box, so the "
-        "surface is not isotropic."};
-    return {};
+        "surface is not isotropic.");
+    if (fluid.enabled && fluid.is_gas && fluid.molar_mass == 0.)
+      warnings.emplace_back(
+        "whether the gas is rarefied is not checked, because neither Fluid/Gas nor Molar "
+        "mass is given.");
+    return warnings;
   }
 
   Scene
@@ -224,7 +229,18 @@ namespace strait
     scene.resolved                     = table.scene(false);
     scene.surface.map.length_in_metres = scene.units.length_in_metres();
     scene.contact.take_elastic_constants();
+    scene.fluid.take_gas(scene.units);
     scene.check();
+    const bool has_size =
+      std::any_of(entries.begin(), entries.end(), [](const SceneEntry &entry) {
+        return entry.section == std::vector<std::string>{"Surface"} &&
+               entry.name == "Size";
+      });
+    if (!has_size && !scene.units.length.empty() &&
+        scene.surface.kind != SurfaceKind::file)
+      throw InputError("Units/Length = " + scene.units.length +
+                       " is stated, but not how large the surface is; set Surface/Size "
+                       "in this unit.");
     return scene;
   }
 

@@ -76,6 +76,12 @@ namespace strait
         const auto equals       = rest.find('=');
         if (word == "subsection" && !rest.empty())
           {
+            // Deeper than any scene; each entry keeps all names that it is within.
+            constexpr std::size_t deepest = 16;
+            if (section.size() == deepest)
+              throw InputError(place + ": the subsection '" + squeeze(rest) +
+                               "' lies within " + std::to_string(deepest) +
+                               " others, and none is known so deep.");
             section.push_back(squeeze(rest));
             opened_at.push_back(place);
             entries.push_back({section, "", "", place, folder});

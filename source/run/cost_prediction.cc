@@ -167,11 +167,17 @@ namespace strait
                ? " (if such a seal closes early)"
                : "");
     if (*points < points_needed)
-      return throat +
-             format(
-               "so the contact grid is likely to be the largest error (a per cent "
-               "and more): %.1f times Contact/Grid points would reduce it",
-               points_needed / *points);
+      {
+        const auto enough = [&](const int n) {
+          return std::ceil(n * points_needed / *points);
+        };
+        return throat +
+               format(
+                 "so the contact grid is likely to be the largest error (a per cent "
+                 "and more): Contact/Grid points = %.0f, %.0f or more would reduce it",
+                 enough(scene.contact.grid_points[0]),
+                 enough(scene.contact.grid_points[1]));
+      }
     return throat + format(
                       "so the mesh is likely to be the largest error (± %.2g %%): "
                       "Fluid/Target accuracy would reduce it",

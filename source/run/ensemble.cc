@@ -2,7 +2,9 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/signals.h>
+#include <strait/base/text.h>
 #include <strait/run/disk_space.h>
+#include <strait/run/earlier_results.h>
 #include <strait/run/ensemble.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/result_tables.h>
@@ -80,13 +82,14 @@ namespace strait
               std::isnan(load) ? load : run.crossover,
               (1 - run.theory_crossover) * load,
               run.exponent.n_points < 2 ? std::nan("") : run.exponent.exponent,
-              run.exponent.error,
-              status};
+              run.exponent.n_points < 2 ? std::nan("") : run.exponent.error,
+              status,
+              run.validity};
     }
 
-    /** Mean and standard deviation of all quantities that any realisation knows. */
+    /** Mean and standard deviation of what the scene looks for. */
     std::vector<ScatterRow>
-    scatter_of(const std::vector<RealisationRow> &realisations)
+    scatter_of(const std::vector<RealisationRow> &realisations, const Scene &scene)
     {
       using Row = RealisationRow;
       std::vector<ScatterRow> rows;
@@ -96,21 +99,26 @@ namespace strait
           if (std::isfinite(std::invoke(value, row)))
             samples.push_back(std::invoke(value, row));
         const auto n    = static_cast<double>(samples.size());
-        double     mean = 0, square = 0;
+        double     mean = samples.empty() ? std::nan("") : 0., square = 0;
         for (const double sample : samples)
           mean += sample / n;
         for (const double sample : samples)
           square += (sample - mean) * (sample - mean);
-        if (n > 0)
-          rows.push_back(
-            {quantity, mean, n > 1 ? std::sqrt(square / (n - 1)) : 0., samples.size()});
+        rows.push_back({quantity,
+                        mean,
+                        n > 1 ? std::sqrt(square / (n - 1)) : std::nan(""),
+                        samples.size(),
+                        realisations.size() - samples.size()});
       };
+      if (!scene.programme.find_threshold)
+        return rows; // none of them is sought
       add("contact_area", &Row::contact_area);
       add("critical_load", [](const Row &row) { return .5 * (row.lower + row.upper); });
       add("crossover_load", &Row::crossover_load);
       add("crossover_reduced_load", &Row::crossover_reduced_load);
       add("exponent", &Row::exponent);
-      add("theory_crossover_load", &Row::theory_crossover_load);
+      if (scene.theory.enabled)
+        add("theory_crossover_load", &Row::theory_crossover_load);
       return rows;
     }
 
@@ -187,6 +195,7 @@ namespace strait
             run = simulate(alone, own_log, resume && has_checkpoint(alone));
             if (!run.converged)
               status = "not-converged";
+            add_words(status, run.status);
           }
         catch (const ComputationError &error)
           {
@@ -196,14 +205,22 @@ namespace strait
           }
         if (run.stopped)
           throw_interruption(scene);
-        all_converged = all_converged && status == "ok";
+        all_converged = all_converged && status != "failed" && run.converged;
         rows.push_back(row_of(rows.size() + 1, realisation, run, status));
         run_on_root(MPI_COMM_WORLD, [&]() {
           table.append(rows.back());
           ensemble_summary_table(scene).write_rows(folder + "/ensemble_summary.csv",
-                                                   scatter_of(rows));
+                                                   scatter_of(rows, scene));
         });
       }
+    for (const ScatterRow &row : scatter_of(rows, scene))
+      if (row.n_missing > 0)
+        log.warn(
+          format("%s is known of %zu of %zu realisations; the column status of "
+                 "ensemble.csv tells why",
+                 row.quantity.c_str(),
+                 row.n_samples,
+                 rows.size()));
     if (scene.output.pictures)
       run_on_root(MPI_COMM_WORLD, [&]() { draw_pictures(folder, log); });
     return all_converged;

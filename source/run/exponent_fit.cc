@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/text.h>
 #include <strait/run/exponent_fit.h>
 #include <strait/run/step.h>
-#include <strait/spectral/state_archive.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
-#include <utility>
 
 namespace strait
 {
@@ -59,9 +55,10 @@ namespace strait
   {
     ExponentFit         fit;
     std::vector<double> x, y;
-    for (const auto &[epsilon, value] : points)
-      if (epsilon <= largest * (1 + 1e-9))
+    for (const auto &[epsilon, value, status] : points)
+      if (LoadWindow{0., largest}.contains(epsilon))
         {
+          add_words(fit.status, status);
           fit.from = x.empty() ? epsilon : std::min(fit.from, epsilon);
           fit.to   = std::max(fit.to, epsilon);
           x.push_back(std::log(epsilon));
@@ -79,198 +76,14 @@ namespace strait
   double
   crossover_reduced_load(const std::vector<ScalingPoint> &points)
   {
-    // The exponent is that of the law near the threshold. The window is where the leak
-    // rate falls exponentially: half of its nearest end takes loads in at which that law
-    // has begun, a larger farthest one those at which there is hardly any contact.
-    constexpr double    exponent = 69. / 20, nearest = .3, farthest = .7;
+    constexpr double    exponent = 69. / 20; // of the law near the threshold
     std::vector<double> x, y;
-    for (const auto &[epsilon, value] : points)
-      if (epsilon >= nearest - 1e-9 && epsilon <= farthest + 1e-9)
+    for (const auto &[epsilon, value, status] : points)
+      if (exponential_decay.contains(epsilon))
         {
           x.push_back(epsilon);
           y.push_back(std::log(value));
         }
     return x.size() < 2 ? std::nan("") : exponent / fit_line(x, y).slope;
-  }
-
-  void
-  Scaling::collect(const Step &step)
-  {
-    if (!step.reduced_load || !(*step.reduced_load > 0))
-      return;
-    Sample sample{step.state.control.slip_length,
-                  *step.reduced_load,
-                  step.doubts.empty(),
-                  {}};
-    if (step.flow && step.flow->constrictions && step.converged())
-      {
-        const Throat &throat         = step.flow->constrictions->throat;
-        sample.values[leak_rate]     = std::abs(step.flow->leakage.rate);
-        sample.values[throat_gap]    = throat.gap;
-        sample.values[throat_length] = throat.length;
-        sample.values[throat_width]  = throat.width;
-      }
-    if (step.theory)
-      sample.values[theory_leak_rate] = std::abs(step.theory->leak_rate);
-    samples.push_back(sample);
-  }
-
-  void
-  Scaling::transfer(StateArchive &archive)
-  {
-    auto n_samples = static_cast<long>(samples.size());
-    archive.value(n_samples);
-    samples.resize(n_samples);
-    for (Sample &sample : samples)
-      {
-        archive.value(sample.slip_length);
-        archive.value(sample.reduced_load);
-        archive.value(sample.is_trusted);
-        for (double &value : sample.values)
-          archive.value(value);
-      }
-  }
-
-  std::vector<ScalingPoint>
-  Scaling::series(const Quantity quantity,
-                  const double   slip_length,
-                  const bool     only_trusted) const
-  {
-    std::vector<ScalingPoint> points;
-    for (const Sample &sample : samples)
-      if (sample.slip_length == slip_length && sample.values[quantity] > 0 &&
-          (sample.is_trusted || !only_trusted))
-        points.push_back({sample.reduced_load, sample.values[quantity]});
-    return points;
-  }
-
-  double
-  Scaling::smallest_slip(const Quantity quantity) const
-  {
-    double slip_length = std::nan("");
-    for (const Sample &sample : samples)
-      if (sample.values[quantity] > 0)
-        slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
-    return slip_length;
-  }
-
-  ExponentFit
-  Scaling::leak_rate_fit() const
-  {
-    return fit_exponent(series(leak_rate, smallest_slip(leak_rate), true), largest);
-  }
-
-  double
-  Scaling::crossover() const
-  {
-    return crossover_reduced_load(series(leak_rate, smallest_slip(leak_rate)));
-  }
-
-  double
-  Scaling::theory_crossover() const
-  {
-    return crossover_reduced_load(
-      series(theory_leak_rate, smallest_slip(theory_leak_rate)));
-  }
-
-  namespace
-  {
-    /** Say what was fitted, and whether @p slopes within the window disagree. */
-    void
-    report_fit(const std::string              &name,
-               const ExponentFit              &fit,
-               const std::vector<ExponentFit> &slopes,
-               Log                            &log)
-    {
-      // Where slopes still differ by more than this within a window, a single exponent
-      // describes the window, not the threshold. At half the value, drifts that leave the
-      // first decimal of the exponent alone would be warned of; at double, drifts that
-      // change it would pass.
-      constexpr double settled = 0.05;
-      log.line(
-        format("exponent of %s: %.3f ± %.3f for %.3g <= 1 - L/L_c <= %.3g (%d points)",
-               name.c_str(),
-               fit.exponent,
-               fit.error,
-               fit.from,
-               fit.to,
-               fit.n_points));
-      double smallest = fit.exponent, greatest = fit.exponent;
-      for (const ExponentFit &slope : slopes)
-        if (slope.to <= fit.to)
-          {
-            smallest = std::min(smallest, slope.exponent);
-            greatest = std::max(greatest, slope.exponent);
-          }
-      if (greatest - smallest > settled)
-        log.warn(
-          format("corrections to scaling: the local exponent of %s drifts from "
-                 "%.3f to %.3f within the fit",
-                 name.c_str(),
-                 smallest,
-                 greatest));
-    }
-  } // namespace
-
-  double
-  Scaling::law_exponent(const ClosingLaw  &law,
-                        const Quantity     quantity,
-                        const ExponentFit &slope,
-                        const double       slip_length)
-  {
-    if (slip_length > 0)
-      return std::nan("");
-    // An immobile layer cuts the throat off where it is still wide and smooth.
-    const bool   is_smooth    = slip_length < 0;
-    const double reduced_load = std::sqrt(slope.from * slope.to);
-    switch (quantity)
-      {
-        case leak_rate:
-          return is_smooth ? 3. : law.leak_rate_exponent(reduced_load);
-        case throat_gap:
-          return is_smooth ? 1. : law.gap_exponent(reduced_load);
-        case throat_length:
-          return is_smooth ? .5 : law.length_exponent(reduced_load);
-        case throat_width:
-          return is_smooth ? .5 : law.width_exponent(reduced_load);
-        default:
-          return std::nan("");
-      }
-  }
-
-  std::vector<FitRow>
-  Scaling::fits(Log &log) const
-  {
-    constexpr std::array<std::pair<Quantity, const char *>, 4> quantities = {
-      {{leak_rate, "leak_rate"},
-       {throat_gap, "throat_gap"},
-       {throat_length, "throat_length"},
-       {throat_width, "throat_width"}}};
-    std::set<double> slip_lengths;
-    for (const Sample &sample : samples)
-      slip_lengths.insert(sample.slip_length);
-    std::vector<FitRow>            rows;
-    std::vector<ClosingLaw::Slope> closing;
-    for (const ExponentFit &slope : local_slopes(series(leak_rate, 0., true)))
-      if (slope.to <= largest)
-        closing.push_back({std::sqrt(slope.from * slope.to), slope.exponent});
-    const ClosingLaw law = ClosingLaw::fit(closing);
-    for (const double slip_length : slip_lengths)
-      for (const auto &[quantity, name] : quantities)
-        {
-          for (const ExponentFit &slope : local_slopes(series(quantity, slip_length)))
-            rows.push_back({slope,
-                            name,
-                            slip_length,
-                            "local",
-                            law_exponent(law, quantity, slope, slip_length)});
-          const auto        trusted = series(quantity, slip_length, true);
-          const ExponentFit fit     = fit_exponent(trusted, largest);
-          if (fit.n_points < 2)
-            continue;
-          rows.push_back({fit, name, slip_length, "fit", std::nan("")});
-          report_fit(name, fit, local_slopes(trusted), log);
-        }
-    return rows;
   }
 } // namespace strait

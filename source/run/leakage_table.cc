@@ -244,7 +244,12 @@ namespace strait
            "theory_error [1]: of mean gap and leak rate by the theory's quadrature, "
            "relative")
       .when()
-      .add(&Step::status, "status: `ok`, or words joined by `+`, see below");
+      .add(&Step::status, "status: `ok`, or words joined by `+`, see below")
+      .add(
+        &Step::validity,
+        "validity: `ok` if the model holds in all that the scene allows to check, or a "
+        "word for each limit that is passed, joined by `+`, see "
+        "[validity.md](validity.md)");
     return table;
   }
 } // namespace strait

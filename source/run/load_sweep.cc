@@ -3,6 +3,7 @@
 #include <strait/run/load_sweep.h>
 #include <strait/run/step_report.h>
 #include <strait/run/threshold_doubts.h>
+#include <strait/run/validity.h>
 #include <strait/seal/coupled_seal.h>
 #include <strait/seal/make_seal.h>
 #include <strait/surface/statistics.h>
@@ -36,7 +37,7 @@ namespace strait
     , log(log_)
     , timers(timers_)
     , layout(heights.layout_pointer())
-    , rms_slope(scene.programme.find_threshold ? statistics(heights).rms_slope : 0.)
+    , rms_slope(statistics(heights).rms_slope)
     , contact(complete_contact(scene, heights, surface_energy, log))
   {
     if (scene.fluid.enabled)
@@ -205,7 +206,8 @@ namespace strait
     step.errors = step.flow && step.flow->solution
                     ? error_budget->assess(step, *seal, counted_from)
                     : StepErrors();
-    converged   = converged && step.converged();
+    judge_validity(step, scene, rms_slope, log);
+    converged = converged && step.converged();
   }
 
   void

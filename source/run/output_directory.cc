@@ -4,15 +4,15 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/json.h>
 #include <strait/run/disk_space.h>
+#include <strait/run/earlier_results.h>
 #include <strait/run/error_budget.h>
 #include <strait/run/field_output.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/picture_data.h>
+#include <strait/run/validity.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -20,33 +20,6 @@ namespace strait
 {
   namespace
   {
-    namespace fs = std::filesystem;
-
-    /** Whether an earlier run of this program may have written a file. */
-    bool
-    is_result(const std::string &name)
-    {
-      static const std::regex number("-[0-9]+\\.");
-      for (const TableInfo &table : all_tables({}))
-        if (std::regex_replace(name, number, "-STEP.") == table.file)
-          return true;
-      for (const char *exact : {"leakage.png",
-                                "gaps.png",
-                                "ensemble.png",
-                                "surface.nc",
-                                "spectrum.png",
-                                "run.json",
-                                "checkpoint",
-                                "checkpoint.new",
-                                "log.txt",
-                                "parameters.prm"})
-        if (name == exact)
-          return true;
-      static const std::regex numbered_file(
-        "(fields|flow|picture)-[0-9]+\\.(h5|xmf|vtu|pvtu|png)");
-      return std::regex_match(name, numbered_file);
-    }
-
     /** What is in a file; nothing if there is none. */
     std::string
     text_of(const std::string &path)
@@ -93,26 +66,6 @@ namespace strait
       return result + "'";
     }
   } // namespace
-
-  void
-  prepare_directory(const std::string &path, MPI_Comm comm)
-  {
-    run_on_root(comm, [&path]() {
-      std::error_code error;
-      fs::create_directories(path, error);
-      const fs::path probe = fs::path(path) / "log.txt";
-      if (error || !std::ofstream(probe, std::ios::app))
-        throw InputError("The output directory '" + path +
-                         "' cannot be written; choose another with Output/Directory or "
-                         "--output.");
-      std::vector<fs::path> earlier;
-      for (const auto &entry : fs::directory_iterator(path))
-        if (entry.is_regular_file() && is_result(entry.path().filename().string()))
-          earlier.push_back(entry.path());
-      for (const fs::path &file : earlier)
-        fs::remove(file, error);
-    });
-  }
 
   void
   draw_pictures(const std::string &path, Log &log)
@@ -174,6 +127,9 @@ namespace strait
       }
     scaling.transfer(archive);
     archive.value(error_budget);
+    archive.value(validity);
+    archive.value(words_of_status);
+    archive.value(words_of_validity);
     auto n_jumps_written = static_cast<long>(n_jumps);
     archive.value(n_jumps_written);
     n_jumps = n_jumps_written;
@@ -215,6 +171,9 @@ namespace strait
   {
     if (!step.errors.items.empty())
       error_budget.push_back(to_json(step).text());
+    validity.push_back(validity_record(step).text());
+    add_words(words_of_status, step.status());
+    add_words(words_of_validity, step.validity());
     run_on_root(comm, [&]() {
       table.append(step);
       if (step.state.contact && step.state.contact->adhesion &&
@@ -240,6 +199,17 @@ namespace strait
       }
     if (scene.output.pictures && !step.state.gap().empty())
       write_picture_data(path, step, scene.fluid);
+  }
+
+  void
+  OutputDirectory::summarise(RunSummary &summary) const
+  {
+    summary.exponent         = scaling.leak_rate_fit();
+    summary.crossover        = scaling.crossover();
+    summary.theory_crossover = scaling.theory_crossover();
+    summary.status           = words_of_status;
+    add_words(summary.status, scaling.missing());
+    summary.validity = words_of_validity;
   }
 
   void
@@ -269,9 +239,12 @@ namespace strait
     Json grid = Json::object();
     grid.set("nx", scene.contact.grid_points[0]).set("ny", scene.contact.grid_points[1]);
     grid.set("lx", scene.surface.size[0]).set("ly", scene.surface.size[1]);
-    Json errors = Json::array(); // of the steps
-    for (const std::string &text : error_budget)
-      errors.append(Json::verbatim(text));
+    const auto of_steps = [](const std::vector<std::string> &records) {
+      Json all = Json::array();
+      for (const std::string &text : records)
+        all.append(Json::verbatim(text));
+      return all;
+    };
     Json record = Json::object();
     record.set("program", "strait")
       .set("version", version())
@@ -279,7 +252,8 @@ namespace strait
       .set("grid", grid)
       .set("bytes_per_grid_point", bytes_per_point)
       .set("seconds", seconds)
-      .set("error_budget", errors)
+      .set("error_budget", of_steps(error_budget))
+      .set("validity", of_steps(validity))
       .set("warnings", Json(log.warnings()))
       .set("parameters", scene.resolved);
     if (scene.units.are_complete())

@@ -156,6 +156,7 @@ namespace strait
       file.set_attribute("ly", step.state.gap().grid().ly);
       file.set_attribute("inlet_pressure", fluid.inlet_pressure);
       file.set_attribute("outlet_pressure", fluid.outlet_pressure);
+      file.set_attribute("validity", step.validity());
       file.set_attribute("direction",
                          std::string(!fluid.mesh_file.empty()              ? "mesh"
                                      : fluid.direction == FlowDirection::x ? "x"

@@ -132,7 +132,10 @@ namespace strait
         &FitRow::law,
         "closing_law [1]: of a local exponent: what the law of closing says of it, with "
         "its one constant fitted to those of the leak rate up to `Largest reduced load "
-        "of fits`; see [theory.md](theory.md)");
+        "of fits`; see [theory.md](theory.md)")
+      .when()
+      .add(&FitRow::status,
+           "status: `ok`, or the words of `status` in leakage.csv of all its steps");
     return table;
   }
 
@@ -252,7 +255,13 @@ namespace strait
       .add(&RealisationRow::theory_crossover_load,
            "theory_crossover_load [pressure]: that of the theory's leak rate")
       .when()
-      .add(&RealisationRow::status, "status: `ok`, `not-converged` or `failed`");
+      .add(&RealisationRow::status,
+           "status: `ok`, `failed`, or the words of `status` of all its rows of "
+           "leakage.csv, after `not-converged` if these are failures of solvers; and "
+           "`no-exponent` or `no-crossover` where fewer than two of the steps that these "
+           "take are resolved")
+      .add(&RealisationRow::validity,
+           "validity: `ok`, or the words of `validity` of all its rows");
     return table;
   }
 
@@ -268,9 +277,11 @@ namespace strait
            "`crossover_reduced_load`, ε_x, or a column of ensemble.csv")
       .add(&ScatterRow::mean, "mean [of the quantity]: over the realisations")
       .add(&ScatterRow::standard_deviation,
-           "standard_deviation [of the quantity]: over the realisations")
+           "standard_deviation [of the quantity]: over the realisations; `nan` of one")
       .add(&ScatterRow::n_samples,
-           "samples [1]: realisations for which the quantity is known");
+           "samples [1]: realisations for which the quantity is known")
+      .add(&ScatterRow::n_missing,
+           "missing [1]: those for which it is not; `status` in ensemble.csv tells why");
     return table;
   }
 

@@ -1,48 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
-#include <strait/base/scene_text.h>
-#include <strait/base/text.h>
 #include <strait/run/checkpoint_reader.h>
 #include <strait/run/checkpoint_writer.h>
+#include <strait/run/earlier_results.h>
 #include <strait/run/run_state.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace strait
 {
   namespace
   {
-    /** What may change from one part of a run to the next: no number depends on it. */
-    bool
-    may_change(const std::string &name)
-    {
-      for (const char *free : {"Output/Directory",
-                               "Output/Pictures",
-                               "Output/Fields",
-                               "Output/Surface map",
-                               "Output/Surface spectrum",
-                               "Output/Checkpoint"})
-        if (name == free)
-          return true;
-      return false;
-    }
-
-    /** The values of a resolved scene by "Section/Parameter". */
-    std::map<std::string, std::string>
-    values_of(const std::string &resolved)
-    {
-      std::map<std::string, std::string> values;
-      for (const SceneEntry &entry : lex_scene(resolved, "checkpoint", ""))
-        {
-          const std::string name = join(entry.section, "/") + "/" + entry.name;
-          if (!entry.name.empty() && !may_change(name))
-            values[name] = entry.value;
-        }
-      return values;
-    }
-
     void
     transfer_summary(StateArchive &archive, RunSummary &summary)
     {
@@ -55,6 +24,8 @@ namespace strait
       archive.value(summary.exponent.n_points);
       archive.value(summary.crossover);
       archive.value(summary.theory_crossover);
+      archive.value(summary.status);
+      archive.value(summary.validity);
     }
 
     void
@@ -97,24 +68,10 @@ namespace strait
   void
   RunState::check_scene(const std::string &earlier) const
   {
-    const auto then = values_of(earlier), now = values_of(scene.resolved);
-    for (const auto &[name, value] : now)
-      {
-        const auto found = then.find(name);
-        if (found == then.end() || found->second != value)
-          throw InputError(
-            format("The run in '%s' had %s = %s where the scene now has %s; restore the "
-                   "scene to resume, or begin anew in another folder.",
-                   scene.output.directory.c_str(),
-                   name.c_str(),
-                   found == then.end() ? "(none)" : found->second.c_str(),
-                   value.c_str()));
-      }
-    if (then.size() != now.size())
-      throw InputError(
-        "The run in '" + scene.output.directory +
-        "' had parameters that this version of strait does not know; begin "
-        "anew without --resume.");
+    const std::string difference = difference_of_scenes(earlier, scene.resolved);
+    if (!difference.empty())
+      throw InputError("The run in '" + scene.output.directory + "' had " + difference +
+                       "; restore the scene to resume, or begin anew in another folder.");
   }
 
   void

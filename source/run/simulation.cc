@@ -5,8 +5,8 @@
 #include <strait/base/timers.h>
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/flow/seal_mesh.h>
-#include <strait/interface/moment_set.h>
 #include <strait/run/cost_prediction.h>
+#include <strait/run/guards.h>
 #include <strait/run/load_sweep.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/run_state.h>
@@ -62,6 +62,9 @@ namespace strait
       const PeriodicGrid grid = grid_of(scene);
       for (const std::string &warning : scene.warnings())
         log.warn(warning);
+      for (const std::string &warning : implausible_numbers(scene))
+        log.warn(warning);
+      require_memory(scene, MPI_COMM_WORLD);
       for (const std::string &warning : check_resolution(scene.surface, grid))
         log.warn(warning);
       warn_of_odd_grid(scene, log);
@@ -224,9 +227,7 @@ namespace strait
     log.line(timers.summary());
     output.finish(timers, bytes / n_points);
     log.line("results are in " + scene.output.directory);
-    summary.exponent         = output.exponents().leak_rate_fit();
-    summary.crossover        = output.exponents().crossover();
-    summary.theory_crossover = output.exponents().theory_crossover();
+    output.summarise(summary);
     if (!summary.stopped)
       state.save_end(summary);
     return summary;
@@ -240,19 +241,14 @@ namespace strait
         describe_theory(scene, log);
         return;
       }
-    // Contact fields; two moment pyramids, the gap and the path search.
-    const double bytes_contact = scene.contact.adhesion.enabled ? 105. : 57.;
-    const double bytes_flow =
-      2 * 8. / 3 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
     const SlabField heights = make_heights(scene, log);
     describe_adhesion(scene.contact, heights, log);
     describe_mesh(scene, log);
-    const auto   n_points = static_cast<double>(grid_of(scene).n_points());
-    const double bytes    = n_points * ((scene.contact.enabled ? bytes_contact : 8.) +
-                                     (scene.fluid.enabled ? bytes_flow : 0.));
     log.line(format(
-      "memory for the grid, without the mesh: about %.3g GB; contact %s, fluid %s; %zu steps",
-      1e-9 * bytes,
+      "memory for the grid, without the mesh: about %.3g of %.3g GB that are free; contact "
+      "%s, fluid %s; %zu steps",
+      1e-9 * memory_of_grid(scene),
+      1e-9 * free_memory(),
       scene.contact.enabled ? "on" : "off (the surface is the gap)",
       scene.fluid.enabled ? "on" : "off",
       scene.contact.enabled ? scene.programme.pressures.size() : 1));

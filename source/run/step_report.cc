@@ -3,6 +3,8 @@
 #include <strait/run/error_budget.h>
 #include <strait/run/step_report.h>
 
+#include <cmath>
+
 namespace strait
 {
   void
@@ -17,7 +19,9 @@ namespace strait
                step.state.contact->residual,
                step.state.contact->fft_pairs,
                step.state.contact_seconds);
-    if (step.flow && step.flow->channel.percolates())
+    if (step.flow && std::isinf(step.flow->leakage.rate))
+      text += "; nothing limits the leak";
+    else if (step.flow && step.flow->channel.percolates())
       text += format("; leak rate %.5g ± %.1g %% (%llu cells, %.1f s)",
                      step.flow->leakage.rate,
                      50. * step.flow->leakage.relative_width(),
@@ -36,6 +40,8 @@ namespace strait
                      step.theory->leak_rate);
     if (step.status() != "ok")
       text += "; " + step.status();
+    if (step.validity() != "ok")
+      text += "; validity: " + step.validity();
     log.line(text);
     if (!step.errors.items.empty())
       log.line(describe_errors(step.errors));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/text.h>
+#include <strait/run/guards.h>
 #include <strait/run/result_tables.h>
 #include <strait/run/surface_output.h>
 #include <strait/surface/map_writer.h>
@@ -78,6 +79,9 @@ namespace strait
              surface.rms_curvature,
              surface.lowest,
              surface.highest));
+    const std::string doubt = implausible_slope(scene, surface.rms_slope);
+    if (!doubt.empty())
+      log.warn(doubt);
     if (scene.surface.kind == SurfaceKind::self_affine)
       report_resolution(scene, heights.grid(), log);
     if (scene.surface.kind == SurfaceKind::file || scene.output.surface_spectrum)

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
+#include <strait/run/guards.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/step_report.h>
 #include <strait/run/theory_prediction.h>
 #include <strait/run/theory_run.h>
+#include <strait/run/validity.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/resolution.h>
 
@@ -18,6 +20,8 @@ namespace strait
     make_theory(const Scene &scene, Log &log)
     {
       for (const std::string &warning : scene.warnings())
+        log.warn(warning);
+      for (const std::string &warning : implausible_numbers(scene))
         log.warn(warning);
       if (scene.theory.spectrum == TheorySpectrum::model)
         return {scene, nullptr};
@@ -60,6 +64,7 @@ namespace strait
             const auto scope = timers.scope("theory");
             step.theory      = theory.predict(pressure, slip_length, nullptr, nullptr);
           }
+          judge_validity(step, scene, std::sqrt(theory.spectrum().slope_square()), log);
           report_step(step, n_steps, timers.total(), log);
           const auto scope = timers.scope("output");
           output.write(step, step.number == n_steps);

@@ -205,15 +205,18 @@ namespace strait
       apply_window(map, parameters.window_width);
     else
       mirror(map);
-    const Roughness after = roughness(map, map.size.value_or(size));
-    std::string     text  = format(
-      "Surface/Make periodic = %s changes the statistics of the map: rms height "
-           "%.4g instead of %.4g",
-      is_window ? "window" : "mirror",
-      after.height,
-      before.height);
+    const Roughness after  = roughness(map, map.size.value_or(size));
+    const auto      change = [](const double now, const double was) {
+      const std::string number = format("%.4g", now), earlier = format("%.4g", was);
+      return number == earlier ? number + " as before"
+                                    : number + " instead of " + earlier;
+    };
+    std::string text = std::string("Surface/Make periodic = ") +
+                       (is_window ? "window" : "mirror") +
+                       " changes the statistics of the map: rms height " +
+                       change(after.height, before.height);
     if (map.size)
-      text += format(", rms slope %.4g instead of %.4g", after.slope, before.slope);
+      text += ", rms slope " + change(after.slope, before.slope);
     if (is_window)
       text += "; its edges are a flat rim, which may seal where the surface would leak";
     else

@@ -55,6 +55,15 @@ namespace strait
       EXPECT_TRUE(says(unknown, "not predicted"));
     }
 
+    // 3.9 points where 4 are needed: not "1.0 times as many".
+    TEST(DriverCostPrediction, NamesAGridThatWouldDo)
+    {
+      const Scene scene = saddle(587, .0025);
+      ASSERT_NEAR(*CostPrediction(scene, 0.).points_along_throat(), 3.9, .1);
+      const std::string last = CostPrediction(scene, 0.).lines()[2];
+      EXPECT_NE(last.find("Contact/Grid points = 6"), std::string::npos) << last;
+    }
+
     TEST(DriverCostPrediction, CountsStepsAndCapsUnknowns)
     {
       Scene scene                  = saddle(1024, .01);

@@ -347,6 +347,8 @@ class Pictures(PlotTest):
         self.assertEqual(plot_pictures.headline(about, {"pressure": "Pa"}).split("   ·   "),
                          ["nominal pressure 0.1 Pa", "contact area 25.0 %",
                           r"leak rate $2\times10^{-9}$"])
+        self.assertTrue(plot_pictures.headline({**about, "validity": "steep+plastic"}, {})
+                        .endswith("   ·   validity: steep+plastic"))
         about.update(nominal_pressure=np.nan, leak_rate=np.nan)
         self.assertEqual(plot_pictures.headline(about, {}), "contact area 25.0 %")
 

@@ -151,7 +151,7 @@ namespace strait
       ASSERT_EQ(rows.size(), 5U);
       EXPECT_EQ(rows[4].substr(0, 13), "4,4,inverted,");
       EXPECT_EQ(lines_of(folder + "/all/ensemble_summary.csv").front(),
-                "quantity,mean,standard_deviation,samples");
+                "quantity,mean,standard_deviation,samples,missing");
 
       // The scene in the folder of a realisation repeats it.
       const std::string alone = folder + "/all/realisation-4/parameters.prm";

@@ -15,6 +15,7 @@ namespace strait
     std::string              parameters_format; // "prm" or "md" if --parameters was given
     std::string              columns_format;    // "md" if --columns was given
     bool                     resume  = false;
+    bool                     force   = false;
     bool                     dry_run = false;
     bool                     quiet   = false;
     bool                     version = false;

@@ -76,6 +76,7 @@ namespace strait
     double              effective_modulus = 1.; // follows from the next two, if given
     std::vector<double> young_moduli;           // of one or two bodies
     std::vector<double> poisson_ratios;
+    double              hardness           = 0.; // 0: not known
     ContactControl      control            = ContactControl::load;
     ContactMethod       method             = ContactMethod::dual_cg;
     double              tolerance          = 1e-8; // residual in units of h_rms

@@ -8,6 +8,7 @@
 namespace strait
 {
   class ParameterSection;
+  struct UnitParameters;
 
   /** How the next fluid pressure is guessed from those before. */
   enum class Acceleration
@@ -67,8 +68,14 @@ namespace strait
   /** The section Fluid of a scene: Reynolds flow through the gap. */
   struct FluidParameters
   {
-    bool                enabled         = true;
-    bool                is_gas          = false;
+    static constexpr double room_temperature = 293.15; // K
+
+    bool                enabled = true;
+    bool                is_gas  = false;
+    std::string         gas;                  // names a row of a table of gases, or empty
+    double              molar_mass      = 0.; // [kg/mol]; 0: not known
+    double              temperature     = room_temperature; // [K]
+    double              surface_tension = 0.;               // 0: not known
     double              viscosity       = 1.;
     double              inlet_pressure  = 1.;
     double              outlet_pressure = 0.;
@@ -95,6 +102,13 @@ namespace strait
     }
 
     void bind(ParameterSection section);
+
+    /**
+     * Where a gas is named, take its molar mass and, unless the scene gives one, its
+     * viscosity in the scene's @p units. Throws InputError where that contradicts the
+     * other values.
+     */
+    void take_gas(const UnitParameters &units);
     void check() const;
   };
 } // namespace strait

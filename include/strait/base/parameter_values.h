@@ -17,7 +17,8 @@ namespace strait
   // value with text(), reads it with read(), which gives false for what is not allowed,
   // and says in words() what is.
 
-  /** Numbers between two limits, at first all that are finite. */
+  /** Numbers between two limits, at first all that are 0 or of a magnitude from 1e-30 to
+   *  1e30, which covers all that is measured in any units. */
   struct Range
   {
     double lower      = -std::numeric_limits<double>::infinity();
@@ -89,7 +90,11 @@ namespace strait
     std::string words_for(bool is_integer, bool is_list) const;
   };
 
-  /** All finite numbers. */
+  /** What to add to the words for a Range, if one of these numbers, separated by commas,
+   *  is beyond all of them. */
+  std::string magnitude_note(const std::string &values);
+
+  /** All numbers. */
   inline constexpr Range any_number{};
   /** Those above 0. */
   inline constexpr Range positive = any_number.above(0.);

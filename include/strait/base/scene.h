@@ -36,6 +36,17 @@ namespace strait
       return theory.enabled && !contact.enabled && !fluid.enabled;
     }
 
+    /**
+     * Whether E* and with it slopes and pressures are meant as they stand. In reduced
+     * units, with E* = 1 and no unit stated, results depend on slope × E* over pressure
+     * alone, and a slope of 1 says nothing.
+     */
+    bool
+    has_physical_modulus() const
+    {
+      return !units.pressure.empty() || contact.effective_modulus != 1.;
+    }
+
     /** The scene file, with every default filled in. */
     std::string resolved;
 

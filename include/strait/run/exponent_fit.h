@@ -2,25 +2,40 @@
 #ifndef strait_run_exponent_fit_h
 #define strait_run_exponent_fit_h
 
-#include <strait/base/log.h>
-#include <strait/theory/closing_law.h>
-
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
 namespace strait
 {
-  class StateArchive;
-  struct Step;
-
   /** A quantity at one distance from the threshold. */
   struct ScalingPoint
   {
     double reduced_load = 0.; // ε = 1 − L/L_c > 0
     double value        = 0.; // > 0
+
+    std::string status = "ok"; // of the step that it is from
   };
+
+  /** A range of reduced loads. */
+  struct LoadWindow
+  {
+    double from = 0.;
+    double to   = 0.;
+
+    /** Whether it holds @p reduced_load: that of a step is the one asked for but for
+     *  rounding. */
+    bool
+    contains(const double reduced_load) const
+    {
+      return reduced_load >= from - 1e-9 && reduced_load <= to + 1e-9;
+    }
+  };
+
+  /** Where the leak rate falls exponentially with the load. Half of its nearest end takes
+   *  loads in at which the power law has begun, a larger farthest one those at which
+   * there is hardly any contact. */
+  inline constexpr LoadWindow exponential_decay{.3, .7};
 
   /** The exponent β of value ∝ ε^β over a window of ε. */
   struct ExponentFit
@@ -30,6 +45,8 @@ namespace strait
     double exponent = 0.;
     double error    = 0.; // standard error of the fit; 0 for two points
     int    n_points = 0;
+
+    std::string status = "ok"; // all words of its points
   };
 
   /** A row of fit.csv. */
@@ -53,78 +70,10 @@ namespace strait
   /**
    * The reduced load ε_x at which the exponential decay far from the threshold turns
    * into the power law ε^β near it. Far away value ∝ exp(s ε) with s from least
-   * squares over 0.3 <= ε <= 0.7; the local exponent s ε reaches β = 69/20 at
+   * squares over exponential_decay; the local exponent s ε reaches β = 69/20 at
    * ε_x = β/s. Not a number with fewer than two points in that range.
    */
   double crossover_reduced_load(const std::vector<ScalingPoint> &points);
-
-  /**
-   * Exponents of leak rate and throat against 1 − L/L_c. Collects the steps that
-   * converged; those in doubt (Step::doubts) are left out of the fits.
-   */
-  class Scaling
-  {
-  public:
-    /** Fits use reduced loads up to @p largest_reduced_load. */
-    explicit Scaling(const double largest_reduced_load)
-      : largest(largest_reduced_load)
-    {
-    }
-
-    /** Add a step, if it has a reduced load. */
-    void collect(const Step &step);
-
-    /** All that was collected. Collective. */
-    void transfer(StateArchive &archive);
-
-    /** The fit of the leak rate at the smallest slip. */
-    ExponentFit leak_rate_fit() const;
-
-    /** The crossover of the leak rate at the smallest slip, and of what the theory says
-     *  at the same steps; not numbers where too little is known. */
-    double crossover() const;
-    double theory_crossover() const;
-
-    /** The local slopes of each quantity, and its fit over all steps that are trusted,
-     *  which goes to @p log as well. Collective. */
-    std::vector<FitRow> fits(Log &log) const;
-
-  private:
-    enum Quantity
-    {
-      leak_rate,
-      throat_gap,
-      throat_length,
-      throat_width,
-      theory_leak_rate,
-      n_quantities
-    };
-
-    /** What a step contributes. Values that are not positive are not known. */
-    struct Sample
-    {
-      double                           slip_length  = 0.;
-      double                           reduced_load = 0.;
-      bool                             is_trusted   = false;
-      std::array<double, n_quantities> values       = {};
-    };
-
-    /** The known values of a quantity at one slip length, in the order of the steps. */
-    std::vector<ScalingPoint>
-    series(Quantity quantity, double slip_length, bool only_trusted = false) const;
-
-    /** What the law of closing says of a slope; not a number where it says nothing. */
-    static double law_exponent(const ClosingLaw  &law,
-                               Quantity           quantity,
-                               const ExponentFit &slope,
-                               double             slip_length);
-
-    /** The smallest slip at which a quantity is known; not a number if it never is. */
-    double smallest_slip(Quantity quantity) const;
-
-    double              largest;
-    std::vector<Sample> samples;
-  };
 } // namespace strait
 
 #endif

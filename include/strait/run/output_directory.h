@@ -5,9 +5,9 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
-#include <strait/run/exponent_fit.h>
 #include <strait/run/leakage_table.h>
 #include <strait/run/result_tables.h>
+#include <strait/run/scaling.h>
 #include <strait/run/step.h>
 
 #include <string>
@@ -15,13 +15,6 @@
 
 namespace strait
 {
-  /**
-   * Make the folder @p path and remove the results of an earlier run from it, and
-   * only those, so that a folder never mixes two runs. Collective. Throws InputError
-   * on all ranks if the folder cannot be made or written to.
-   */
-  void prepare_directory(const std::string &path, MPI_Comm comm);
-
   /** Let the plotting script draw the results in @p path; a failure is a warning.
    *  For rank 0 only. */
   void draw_pictures(const std::string &path, Log &log);
@@ -35,6 +28,9 @@ namespace strait
     ExponentFit             exponent;          // of the leak rate at the smallest slip
     double                  crossover = 0.; // reduced load, see crossover_reduced_load()
     double theory_crossover = 0.; // that of the theory, if the scene asks for it
+
+    std::string status   = "ok"; // words of all steps, and of what is not known for them
+    std::string validity = "ok"; // likewise
   };
 
   /**
@@ -70,12 +66,8 @@ namespace strait
      */
     void finish(const Timers &timers, double bytes_per_point);
 
-    /** What is known of exponents so far. */
-    const Scaling &
-    exponents() const
-    {
-      return scaling;
-    }
+    /** Complete @p summary with what the steps leave. */
+    void summarise(RunSummary &summary) const;
 
   private:
     void write_record(const Timers &timers, double bytes_per_point) const;
@@ -89,6 +81,9 @@ namespace strait
     std::size_t  n_jumps = 0; // written
 
     std::vector<std::string> error_budget; // JSON, of the steps so far
+    std::vector<std::string> validity;     // likewise
+
+    std::string words_of_status = "ok", words_of_validity = "ok"; // of the steps so far
   };
 } // namespace strait
 

@@ -28,7 +28,7 @@ namespace strait
     double             lower, upper, contact_area; // of the first slip length's threshold
     double             crossover_load, crossover_reduced_load, theory_crossover_load;
     double             exponent, exponent_error; // of the leak rate
-    std::string        status;                   // ok, not-converged or failed
+    std::string        status, validity;         // words of all its steps
   };
 
   /** How a quantity scatters over the realisations: a row of ensemble_summary.csv. */
@@ -38,6 +38,7 @@ namespace strait
     double      mean               = 0.;
     double      standard_deviation = 0.;
     std::size_t n_samples          = 0; // realisations for which it is a finite number
+    std::size_t n_missing          = 0; // the others
   };
 
   /** A row of spectrum.csv. */

@@ -7,6 +7,7 @@
 #include <strait/seal/seal_state.h>
 #include <strait/seal/step_flow.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -14,6 +15,18 @@
 
 namespace strait
 {
+  /** Add to @p all, "ok" or words joined by +, those of @p more that it lacks. */
+  inline void
+  add_words(std::string &all, const std::string &more)
+  {
+    std::vector<std::string> words =
+      all == "ok" ? std::vector<std::string>() : split(all, '+');
+    for (const std::string &word : split(more, '+'))
+      if (word != "ok" && std::find(words.begin(), words.end(), word) == words.end())
+        words.push_back(word);
+    all = words.empty() ? "ok" : join(words, "+");
+  }
+
   /** One source of error of a leak rate. */
   struct ErrorItem
   {
@@ -40,6 +53,23 @@ namespace strait
     }
   };
 
+  /** One limit of the model, and what a step says of it (validity.h). */
+  struct ValidityCheck
+  {
+    std::string word;     // of the column validity where the limit is passed
+    double      number;   // of the step
+    double      limit;    // for that number
+    bool        is_least; // it must not fall below the limit, rather than exceed it
+    std::string advice;   // what it means, and what to switch on or to change
+
+    /** Whether the model holds in this respect; a number that is none proves nothing. */
+    bool
+    holds() const
+    {
+      return is_least ? number >= limit : number <= limit;
+    }
+  };
+
   /** One step of the load programme, with all that its output may need. */
   struct Step
   {
@@ -53,7 +83,19 @@ namespace strait
     std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
     StepErrors                  errors;       // of the leak rate, if there is one
     std::vector<std::string>    doubts;       // about a result that may have converged
+    std::vector<ValidityCheck>  checks;       // of the model's limits
     double                      flow_seconds = 0.;
+
+    /** "ok", or a word for each limit of the model that the step passes, joined by +. */
+    std::string
+    validity() const
+    {
+      std::vector<std::string> words;
+      for (const ValidityCheck &check : checks)
+        if (!check.holds())
+          words.push_back(check.word);
+      return words.empty() ? "ok" : join(words, "+");
+    }
 
     /** Whether all solvers reached what was asked of them. */
     bool

@@ -10,7 +10,8 @@ namespace strait
 {
   /**
    * Say what the surface on the grid is like: rms values, and of a measured one or
-   * where the scene asks for the spectrum, Hurst exponent and roll-off. Collective.
+   * where the scene asks for the spectrum, Hurst exponent and roll-off. Throws InputError
+   * for a slope that no surface has. Collective.
    */
   void report_surface(const Scene &scene, const SlabField &heights, Log &log);
 

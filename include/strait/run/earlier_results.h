@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_earlier_results_h
+#define strait_run_earlier_results_h
+
+#include <strait/base/scene.h>
+
+#include <mpi.h>
+
+#include <string>
+
+namespace strait
+{
+  /**
+   * In what two resolved scenes differ, "Contact/Grid points = 512 where the scene now
+   * has 64"; empty if in nothing that a number of the results depends on.
+   */
+  std::string difference_of_scenes(const std::string &then, const std::string &now);
+
+  /**
+   * Throws InputError on all ranks if the output directory of @p scene holds results of
+   * another scene, or of one that cannot be told. Collective.
+   */
+  void refuse_results_of_another_scene(const Scene &scene, MPI_Comm comm);
+
+  /**
+   * Make the folder @p path and remove the results of an earlier run from it, and
+   * only those, so that a folder never mixes two runs. Collective. Throws InputError
+   * on all ranks if the folder cannot be made or written to.
+   */
+  void prepare_directory(const std::string &path, MPI_Comm comm);
+} // namespace strait
+
+#endif

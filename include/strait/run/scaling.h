@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_scaling_h
+#define strait_run_scaling_h
+
+#include <strait/base/log.h>
+#include <strait/run/exponent_fit.h>
+#include <strait/theory/closing_law.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace strait
+{
+  class StateArchive;
+  struct Step;
+
+  /**
+   * Exponents of leak rate and throat against 1 − L/L_c. Collects the steps that
+   * converged; those in doubt (Step::doubts) are left out of the fits, and those whose
+   * throat has too few points for a leak rate (validity.h) out of the crossover.
+   */
+  class Scaling
+  {
+  public:
+    /** Fits use reduced loads up to @p largest_reduced_load. */
+    explicit Scaling(const double largest_reduced_load)
+      : largest(largest_reduced_load)
+    {
+    }
+
+    /** Add a step, if it has a reduced load. */
+    void collect(const Step &step);
+
+    /** All that was collected. Collective. */
+    void transfer(StateArchive &archive);
+
+    /** The fit of the leak rate at the smallest slip. */
+    ExponentFit leak_rate_fit() const;
+
+    /** The crossover of the leak rate at the smallest slip, and of what the theory says
+     *  at the same steps; not numbers where too little is known. */
+    double crossover() const;
+    double theory_crossover() const;
+
+    /** "ok", or words for what could not be told of the leak rate because too few of the
+     *  steps that it takes are resolved: no-exponent, no-crossover. */
+    std::string missing() const;
+
+    /** The local slopes of each quantity, and its fit over all steps that are trusted,
+     *  which goes to @p log as well, with a warning of what is missing. Collective. */
+    std::vector<FitRow> fits(Log &log) const;
+
+  private:
+    enum Quantity
+    {
+      leak_rate,
+      throat_gap,
+      throat_length,
+      throat_width,
+      theory_leak_rate,
+      n_quantities
+    };
+
+    /** What a step contributes. Values that are not positive are not known. */
+    struct Sample
+    {
+      double                           slip_length  = 0.;
+      double                           reduced_load = 0.;
+      std::string                      status       = "ok";
+      bool                             is_coarse    = false; // its throat
+      std::array<double, n_quantities> values       = {};
+    };
+
+    /** Which steps serve. */
+    enum class Trust
+    {
+      all,      // that converged
+      resolved, // whose leak rate the grid resolves
+      doubtless // whose status is ok: for exponents
+    };
+
+    static bool serves(const Sample &sample, Quantity quantity, Trust trust);
+
+    /** The known values of a quantity at one slip length, in the order of the steps. */
+    std::vector<ScalingPoint>
+    series(Quantity quantity, double slip_length, Trust trust) const;
+
+    /** Of the steps in a window at the smallest slip: how many there are, how many have a
+     *  leak rate that serves, and the status of the others. */
+    struct Supply
+    {
+      int         n_steps          = 0;
+      int         n_used           = 0;
+      std::string status_of_others = "ok";
+
+      /** Whether there is no result because too few steps serve. */
+      bool
+      is_short() const
+      {
+        return n_steps > n_used && n_used < 2;
+      }
+    };
+    Supply supply(const LoadWindow &window, Trust trust) const;
+    void   report_missing(Log &log) const;
+
+    /** What the law of closing says of a slope; not a number where it says nothing. */
+    static double law_exponent(const ClosingLaw  &law,
+                               Quantity           quantity,
+                               const ExponentFit &slope,
+                               double             slip_length);
+
+    /** The smallest slip at which a quantity is known; not a number if it never is. */
+    double smallest_slip(Quantity quantity) const;
+
+    double              largest;
+    std::vector<Sample> samples;
+  };
+} // namespace strait
+
+#endif

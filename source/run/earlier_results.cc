@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/base/scene_text.h>
+#include <strait/base/text.h>
+#include <strait/run/earlier_results.h>
+#include <strait/run/result_tables.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+namespace strait
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** Whether an earlier run of this program may have written a file. */
+    bool
+    is_result(const std::string &name)
+    {
+      static const std::regex number("-[0-9]+\\.");
+      for (const TableInfo &table : all_tables({}))
+        if (std::regex_replace(name, number, "-STEP.") == table.file)
+          return true;
+      for (const char *exact : {"leakage.png",
+                                "gaps.png",
+                                "ensemble.png",
+                                "surface.nc",
+                                "spectrum.png",
+                                "run.json",
+                                "checkpoint",
+                                "checkpoint.new",
+                                "log.txt",
+                                "parameters.prm"})
+        if (name == exact)
+          return true;
+      static const std::regex numbered_file(
+        "(fields|flow|picture)-[0-9]+\\.(h5|xmf|vtu|pvtu|png)");
+      return std::regex_match(name, numbered_file);
+    }
+
+    /** The files that an earlier run left in a folder; none if there is no folder. */
+    std::vector<fs::path>
+    results_in(const std::string &folder)
+    {
+      std::vector<fs::path> files;
+      std::error_code       error;
+      for (const auto &entry : fs::directory_iterator(folder, error))
+        if (entry.is_regular_file() && is_result(entry.path().filename().string()))
+          files.push_back(entry.path());
+      return files;
+    }
+
+    /** What may change from one part of a run to the next: no number depends on it. */
+    bool
+    may_change(const std::string &name)
+    {
+      for (const char *free : {"Output/Directory",
+                               "Output/Pictures",
+                               "Output/Fields",
+                               "Output/Surface map",
+                               "Output/Surface spectrum",
+                               "Output/Checkpoint"})
+        if (name == free)
+          return true;
+      return false;
+    }
+
+    /** The values of a resolved scene by "Section/Parameter". */
+    std::map<std::string, std::string>
+    values_of(const std::string &resolved)
+    {
+      std::map<std::string, std::string> values;
+      for (const SceneEntry &entry : lex_scene(resolved, "scene", ""))
+        {
+          const std::string name = join(entry.section, "/") + "/" + entry.name;
+          if (!entry.name.empty() && !may_change(name))
+            values[name] = entry.value;
+        }
+      return values;
+    }
+
+    /** "which had NAME = VALUE …" of the scene in @p file; empty if it is @p scene. */
+    std::string
+    foreign_scene(const fs::path &file, const Scene &scene)
+    {
+      std::ifstream      in(file);
+      std::ostringstream text;
+      text << in.rdbuf();
+      try
+        {
+          // An earlier version may have had fewer parameters.
+          const Scene then =
+            make_scene(lex_scene(text.str(), file.string(), file.parent_path().string()));
+          const std::string difference =
+            difference_of_scenes(then.resolved, scene.resolved);
+          return difference.empty() ? "" : "which had " + difference;
+        }
+      catch (const InputError &)
+        {
+          return "which this version of strait cannot read";
+        }
+    }
+  } // namespace
+
+  std::string
+  difference_of_scenes(const std::string &then, const std::string &now)
+  {
+    const auto before = values_of(then), after = values_of(now);
+    for (const auto &[name, value] : after)
+      {
+        const auto found = before.find(name);
+        if (found == before.end() || found->second != value)
+          return name + " = " + (found == before.end() ? "(none)" : found->second) +
+                 " where the scene now has " + value;
+      }
+    for (const auto &[name, value] : before)
+      if (after.find(name) == after.end())
+        return name + " = " + value + ", which this version of strait does not know";
+    return "";
+  }
+
+  void
+  refuse_results_of_another_scene(const Scene &scene, MPI_Comm comm)
+  {
+    run_on_root(comm, [&scene]() {
+      const std::string &folder = scene.output.directory;
+      for (const fs::path &file : results_in(folder))
+        {
+          const std::string name = file.filename().string();
+          if (name == "log.txt" || name == "parameters.prm") // they tell of no number
+            continue;
+          const fs::path    scene_of_results = fs::path(folder) / "parameters.prm";
+          const std::string difference =
+            fs::exists(scene_of_results)
+              ? foreign_scene(scene_of_results, scene)
+              : "whose parameters.prm is missing beside " + name;
+          if (difference.empty())
+            return;
+          throw InputError("The folder '" + folder +
+                           "' holds the results of another scene, " + difference +
+                           "; choose another folder with --output, or overwrite them "
+                           "with --force.");
+        }
+    });
+  }
+
+  void
+  prepare_directory(const std::string &path, MPI_Comm comm)
+  {
+    run_on_root(comm, [&path]() {
+      std::error_code error;
+      fs::create_directories(path, error);
+      const fs::path probe = fs::path(path) / "log.txt";
+      if (error || !std::ofstream(probe, std::ios::app))
+        throw InputError("The output directory '" + path +
+                         "' cannot be written; choose another with Output/Directory or "
+                         "--output.");
+      for (const fs::path &file : results_in(path))
+        fs::remove(file, error);
+    });
+  }
+} // namespace strait

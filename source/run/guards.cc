@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/base/text.h>
+#include <strait/interface/moment_set.h>
+#include <strait/run/guards.h>
+#include <strait/run/validity.h>
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+namespace strait
+{
+  namespace
+  {
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+    /** The number in a file that has nothing else; @p otherwise if there is none. */
+    double
+    number_in(const char *path, const double otherwise)
+    {
+      std::ifstream file(path);
+      double        number = 0.;
+      return file >> number ? number : otherwise;
+    }
+
+    /** What the kernel could give to new processes without swapping. */
+    double
+    available_memory()
+    {
+      std::ifstream file("/proc/meminfo");
+      std::string   name, unit;
+      double        kilobytes = 0.;
+      while (file >> name >> kilobytes && std::getline(file, unit))
+        if (name == "MemAvailable:")
+          return 1024. * kilobytes;
+      return unlimited;
+    }
+
+    /** What a container may take in all, by either version of control groups; what it has
+     *  taken is mostly copies of files, which make room. */
+    double
+    memory_of_container()
+    {
+      return std::min(number_in("/sys/fs/cgroup/memory.max", unlimited),
+                      number_in("/sys/fs/cgroup/memory/memory.limit_in_bytes",
+                                unlimited));
+    }
+
+    /** A number of the scene, with the smallest and the largest of any seal. */
+    struct Plausible
+    {
+      std::string name;
+      double      value; // in SI
+      double      smallest, largest;
+      std::string unit;
+    };
+
+    /** Those whose unit is stated. */
+    std::vector<Plausible>
+    numbers_to_check(const Scene &scene)
+    {
+      std::vector<Plausible> numbers;
+      if (!scene.units.length.empty())
+        for (const double side : scene.surface.size)
+          numbers.push_back({"Surface/Size",
+                             side * scene.units.length_in_metres(),
+                             1e-8, // a few waves of a length of some atoms
+                             .1,   // a wave of micrometres is no longer resolved
+                             "m"});
+      if (scene.units.pressure.empty())
+        return numbers;
+      const double pascals = *pascals_in(scene.units.pressure);
+      if (scene.contact.enabled)
+        numbers.push_back({"the effective modulus",
+                           scene.contact.effective_modulus * pascals,
+                           1e3,  // gels
+                           2e12, // diamond on diamond
+                           "Pa"});
+      if (scene.fluid.enabled && !scene.units.time.empty())
+        numbers.push_back(
+          {"Fluid/Viscosity",
+           scene.fluid.viscosity * pascals * *seconds_in(scene.units.time),
+           1e-6, // hydrogen, cold: 5e-6
+           1e5,  // pitch is more, and flows in years
+           "Pa s"});
+      return numbers;
+    }
+
+    /** Throws where pressures leave the solid no shape, or the seal no load. */
+    void
+    refuse_meaningless_pressures(const Scene &scene)
+    {
+      if (scene.units.pressure.empty() || !scene.contact.enabled ||
+          scene.contact.control != ContactControl::load)
+        return;
+      const bool is_pressed = scene.fluid.enabled && !scene.fluid.feedback.enabled &&
+                              !scene.contact.adhesion.enabled;
+      const char *unit = scene.units.pressure.c_str();
+      for (const double pressure : scene.programme.pressures)
+        {
+          if (pressure > scene.contact.effective_modulus)
+            throw InputError(
+              format("Load programme/Pressures contains %.6g %s, more than the effective "
+                     "modulus of %.6g %s, and no solid bears that elastically; check the "
+                     "units of both.",
+                     pressure,
+                     unit,
+                     scene.contact.effective_modulus,
+                     unit));
+          if (is_pressed && excess_pressure(scene.fluid) > pressure)
+            throw InputError(
+              format("The fluid's pressure of %.6g %s exceeds the nominal pressure of "
+                     "%.6g %s and would lift the walls off, so that a leak rate without "
+                     "that means nothing; set Fluid/Wall feedback/Enabled = true, or "
+                     "raise Load programme/Pressures.",
+                     excess_pressure(scene.fluid),
+                     unit,
+                     pressure,
+                     unit));
+        }
+    }
+  } // namespace
+
+  double
+  memory_of_grid(const Scene &scene)
+  {
+    // Bytes a grid point: fields of the contact; two moment pyramids, the gap and the
+    // path search. A run of prm/quickstart.prm takes 92 where this says 116.
+    const double gap     = 8.;
+    const double contact = scene.contact.adhesion.enabled ? 105. : 57.;
+    const double flow =
+      2 * 8. / 3 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
+    return static_cast<double>(scene.contact.grid_points[0]) *
+           scene.contact.grid_points[1] *
+           ((scene.contact.enabled ? contact : gap) + (scene.fluid.enabled ? flow : 0.));
+  }
+
+  double
+  free_memory()
+  {
+    rlimit       limit{};
+    const double of_process =
+      getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY
+        ? static_cast<double>(limit.rlim_cur)
+        : unlimited;
+    return std::min({available_memory(), memory_of_container(), of_process});
+  }
+
+  void
+  require_memory(const Scene &scene, MPI_Comm comm)
+  {
+    MPI_Comm machine = MPI_COMM_NULL;
+    MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+    int n_here = 1, n_ranks = 1;
+    MPI_Comm_size(machine, &n_here);
+    MPI_Comm_size(comm, &n_ranks);
+    const double available = minimum(machine, free_memory());
+    MPI_Comm_free(&machine);
+    const double      needed = memory_of_grid(scene) * n_here / n_ranks;
+    const std::string error =
+      needed <= available
+        ? ""
+        : format(
+            "A grid of %d x %d points takes about %.3g GB of memory on this machine, "
+            "and %.3g GB are free; reduce Contact/Grid points, or run on more "
+            "machines.",
+            scene.contact.grid_points[0],
+            scene.contact.grid_points[1],
+            1e-9 * needed,
+            1e-9 * available);
+    throw_if_any(comm, error);
+  }
+
+  std::vector<std::string>
+  implausible_numbers(const Scene &scene)
+  {
+    refuse_meaningless_pressures(scene);
+    std::vector<std::string> warnings;
+    for (const Plausible &number : numbers_to_check(scene))
+      if (number.value < number.smallest || number.value > number.largest)
+        warnings.push_back(
+          format("%s is %.4g %s, which is outside of what seals have, %.3g to %.3g %s; "
+                 "check the section Units and the powers of ten.",
+                 number.name.c_str(),
+                 number.value,
+                 number.unit.c_str(),
+                 number.smallest,
+                 number.largest,
+                 number.unit.c_str()));
+    return warnings;
+  }
+
+  std::string
+  implausible_slope(const Scene &scene, const double rms_slope)
+  {
+    // A rms slope of 1 is an angle of 45°; one of 10, of 84°, no surface has that a solid
+    // could be pressed onto, and heights and lengths are in different units.
+    constexpr double steep = 1., impossible = 10.;
+    if (!scene.has_physical_modulus() || !(rms_slope > steep))
+      return "";
+    const std::string finding = format("The surface has a rms slope of %.4g", rms_slope);
+    if (rms_slope > impossible && !scene.units.length.empty())
+      throw InputError(finding +
+                       ", which no surface has: its heights and Surface/Size are not in "
+                       "the same unit.");
+    return finding +
+           ", where neither the elasticity nor the flow of small slopes holds; "
+           "check the units of its heights and of Surface/Size.";
+  }
+} // namespace strait

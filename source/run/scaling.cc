@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/run/scaling.h>
+#include <strait/run/step.h>
+#include <strait/spectral/state_archive.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace strait
+{
+  void
+  Scaling::collect(const Step &step)
+  {
+    if (!step.reduced_load || !(*step.reduced_load > 0))
+      return;
+    Sample sample{step.state.control.slip_length,
+                  *step.reduced_load,
+                  step.status(),
+                  std::any_of(step.checks.begin(),
+                              step.checks.end(),
+                              [](const ValidityCheck &check) {
+                                return check.word == "coarse-throat" && !check.holds();
+                              }),
+                  {}};
+    if (step.flow && step.flow->constrictions && step.converged())
+      {
+        const Throat &throat         = step.flow->constrictions->throat;
+        sample.values[leak_rate]     = std::abs(step.flow->leakage.rate);
+        sample.values[throat_gap]    = throat.gap;
+        sample.values[throat_length] = throat.length;
+        sample.values[throat_width]  = throat.width;
+      }
+    if (step.theory)
+      sample.values[theory_leak_rate] = std::abs(step.theory->leak_rate);
+    samples.push_back(sample);
+  }
+
+  void
+  Scaling::transfer(StateArchive &archive)
+  {
+    auto n_samples = static_cast<long>(samples.size());
+    archive.value(n_samples);
+    samples.resize(n_samples);
+    for (Sample &sample : samples)
+      {
+        archive.value(sample.slip_length);
+        archive.value(sample.reduced_load);
+        archive.value(sample.status);
+        archive.value(sample.is_coarse);
+        for (double &value : sample.values)
+          archive.value(value);
+      }
+  }
+
+  bool
+  Scaling::serves(const Sample &sample, const Quantity quantity, const Trust trust)
+  {
+    return sample.values[quantity] > 0 &&
+           !(trust == Trust::doubtless && sample.status != "ok") &&
+           !(trust == Trust::resolved && sample.is_coarse);
+  }
+
+  std::vector<ScalingPoint>
+  Scaling::series(const Quantity quantity,
+                  const double   slip_length,
+                  const Trust    trust) const
+  {
+    std::vector<ScalingPoint> points;
+    for (const Sample &sample : samples)
+      if (sample.slip_length == slip_length && serves(sample, quantity, trust))
+        points.push_back({sample.reduced_load, sample.values[quantity], sample.status});
+    return points;
+  }
+
+  Scaling::Supply
+  Scaling::supply(const LoadWindow &window, const Trust trust) const
+  {
+    double slip_length = std::nan("");
+    for (const Sample &sample : samples)
+      slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
+    Supply result;
+    for (const Sample &sample : samples)
+      if (sample.slip_length == slip_length && window.contains(sample.reduced_load))
+        {
+          ++result.n_steps;
+          if (serves(sample, leak_rate, trust))
+            ++result.n_used;
+          else if (trust == Trust::resolved && sample.is_coarse)
+            add_words(result.status_of_others, "coarse-throat");
+          else
+            add_words(result.status_of_others, sample.status);
+        }
+    return result;
+  }
+
+  std::string
+  Scaling::missing() const
+  {
+    std::string words = "ok";
+    if (supply({0., largest}, Trust::doubtless).is_short())
+      add_words(words, "no-exponent");
+    if (supply(exponential_decay, Trust::resolved).is_short())
+      add_words(words, "no-crossover");
+    return words;
+  }
+
+  void
+  Scaling::report_missing(Log &log) const
+  {
+    const auto warn =
+      [&](const std::string &what, const LoadWindow &window, const Trust trust) {
+        const Supply found = supply(window, trust);
+        if (found.n_steps > found.n_used)
+          log.warn((found.is_short() ? "no " + what + ", which takes two steps" : what) +
+                   format(": %d of %d steps with 1 - L/L_c from %.3g to %.3g serve; the "
+                          "others are left out for %s",
+                          found.n_used,
+                          found.n_steps,
+                          window.from,
+                          window.to,
+                          found.status_of_others.c_str()));
+      };
+    warn("exponent of leak_rate", {0., largest}, Trust::doubtless);
+    warn("crossover load", exponential_decay, Trust::resolved);
+  }
+
+  double
+  Scaling::smallest_slip(const Quantity quantity) const
+  {
+    double slip_length = std::nan("");
+    for (const Sample &sample : samples)
+      if (sample.values[quantity] > 0)
+        slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
+    return slip_length;
+  }
+
+  ExponentFit
+  Scaling::leak_rate_fit() const
+  {
+    return fit_exponent(series(leak_rate, smallest_slip(leak_rate), Trust::doubtless),
+                        largest);
+  }
+
+  double
+  Scaling::crossover() const
+  {
+    return crossover_reduced_load(
+      series(leak_rate, smallest_slip(leak_rate), Trust::resolved));
+  }
+
+  double
+  Scaling::theory_crossover() const
+  {
+    return crossover_reduced_load(
+      series(theory_leak_rate, smallest_slip(theory_leak_rate), Trust::all));
+  }
+
+  namespace
+  {
+    /** Say what was fitted, and whether @p slopes within the window disagree. */
+    void
+    report_fit(const std::string              &name,
+               const ExponentFit              &fit,
+               const std::vector<ExponentFit> &slopes,
+               Log                            &log)
+    {
+      // Where slopes still differ by more than this within a window, a single exponent
+      // describes the window, not the threshold. At half the value, drifts that leave the
+      // first decimal of the exponent alone would be warned of; at double, drifts that
+      // change it would pass.
+      constexpr double settled = 0.05;
+      log.line(
+        format("exponent of %s: %.3f ± %.3f for %.3g <= 1 - L/L_c <= %.3g (%d points)",
+               name.c_str(),
+               fit.exponent,
+               fit.error,
+               fit.from,
+               fit.to,
+               fit.n_points));
+      double smallest = fit.exponent, greatest = fit.exponent;
+      for (const ExponentFit &slope : slopes)
+        if (slope.to <= fit.to)
+          {
+            smallest = std::min(smallest, slope.exponent);
+            greatest = std::max(greatest, slope.exponent);
+          }
+      if (greatest - smallest > settled)
+        log.warn(
+          format("corrections to scaling: the local exponent of %s drifts from "
+                 "%.3f to %.3f within the fit",
+                 name.c_str(),
+                 smallest,
+                 greatest));
+    }
+  } // namespace
+
+  double
+  Scaling::law_exponent(const ClosingLaw  &law,
+                        const Quantity     quantity,
+                        const ExponentFit &slope,
+                        const double       slip_length)
+  {
+    if (slip_length > 0)
+      return std::nan("");
+    // An immobile layer cuts the throat off where it is still wide and smooth.
+    const bool   is_smooth    = slip_length < 0;
+    const double reduced_load = std::sqrt(slope.from * slope.to);
+    switch (quantity)
+      {
+        case leak_rate:
+          return is_smooth ? 3. : law.leak_rate_exponent(reduced_load);
+        case throat_gap:
+          return is_smooth ? 1. : law.gap_exponent(reduced_load);
+        case throat_length:
+          return is_smooth ? .5 : law.length_exponent(reduced_load);
+        case throat_width:
+          return is_smooth ? .5 : law.width_exponent(reduced_load);
+        default:
+          return std::nan("");
+      }
+  }
+
+  std::vector<FitRow>
+  Scaling::fits(Log &log) const
+  {
+    constexpr std::array<std::pair<Quantity, const char *>, 4> quantities = {
+      {{leak_rate, "leak_rate"},
+       {throat_gap, "throat_gap"},
+       {throat_length, "throat_length"},
+       {throat_width, "throat_width"}}};
+    std::set<double> slip_lengths;
+    for (const Sample &sample : samples)
+      slip_lengths.insert(sample.slip_length);
+    std::vector<FitRow>            rows;
+    std::vector<ClosingLaw::Slope> closing;
+    for (const ExponentFit &slope : local_slopes(series(leak_rate, 0., Trust::doubtless)))
+      if (slope.to <= largest)
+        closing.push_back({std::sqrt(slope.from * slope.to), slope.exponent});
+    const ClosingLaw law = ClosingLaw::fit(closing);
+    for (const double slip_length : slip_lengths)
+      for (const auto &[quantity, name] : quantities)
+        {
+          for (const ExponentFit &slope :
+               local_slopes(series(quantity, slip_length, Trust::all)))
+            rows.push_back({slope,
+                            name,
+                            slip_length,
+                            "local",
+                            law_exponent(law, quantity, slope, slip_length)});
+          const auto        trusted = series(quantity, slip_length, Trust::doubtless);
+          const ExponentFit fit     = fit_exponent(trusted, largest);
+          if (fit.n_points < 2)
+            continue;
+          rows.push_back({fit, name, slip_length, "fit", std::nan("")});
+          report_fit(name, fit, local_slopes(trusted), log);
+        }
+    report_missing(log);
+    return rows;
+  }
+} // namespace strait

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/text.h>
+#include <strait/run/rarefaction.h>
+#include <strait/run/validity.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    // Each limit, with its source, stands in doc/validity.md as well. Half and double of
+    // a limit warn of half and double the error that its comment names, unless it says
+    // otherwise.
+
+    // What the fluid may carry of the load. It raises the critical load of a square
+    // saddle by 6 % at this ratio, by 3 % at half of it and 12 % at double.
+    constexpr double most_fluid_pressure = .1;
+
+    // Elastic contact pressures p have the density ∝ p exp(−p²/2s²) at small loads, with
+    // the mean s √(π/2): of the contact, exp(−π/4 (H/mean)²) = 4 % lies above the
+    // hardness H at this ratio of the mean to H; 6e-6 at half of it, 46 % at double.
+    constexpr double most_of_hardness = .5;
+
+    // Mean contact pressure over E*, where no hardness is known: few solids bear strains
+    // of a tenth elastically, and those that do are no longer linear.
+    constexpr double most_of_modulus = .1;
+
+    // Half-space and Reynolds' equation are both of first order in the slope: what they
+    // leave out is of the order of its square, here 9 %; 2 % at half of it, 36 % at
+    // double.
+    constexpr double most_slope = .3;
+
+    // Slip at the walls adds about 6 Kn to the flow between plates, here 6 %.
+    constexpr double most_knudsen = .01;
+
+    // From there on a meniscus in the throat holds against the pressure.
+    constexpr double most_laplace_pressure = 1.;
+
+    // The load that trapped fluid may carry is not known better than this; leak rates
+    // change by several times as much.
+    constexpr double most_trapped_load = .01;
+
+    // The contact grid's error of the leak rate of prm/quickstart.prm is 0.8 % with 3.9
+    // points along the throat and 9 % with 2.4.
+    constexpr double least_points_along_throat = 3.;
+
+    /** The checks of one step, one function for each mechanism that is left out. */
+    class Verdict
+    {
+    public:
+      Verdict(const Step &step, const Scene &scene)
+        : step(step)
+        , scene(scene)
+        , nominal_pressure(step.state.contact ? step.state.contact->nominal_pressure
+                           : step.theory      ? step.theory->pressure
+                                              : std::nan(""))
+        , path(step.flow && !step.flow->channel.paths.empty()
+                 ? &step.flow->channel.paths.front()
+                 : nullptr)
+      {
+      }
+
+      void add_slope(double rms_slope);
+      void add_contact_pressure();
+      void add_fluid_pressure();
+      void add_meniscus();
+      void add_grid();
+      void add_gas();
+      void add_trapped_fluid();
+
+      std::vector<ValidityCheck> checks;
+
+    private:
+      /** A check that @p number does not exceed @p limit. */
+      void
+      add(const char *word, double number, double limit, const std::string &advice)
+      {
+        checks.push_back({word, number, limit, false, advice});
+      }
+
+      /** What a pressure of the fluid is of the load; under tension any is too much. */
+      double
+      part_of_load(const double pressure) const
+      {
+        return pressure > 0. ? pressure / std::max(nominal_pressure, 0.) : 0.;
+      }
+
+      const Step     &step;
+      const Scene    &scene;
+      const double    nominal_pressure;
+      const FlowPath *path; // null where nothing leaks, or nothing limits the leak
+    };
+
+    void
+    Verdict::add_slope(const double rms_slope)
+    {
+      if (scene.has_physical_modulus())
+        add("steep",
+            rms_slope,
+            most_slope,
+            format("the rms slope of the surface is %.3g, and small slopes are assumed",
+                   rms_slope));
+    }
+
+    void
+    Verdict::add_contact_pressure()
+    {
+      double      in_contact = std::nan("");
+      const auto &contact    = step.state.contact;
+      if (contact && !contact->pressure.empty() && contact->contact_area > 0.)
+        in_contact = mean(contact->pressure) / contact->contact_area;
+      else if (!contact && step.theory && step.theory->contact_area > 0.)
+        in_contact = step.theory->pressure / step.theory->contact_area;
+      if (std::isnan(in_contact)) // no contact, or no state to show
+        return;
+      const double of_hardness = in_contact / scene.contact.hardness;
+      const double of_modulus  = in_contact / scene.contact.effective_modulus;
+      if (scene.contact.hardness > 0.)
+        add("plastic",
+            of_hardness,
+            most_of_hardness,
+            format("the mean pressure in contact is %.3g of Contact/Hardness, so that "
+                   "asperities flow: there is more contact and less leakage than in the "
+                   "elastic contact that is computed",
+                   of_hardness));
+      else if (scene.has_physical_modulus())
+        add("large-strain",
+            of_modulus,
+            most_of_modulus,
+            format("the mean pressure in contact is %.3g of the effective modulus, where "
+                   "few solids are linearly elastic; give Contact/Hardness if yield "
+                   "decides",
+                   of_modulus));
+    }
+
+    void
+    Verdict::add_fluid_pressure()
+    {
+      const FluidParameters &fluid = scene.fluid;
+      const bool is_meant = scene.has_physical_modulus() || excess_pressure(fluid) != 1.;
+      if (!step.flow || !step.state.contact || fluid.feedback.enabled || !is_meant)
+        return;
+      const double number = part_of_load(excess_pressure(fluid));
+      add("fluid-pressure",
+          number,
+          most_fluid_pressure,
+          format("the fluid's pressure is %.3g of the nominal pressure and presses the "
+                 "walls apart, so that more leaks: switch on Fluid/Wall feedback",
+                 number));
+    }
+
+    void
+    Verdict::add_meniscus()
+    {
+      const FluidParameters &fluid = scene.fluid;
+      if (path == nullptr || fluid.surface_tension == 0. || fluid.is_gas)
+        return;
+      const double number = 2. * fluid.surface_tension / path->bottleneck_gap /
+                            std::abs(fluid.inlet_pressure - fluid.outlet_pressure);
+      add("capillary",
+          number,
+          most_laplace_pressure,
+          format("the pressure across a meniscus in the throat is %.3g of the one that "
+                 "drives the flow: a liquid that has to enter a dry throat, or to leave "
+                 "it, may not leak at all",
+                 number));
+    }
+
+    void
+    Verdict::add_grid()
+    {
+      if (path == nullptr || !scene.contact.enabled)
+        return;
+      const double points = step.flow->channel.throat.points;
+      checks.push_back(
+        {"coarse-throat",
+         points,
+         least_points_along_throat,
+         true,
+         format("there are %.2g grid points along the throat, so that the contact grid's "
+                "error may exceed that of the bracket: switch on Contact/Zoom or raise "
+                "Contact/Grid points",
+                points)});
+    }
+
+    void
+    Verdict::add_gas()
+    {
+      if (path == nullptr || !scene.fluid.is_gas || scene.fluid.molar_mass == 0.)
+        return;
+      const auto advice = [](const char *place, const double number) {
+        return format(
+          "the Knudsen number %s is %.3g: the gas slips along the walls, which "
+          "is not computed, and leaks faster, there by a factor of about %.3g "
+          "or more",
+          place,
+          number,
+          1. + 6. * number);
+      };
+      const KnudsenNumbers knudsen = knudsen_numbers(*path, scene);
+      add("rarefied",
+          knudsen.mean,
+          most_knudsen,
+          advice("of the mean resistance", knudsen.mean));
+      add("rarefied-throat",
+          knudsen.at_throat,
+          most_knudsen,
+          advice("in the throat", knudsen.at_throat));
+    }
+
+    void
+    Verdict::add_trapped_fluid()
+    {
+      if (!step.flow || !step.state.fluid || step.state.fluid->lifted_off)
+        return;
+      // Points stand for different areas where there are windows, which feedback
+      // excludes.
+      const auto       &states = step.flow->channel.clusters.states;
+      const SlabLayout &layout = step.state.gap().layout();
+      const double      area =
+        sum(layout.communicator(),
+            static_cast<double>(
+              std::count(states.begin(), states.end(), NodeState::trapped))) /
+        layout.grid().n_points();
+      const double number = part_of_load(area * excess_pressure(scene.fluid));
+      add("trapped-fluid",
+          number,
+          most_trapped_load,
+          format("fluid is trapped on %.2g %% of the area, which at the pressure of the "
+                 "reservoirs would carry %.2g of the load: compare runs with Fluid/Wall "
+                 "feedback/Pool pressure from 0 to that pressure",
+                 100. * area,
+                 number));
+    }
+  } // namespace
+
+  void
+  judge_validity(Step &step, const Scene &scene, const double rms_slope, Log &log)
+  {
+    Verdict verdict(step, scene);
+    verdict.add_fluid_pressure();
+    verdict.add_contact_pressure();
+    verdict.add_slope(rms_slope);
+    verdict.add_gas();
+    verdict.add_meniscus();
+    verdict.add_grid();
+    verdict.add_trapped_fluid();
+    step.checks = verdict.checks;
+    for (const ValidityCheck &check : step.checks)
+      {
+        // Numbers differ from step to step; the first one is told.
+        const std::string start = check.word + ": ";
+        const auto       &told  = log.warnings();
+        const bool        is_new =
+          std::none_of(told.begin(), told.end(), [&start](const std::string &warning) {
+            return warning.compare(0, start.size(), start) == 0;
+          });
+        if (!check.holds() && is_new)
+          log.warn(start + check.advice + format(" (step %d)", step.number));
+      }
+  }
+
+  Json
+  validity_record(const Step &step)
+  {
+    Json checks = Json::array();
+    for (const ValidityCheck &check : step.checks)
+      {
+        Json entry = Json::object();
+        entry.set("word", check.word)
+          .set("number", check.number)
+          .set(check.is_least ? "least" : "most", check.limit)
+          .set("holds", check.holds());
+        if (!check.holds())
+          entry.set("advice", check.advice);
+        checks.append(entry);
+      }
+    Json record = Json::object();
+    record.set("step", step.number)
+      .set("validity", step.validity())
+      .set("checks", checks);
+    return record;
+  }
+
+  double
+  excess_pressure(const FluidParameters &fluid)
+  {
+    return fluid.is_gas ? std::abs(fluid.inlet_pressure - fluid.outlet_pressure)
+                        : std::max(fluid.inlet_pressure, fluid.outlet_pressure);
+  }
+} // namespace strait

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/run/earlier_results.h>
+#include <strait/run/guards.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "scene_text.h"
+
+namespace
+{
+  using namespace strait;
+  using test::error_of, test::expect_in, test::scene_of;
+
+  const Overrides steel = {"Units/Length=mm",
+                           "Units/Pressure=GPa",
+                           "Units/Time=s",
+                           "Surface/Kind=flat",
+                           "Surface/Size=0.1",
+                           "Contact/Effective modulus=100",
+                           "Fluid/Viscosity=1e-12",
+                           "Fluid/Inlet pressure=1e-3",
+                           "Load programme/Pressures=0.1"};
+
+  Overrides
+  with(Overrides all, const Overrides &more)
+  {
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  /** The only warning, or the error, of a scene. */
+  std::string
+  finding(const Overrides &more)
+  {
+    const Scene scene = scene_of("", with(steel, more));
+    try
+      {
+        const auto warnings = implausible_numbers(scene);
+        EXPECT_LE(warnings.size(), 1U);
+        return warnings.empty() ? "none" : warnings.front();
+      }
+    catch (const InputError &error)
+      {
+        return std::string("error: ") + error.what();
+      }
+  }
+
+  TEST(Guards, NumbersOffByPowersOfTen)
+  {
+    EXPECT_EQ(finding({}), "none");
+    expect_in("the effective modulus is 1e+14 Pa",
+              finding({"Contact/Effective modulus=1e5"}));
+    expect_in("Fluid/Viscosity is 1e+09 Pa s", finding({"Fluid/Viscosity=1"}));
+    expect_in("Surface/Size is 1 m", finding({"Surface/Size=1000, 50"}));
+    expect_in("Surface/Size is 1e-09 m", finding({"Surface/Size=1e-6, 50"}));
+    // 8 for 8 GPa where the unit is Pa.
+    expect_in("error: Load programme/Pressures contains 1e+06 Pa, more than",
+              finding({"Units/Pressure=Pa",
+                       "Contact/Effective modulus=8",
+                       "Fluid/Viscosity=1e-3",
+                       "Load programme/Pressures=1e6"}));
+    EXPECT_TRUE(
+      implausible_numbers(scene_of("", {"Contact/Effective modulus=1e25"})).empty())
+      << "without units nothing is known";
+  }
+
+  TEST(Guards, FluidThatWouldLiftTheWalls)
+  {
+    EXPECT_EQ(finding({"Fluid/Inlet pressure=0.099"}), "none");
+    expect_in("error: The fluid's pressure of 0.101 GPa exceeds the nominal pressure",
+              finding({"Fluid/Inlet pressure=0.101"}));
+    EXPECT_EQ(finding({"Fluid/Inlet pressure=0.101", "Fluid/Wall feedback/Enabled=true"}),
+              "none");
+    // Absolute pressures of a gas: the difference presses.
+    EXPECT_EQ(finding({"Fluid/State=gas",
+                       "Fluid/Inlet pressure=0.15",
+                       "Fluid/Outlet pressure=0.1"}),
+              "none");
+  }
+
+  TEST(Guards, SizeIsNeverGuessed)
+  {
+    expect_in("set Surface/Size", error_of("", {"Units/Length=m"}));
+    EXPECT_EQ(error_of("", {"Units/Length=mm", "Surface/Size=1"}), "none");
+  }
+
+  TEST(Guards, Slopes)
+  {
+    const Scene scene = scene_of("", steel);
+    EXPECT_EQ(implausible_slope(scene, 1.), "");
+    expect_in("rms slope of 1.1", implausible_slope(scene, 1.1));
+    EXPECT_THROW(implausible_slope(scene, 5548.), InputError);
+    EXPECT_EQ(implausible_slope(scene_of(""), 5548.), "") << "reduced units";
+  }
+
+  TEST(Guards, Memory)
+  {
+    Scene scene = scene_of("", {"Contact/Grid points=1024, 512"});
+    // 92 bytes a point were measured.
+    EXPECT_NEAR(memory_of_grid(scene) / (1024 * 512), 100., 20.);
+    EXPECT_GT(free_memory(), 1e6);
+    ASSERT_LT(free_memory(), 4e11) << "this machine could do what follows";
+    EXPECT_NO_THROW(require_memory(scene, MPI_COMM_WORLD));
+    scene.contact.grid_points = {{65535, 65535}};
+    try
+      {
+        require_memory(scene, MPI_COMM_WORLD);
+        ADD_FAILURE() << "accepted";
+      }
+    catch (const InputError &error)
+      {
+        expect_in("65535 x 65535", error.what());
+      }
+  }
+
+  class EarlierResults : public testing::Test
+  {
+  protected:
+    Scene
+    scene(const Overrides &more) const
+    {
+      return scene_of("", with({"Output/Directory=" + folder.path()}, more));
+    }
+
+    void
+    write(const std::string &name, const std::string &text) const
+    {
+      run_on_root(MPI_COMM_WORLD,
+                  [&]() { std::ofstream(folder.path() + "/" + name) << text; });
+    }
+
+    std::string
+    refusal(const Overrides &more = {}) const
+    {
+      try
+        {
+          refuse_results_of_another_scene(scene(more), MPI_COMM_WORLD);
+          return "none";
+        }
+      catch (const InputError &error)
+        {
+          return error.what();
+        }
+    }
+
+    const test::TemporaryFolder folder;
+  };
+
+  TEST_F(EarlierResults, OfTheSameSceneMayGo)
+  {
+    EXPECT_EQ(refusal(), "none");
+    write("notes.txt", "mine");
+    write("log.txt", "");
+    EXPECT_EQ(refusal(), "none");
+    write("leakage.csv", "step\n1\n");
+    write("parameters.prm", scene({}).resolved);
+    EXPECT_EQ(refusal(), "none");
+    EXPECT_EQ(refusal({"Output/Fields=all"}), "none");
+    // As an earlier version, with fewer parameters, left it.
+    write("parameters.prm", "subsection Surface\n set Seed = 1\nend\n");
+    EXPECT_EQ(refusal(), "none");
+  }
+
+  TEST_F(EarlierResults, OfAnotherSceneMayNot)
+  {
+    write("leakage.csv", "step\n1\n");
+    expect_in("parameters.prm is missing", refusal());
+    write("parameters.prm", scene({"Surface/Seed=2"}).resolved);
+    expect_in("which had Surface/Seed = 2 where the scene now has 1", refusal());
+    expect_in("--force", refusal());
+    write("parameters.prm", "subsection Surface\n set Colour = red\nend\n");
+    expect_in("cannot read", refusal());
+  }
+
+  TEST(EarlierScenes, Difference)
+  {
+    const std::string now = scene_of("").resolved;
+    EXPECT_EQ(difference_of_scenes(now, now), "");
+    expect_in("Fluid/Colour = red, which this version",
+              difference_of_scenes(now + "subsection Fluid\n set Colour = red\nend\n",
+                                   now));
+  }
+} // namespace

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/run/scaling.h>
+#include <strait/run/step.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace strait
+{
+  namespace
+  {
+    /** A step near a threshold, whose leak rate is @p rate. */
+    Step
+    step_at(const double reduced_load, const double rate, const std::string &doubt = "")
+    {
+      Step step;
+      step.reduced_load = reduced_load;
+      step.flow.emplace();
+      step.flow->leakage.rate = rate;
+      step.flow->constrictions.emplace();
+      if (!doubt.empty())
+        step.doubts.push_back(doubt);
+      return step;
+    }
+
+    Step
+    coarse(Step step)
+    {
+      step.checks.push_back({"coarse-throat", 1., 3., true, ""});
+      return step;
+    }
+
+    struct Findings
+    {
+      std::vector<FitRow>      rows;
+      std::vector<std::string> warnings;
+    };
+
+    Findings
+    fits_of(const Scaling &scaling)
+    {
+      std::ostringstream out;
+      Log                log(MPI_COMM_WORLD, out, Log::Screen::silent);
+      Findings           found{scaling.fits(log), {}};
+      found.warnings = log.warnings();
+      return found;
+    }
+
+    TEST(Scaling, FitsResolvedStepsAlone)
+    {
+      Scaling scaling(.02);
+      for (const double epsilon : {.02, .01, .005})
+        scaling.collect(step_at(epsilon, std::pow(epsilon, 3.)));
+      scaling.collect(step_at(.002, 1., "unresolved-throat"));
+      EXPECT_NEAR(scaling.leak_rate_fit().exponent, 3., 1e-12);
+      EXPECT_EQ(scaling.leak_rate_fit().n_points, 3);
+      EXPECT_EQ(scaling.leak_rate_fit().status, "ok");
+      EXPECT_EQ(scaling.missing(), "ok");
+
+      const Findings found = fits_of(scaling);
+      std::string    local;
+      for (const FitRow &row : found.rows)
+        if (row.kind == "local")
+          local += row.status + " ";
+      EXPECT_EQ(local, "ok ok unresolved-throat ");
+      ASSERT_EQ(found.warnings.size(), 1U);
+      EXPECT_EQ(
+        found.warnings[0],
+        "exponent of leak_rate: 3 of 4 steps with 1 - L/L_c from 0 to 0.02 serve; "
+        "the others are left out for unresolved-throat");
+    }
+
+    TEST(Scaling, SaysWhatIsMissing)
+    {
+      Scaling scaling(.02);
+      scaling.collect(step_at(.02, 1., "unresolved-throat"));
+      scaling.collect(step_at(.01, .1));
+      EXPECT_EQ(scaling.missing(), "no-exponent");
+      scaling.collect(step_at(.5, 10.));
+      EXPECT_EQ(scaling.missing(), "no-exponent") << "one step of two was asked for";
+      scaling.collect(coarse(step_at(.3, 1.)));
+      EXPECT_EQ(scaling.missing(), "no-exponent+no-crossover");
+      EXPECT_TRUE(std::isnan(scaling.crossover()));
+      const Findings found = fits_of(scaling);
+      for (const FitRow &row : found.rows)
+        EXPECT_EQ(row.kind, "local");
+      ASSERT_EQ(found.warnings.size(), 2U);
+      EXPECT_EQ(found.warnings[1],
+                "no crossover load, which takes two steps: 1 of 2 steps with 1 - L/L_c "
+                "from 0.3 to 0.7 serve; the others are left out for coarse-throat");
+    }
+
+    // exp(s ε) has its crossover at 69/(20 s); a coarse throat must not spoil it, and one
+    // that exponents cannot be told from does not.
+    TEST(Scaling, CrossoverOfResolvedSteps)
+    {
+      Scaling scaling(.02);
+      for (const double epsilon : {.7, .6, .5})
+        scaling.collect(step_at(epsilon, std::exp(10. * epsilon), "unresolved-throat"));
+      scaling.collect(coarse(step_at(.3, 1e-9)));
+      EXPECT_NEAR(scaling.crossover(), .345, 1e-12);
+      EXPECT_EQ(scaling.missing(), "ok");
+    }
+
+    TEST(Scaling, WordsAreJoinedOnce)
+    {
+      std::string all = "ok";
+      add_words(all, "ok");
+      EXPECT_EQ(all, "ok");
+      add_words(all, "a+b");
+      add_words(all, "b+c");
+      add_words(all, "ok");
+      EXPECT_EQ(all, "a+b+c");
+    }
+  } // namespace
+} // namespace strait

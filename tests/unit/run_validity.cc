@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/run/rarefaction.h>
+#include <strait/run/validity.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "scene_text.h"
+
+namespace
+{
+  using namespace strait;
+  using test::error_of, test::expect_in, test::scene_of;
+
+  const Overrides in_si  = {"Units/Length=m",
+                            "Units/Pressure=Pa",
+                            "Units/Time=s",
+                            "Surface/Size=1e-4",
+                            "Surface/Kind=flat"};
+  const Overrides helium = {"Fluid/State=gas", "Fluid/Gas=helium"};
+
+  Overrides
+  operator+(Overrides all, const Overrides &more)
+  {
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  /** A step of a contact with a path of one gap throughout. */
+  Step
+  step_at(const double pressure, const double contact_area, const double gap)
+  {
+    const SlabLayoutPtr layout = make_layout({4, 4, 1., 1.}, MPI_COMM_WORLD);
+    Step                step;
+    step.number = 1;
+    step.state.contact.emplace();
+    step.state.contact->nominal_pressure = pressure;
+    step.state.contact->contact_area     = contact_area;
+    step.state.contact->pressure         = SlabField(layout);
+    for (double &value : step.state.contact->pressure)
+      value = pressure;
+    step.state.contact->gap = SlabField(layout);
+    step.flow.emplace();
+    step.flow->channel.clusters.percolates = true;
+    step.flow->channel.clusters.states.assign(step.state.contact->gap.size(),
+                                              NodeState::percolating);
+    step.flow->channel.throat.points = 10.;
+    FlowPath path;
+    path.points.resize(3);
+    path.gaps           = {gap, gap, gap};
+    path.resistances    = {0., .5, 1.};
+    path.bottleneck_gap = gap;
+    step.flow->channel.paths.push_back(path);
+    return step;
+  }
+
+  std::string
+  verdict(const Scene &scene, Step step, const double slope = .05)
+  {
+    std::ostringstream out;
+    Log                log(MPI_COMM_WORLD, out, Log::Screen::plain);
+    judge_validity(step, scene, slope, log);
+    for (const ValidityCheck &check : step.checks)
+      EXPECT_EQ(out.str().find("warning: " + check.word + ": ") != std::string::npos,
+                !check.holds() && !out.str().empty())
+        << check.word;
+    return step.validity();
+  }
+
+  TEST(Validity, MeanFreePathOfGases)
+  {
+    const Scene he = scene_of("", in_si + helium);
+    EXPECT_NEAR(mean_free_path_times_pressure(he), 0.019169, 1e-6);
+    EXPECT_EQ(he.fluid.viscosity, 19.6e-6);
+    EXPECT_NEAR(mean_free_path_times_pressure(
+                  scene_of("", in_si + Overrides{"Fluid/State=gas", "Fluid/Gas=air"})),
+                0.006592,
+                1e-6);
+    EXPECT_NEAR(mean_free_path_times_pressure(scene_of(
+                  "", in_si + Overrides{"Fluid/State=gas", "Fluid/Gas=nitrogen"})),
+                0.006499,
+                1e-6);
+    // In mm, MPa and minutes: mm MPa is 1e3 m Pa.
+    const Scene mm = scene_of("",
+                              helium + Overrides{"Units/Length=mm",
+                                                 "Units/Pressure=MPa",
+                                                 "Units/Time=min",
+                                                 "Surface/Size=0.1",
+                                                 "Surface/Kind=flat"});
+    EXPECT_NEAR(mean_free_path_times_pressure(mm), 0.019169e-3, 1e-9);
+    EXPECT_DOUBLE_EQ(mm.fluid.viscosity, 19.6e-12 / 60);
+  }
+
+  TEST(Validity, GasesThatContradictThemselves)
+  {
+    expect_in("State = gas", error_of("", {"Fluid/Gas=air"}));
+    expect_in("State = gas", error_of("", {"Fluid/Molar mass=0.03"}));
+    expect_in("remove one", error_of("", helium + Overrides{"Fluid/Molar mass=0.03"}));
+    expect_in("at the temperature",
+              error_of("", helium + Overrides{"Fluid/Temperature=400"}));
+    EXPECT_EQ(
+      scene_of("", helium + Overrides{"Fluid/Temperature=400", "Fluid/Viscosity=2e-5"})
+        .fluid.viscosity,
+      2e-5);
+    expect_in("helium, air, nitrogen", error_of("", {"Fluid/Gas=phlogiston"}));
+  }
+
+  // Against vacuum the squared pressure falls linearly, and ∫ dr/√(1−r) = 2: the mean
+  // Knudsen number is twice that at the inlet.
+  TEST(Validity, KnudsenNumbersAlongAPath)
+  {
+    const Scene scene =
+      scene_of("", in_si + helium + Overrides{"Fluid/Inlet pressure=1e5"});
+    const FlowPath       path    = step_at(1., .1, 1e-6).flow->channel.paths.front();
+    const KnudsenNumbers knudsen = knudsen_numbers(path, scene);
+    EXPECT_NEAR(knudsen.mean, 2 * .19169, 1e-4);
+    EXPECT_NEAR(knudsen.at_throat, .19169, 1e-4); // the first of equal gaps, at the inlet
+  }
+
+  TEST(Validity, EachWordWhereItsLimitIsPassed)
+  {
+    const Overrides metal = in_si + Overrides{"Contact/Effective modulus=1e11"};
+    const Overrides with_suction =
+      metal + Overrides{"Fluid/Inlet pressure=0", "Fluid/Outlet pressure=-1"};
+    const Overrides water = metal + Overrides{"Fluid/Inlet pressure=1e5"};
+    EXPECT_EQ(verdict(scene_of("", water), step_at(1.01e6, .1, 1e-6)), "ok");
+    EXPECT_EQ(verdict(scene_of("", water), step_at(.99e6, .1, 1e-6)), "fluid-pressure");
+    EXPECT_EQ(verdict(scene_of("", water), step_at(-1e6, .1, 1e-6)), "fluid-pressure");
+    EXPECT_EQ(verdict(scene_of("", with_suction), step_at(0., .1, 1e-6)), "ok");
+    EXPECT_EQ(verdict(scene_of("", water), step_at(2e9, .1, 1e-6)), "large-strain");
+    EXPECT_EQ(verdict(scene_of("", water), step_at(2e9, .1, 1e-6), .31),
+              "large-strain+steep");
+    const Overrides hard = water + Overrides{"Contact/Hardness=1e9"};
+    EXPECT_EQ(verdict(scene_of("", hard), step_at(4.9e7, .1, 1e-6)), "ok");
+    EXPECT_EQ(verdict(scene_of("", hard), step_at(5.1e7, .1, 1e-6)), "plastic");
+    // 2γ/g = 1e5 at 1.44 µm.
+    const Overrides wet = water + Overrides{"Fluid/Surface tension=0.072"};
+    EXPECT_EQ(verdict(scene_of("", wet), step_at(2e6, .1, 1.45e-6)), "ok");
+    EXPECT_EQ(verdict(scene_of("", wet), step_at(2e6, .1, 1.43e-6)), "capillary");
+    const Overrides gas = water + helium;
+    EXPECT_EQ(verdict(scene_of("", gas), step_at(2e6, .1, 39e-6)), "ok");
+    EXPECT_EQ(verdict(scene_of("", gas), step_at(2e6, .1, 37e-6)), "rarefied");
+    EXPECT_EQ(verdict(scene_of("", gas), step_at(2e6, .1, 1e-6)),
+              "rarefied+rarefied-throat");
+    Step coarse                        = step_at(2e6, .1, 1e-6);
+    coarse.flow->channel.throat.points = 2.9;
+    EXPECT_EQ(verdict(scene_of("", water), coarse), "coarse-throat");
+  }
+
+  TEST(Validity, TrappedFluidWithFeedback)
+  {
+    const Scene scene = scene_of("",
+                                 in_si + Overrides{"Contact/Effective modulus=1e11",
+                                                   "Fluid/Inlet pressure=1e6",
+                                                   "Fluid/Wall feedback/Enabled=true"});
+    Step        step  = step_at(1e7, .1, 1e-6);
+    step.state.fluid.emplace();
+    EXPECT_EQ(verdict(scene, step), "ok");
+    for (NodeState &state : step.flow->channel.clusters.states)
+      state = NodeState::trapped;
+    EXPECT_EQ(verdict(scene, step), "trapped-fluid");
+    step.state.contact->nominal_pressure = 1.01e8;
+    EXPECT_EQ(verdict(scene, step), "ok");
+  }
+
+  // In reduced units neither slopes nor a pressure difference of 1 mean anything.
+  TEST(Validity, ReducedUnits)
+  {
+    EXPECT_EQ(verdict(scene_of(""), step_at(.1, .1, 1.), 1.), "ok");
+    EXPECT_EQ(verdict(scene_of("", {"Fluid/Inlet pressure=0.05"}), step_at(.1, .1, 1.)),
+              "fluid-pressure");
+  }
+
+  TEST(Validity, NothingIsClaimedOfWhatIsNotThere)
+  {
+    const Scene scene =
+      scene_of("", in_si + helium + Overrides{"Contact/Effective modulus=1e11"});
+    Step sealed = step_at(2e6, .1, 1e-6);
+    sealed.flow->channel.paths.clear();
+    EXPECT_EQ(verdict(scene, sealed), "ok");
+    Step untouched = step_at(0., 0., 1e-6);
+    untouched.flow.reset();
+    EXPECT_EQ(verdict(scene, untouched), "ok");
+  }
+
+  TEST(Validity, RecordHasEveryNumber)
+  {
+    const Scene        scene = scene_of("", in_si);
+    Step               step  = step_at(1e-3, .1, 1.);
+    std::ostringstream out;
+    Log                log(MPI_COMM_WORLD, out, Log::Screen::plain);
+    judge_validity(step, scene, .5, log);
+    const std::string record = validity_record(step).text();
+    for (const char *part : {"\"word\": \"steep\"",
+                             "\"number\": 0.5",
+                             "\"most\": 0.3",
+                             "\"holds\": false",
+                             "\"advice\": \"the rms slope",
+                             "\"least\": 3"})
+      expect_in(part, record);
+  }
+} // namespace
