@@ -11,7 +11,7 @@ STYLE = {"font.size": 10, "xtick.labelsize": 9, "ytick.labelsize": 9, "legend.fo
 BLUE, VERMILLION, GREEN = "#0072b2", "#d55e00", "#009e73"  # Okabe and Ito
 RED = "#cc0000"  # theory, as in the paper
 COLOURS = (BLUE, GREEN, "#cc79a7", "#e69f00", "#56b4e9", "#000000")
-UNCERTAIN = ("unresolved-throat", "uncertain-threshold")  # converged, but not the last word
+UNCERTAIN = ("unresolved-throat", "uncertain-threshold", "inaccurate")  # converged, but not the last word
 
 
 def is_uncertain(status):

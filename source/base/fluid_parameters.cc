@@ -170,10 +170,12 @@ namespace strait
       Names<Refinement>(
         {{Refinement::adaptive, "adaptive"}, {Refinement::uniform, "uniform"}}),
       "adaptive: refine where the leak rate is decided; uniform: refine all cells.");
-    section.add("Target accuracy",
-                target_accuracy,
-                positive.below(1.),
-                "Relative accuracy of the leak rate at which refinement stops [1].");
+    section.add(
+      "Target accuracy",
+      target_accuracy,
+      positive.below(1.),
+      "Relative accuracy of the leak rate at which refinement stops [1]; with Zoom "
+      "that of the whole number, of which the mesh takes half.");
     section.add(
       "Maximum unknowns",
       maximum_unknowns,

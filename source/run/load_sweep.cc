@@ -16,6 +16,10 @@ namespace strait
 {
   namespace
   {
+    // Where the accuracy is that of the whole number: what the mesh may take of it. Half
+    // of it makes twice the cells, double of it leaves nothing to the gap.
+    constexpr double share_of_mesh = .5;
+
     /** Of walls that the fluid has parted: nothing limits the leak. */
     StepFlow
     unlimited_flow(const std::size_t n_points)
@@ -186,9 +190,11 @@ namespace strait
     if (step.state.fluid && step.state.fluid->lifted_off)
       step.flow = unlimited_flow(step.state.gap().size());
     else
-      step.flow = flow->solve(step.state.gap(),
-                              step.state.control.slip_length,
-                              share_of_bracket(step.state, accuracy));
+      step.flow =
+        flow->solve(step.state.gap(),
+                    step.state.control.slip_length,
+                    scene.contact.zoom.enabled ? share_of_mesh
+                                               : share_of_bracket(step.state, accuracy));
     if (step.state.fluid && step.flow->solution)
       allow_for_feedback(step.flow->leakage, *step.state.fluid, accuracy);
     flow->warn_of_width(step.flow->leakage);
@@ -206,6 +212,8 @@ namespace strait
     step.errors = step.flow && step.flow->solution
                     ? error_budget->assess(step, *seal, counted_from)
                     : StepErrors();
+    if (scene.contact.zoom.enabled && step.errors.sum() > scene.fluid.target_accuracy)
+      step.doubts.emplace_back("inaccurate");
     judge_validity(step, scene, rms_slope, log);
     converged = converged && step.converged();
   }
