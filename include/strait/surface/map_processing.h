@@ -2,6 +2,7 @@
 #ifndef strait_surface_map_processing_h
 #define strait_surface_map_processing_h
 
+#include <strait/base/surface_parameters.h>
 #include <strait/surface/readers/height_map.h>
 #include <strait/surface/surface.h>
 

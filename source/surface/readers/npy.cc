@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/surface/readers/binary.h>
-#include <strait/surface/readers/formats.h>
+#include <strait/surface/readers/height_map.h>
 
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -32,15 +32,27 @@ namespace strait
       return value;
     }
 
-    /** The type of the numbers behind "<f8" and its like. */
-    NumberType
-    number_type(const NpyHeader &header)
+    /** A number of the type that the header names. */
+    double
+    decode(const NpyHeader &header, const char *bytes)
     {
+      const std::uint64_t bits = little_endian(bytes, header.item_size);
+      if (header.type == 'f' && header.item_size == 8)
+        {
+          double value;
+          std::memcpy(&value, &bits, sizeof(value));
+          return value;
+        }
       if (header.type == 'f')
-        return header.item_size == 4 ? NumberType::float32 : NumberType::float64;
-      return header.item_size == 2   ? NumberType::int16
-             : header.item_size == 4 ? NumberType::int32
-                                     : NumberType::int64;
+        {
+          const auto short_bits = static_cast<std::uint32_t>(bits);
+          float      value;
+          std::memcpy(&value, &short_bits, sizeof(value));
+          return value;
+        }
+      // Shifted up and down again, so that the sign is that of the short number.
+      const int shift = 64 - 8 * header.item_size;
+      return static_cast<double>(static_cast<std::int64_t>(bits << shift) >> shift);
     }
 
     /** The text of the dictionary; sets header.data_begin. */
@@ -135,8 +147,9 @@ namespace strait
     check_length(header, file);
 
     HeightMap map;
-    map.nx = static_cast<int>(header.n_columns);
-    map.ny = static_cast<int>(header.n_rows);
+    map.format = ".npy";
+    map.nx     = static_cast<int>(header.n_columns);
+    map.ny     = static_cast<int>(header.n_rows);
     map.values.resize(header.n_rows * header.n_columns);
 
     // A line is a row in C order and a column in Fortran order.
@@ -145,7 +158,6 @@ namespace strait
     const std::size_t line_stride = header.fortran_order ? 1 : header.n_columns;
     const std::size_t item_stride = header.fortran_order ? header.n_columns : 1;
 
-    const NumberType  type = number_type(header);
     std::vector<char> bytes(n_items * header.item_size);
     for (std::size_t line = 0; line < n_lines; ++line)
       {
@@ -154,7 +166,7 @@ namespace strait
           reject_height_map(file, "cannot be read to its end: copy or save it again.");
         for (std::size_t item = 0; item < n_items; ++item)
           map.values[line * line_stride + item * item_stride] =
-            decode(type, bytes.data() + item * header.item_size);
+            decode(header, bytes.data() + item * header.item_size);
       }
     return map;
   }
