@@ -112,17 +112,17 @@ namespace
     EXPECT_TRUE(
       mentions(complaint(npy(dictionary("<f8", "(1, 2, 3)"), data)), "two-dimensional"));
     EXPECT_TRUE(
-      mentions(complaint(npy(dictionary("<f8", "(0, 3)"), "")), "not possible"));
+      mentions(complaint(npy(dictionary("<f8", "(0, 3)"), "")), "must lie between"));
     EXPECT_TRUE(mentions(complaint(npy(dictionary("<f8", "(2, 3)"), data.substr(8))),
-                         "promises 2 x 3 values and holds 5"));
+                         "promises 3 x 2 points and is too short"));
     EXPECT_TRUE(
-      mentions(complaint(npy(dictionary("<f8", "(2, 3)"), data + data)), "holds 12"));
+      mentions(complaint(npy(dictionary("<f8", "(2, 3)"), data + data)), "holds more"));
     EXPECT_TRUE(
       mentions(complaint(npy(dictionary("<f8", "(2000000000, 2000000000)"), data)),
-               "holds 6"));
+               "must lie between"));
     EXPECT_TRUE(
       mentions(complaint(npy(dictionary("<f8", "(99999999999999999999, 3)"), data)),
-               "not possible"));
+               "must lie between"));
     const std::string whole = npy(dictionary("<f8", "(2, 3)"), data);
     EXPECT_TRUE(mentions(complaint(whole.substr(0, 40)), "within its header"));
     EXPECT_TRUE(mentions(complaint(whole.substr(0, 9)), "within its header"));
@@ -182,24 +182,24 @@ namespace
 
   TEST(MatrixTextReader, WhatElseIsTextIsImported)
   {
-    for (const std::string text :
-         {std::string("1 2\n3 4\n"),               // no size
-          "# Breite: 3\n" + header + "1 2\n3 4\n", // another language
-          "h=2 w=2\npixel size=1 um\n1 2\n3 4\n",  // an interferometer's
-          header + "x y z\n1 2\n3 4\n",            // names of columns
-          header + "1,2\n3,4\n",                   // another separator
-          header + "1;2\n3;4\n",
-          header + "1 2\n3 4,5\n", // decimal commas
-          header + "1 2\n3 bad\n",
-          header + "1 2\n3 5.5.5\n",
-          header + "1 2\n3 4\n\n5 6\n7 8\n", // a second channel
-          header + "1 2\n3 4\n# Channel: error\n5 6\n7 8\n",
-          "# Width: 3 furlong\n# Height: 2 m\n1 2\n",
-          "# Width: 3 m\n# Height: 2\n1 2\n",
-          "# Width: -3 m\n# Height: 2 m\n1 2\n",
-          "# Width: 3,5 m\n# Height: 2 m\n1 2\n",
-          "# Width: wide\n# Height: 2 m\n1 2\n",
-          std::string(100000, 'x')})
+    for (const std::string &text : std::vector<std::string>{
+           "1 2\n3 4\n",                            // no size
+           "# Breite: 3\n" + header + "1 2\n3 4\n", // another language
+           "h=2 w=2\npixel size=1 um\n1 2\n3 4\n",  // an interferometer's
+           header + "x y z\n1 2\n3 4\n",            // names of columns
+           header + "1,2\n3,4\n",                   // another separator
+           header + "1;2\n3;4\n",
+           header + "1 2\n3 4,5\n", // decimal commas
+           header + "1 2\n3 bad\n",
+           header + "1 2\n3 5.5.5\n",
+           header + "1 2\n3 4\n\n5 6\n7 8\n", // a second channel
+           header + "1 2\n3 4\n# Channel: error\n5 6\n7 8\n",
+           "# Width: 3 furlong\n# Height: 2 m\n1 2\n",
+           "# Width: 3 m\n# Height: 2\n1 2\n",
+           "# Width: -3 m\n# Height: 2 m\n1 2\n",
+           "# Width: 3,5 m\n# Height: 2 m\n1 2\n",
+           "# Width: wide\n# Height: 2 m\n1 2\n",
+           std::string(100000, 'x')})
       EXPECT_TRUE(mentions(complaint(text), "strait_import")) << text.substr(0, 100);
   }
 
@@ -214,10 +214,11 @@ namespace
 
   TEST(HeightMap, FilesOfOtherKinds)
   {
-    for (const std::string start : {std::string("\x89HDF\r\n\x1a\n\0", 9),
-                                    std::string("PK\x03\x04\0", 5),
-                                    std::string("CDF\x05\0", 5),
-                                    std::string("MZ\0\1", 4)})
+    for (const std::string &start :
+         std::vector<std::string>{std::string("\x89HDF\r\n\x1a\n\0", 9),
+                                  std::string("PK\x03\x04\0", 5),
+                                  std::string("CDF\x05\0", 5),
+                                  std::string("MZ\0\1", 4)})
       EXPECT_TRUE(mentions(complaint(start), "strait_import"));
     EXPECT_TRUE(
       mentions(input_error([]() { read_height_map(""); }), "Surface/File is empty"));

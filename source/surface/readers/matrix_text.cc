@@ -34,7 +34,7 @@ namespace strait
     struct Header
     {
       std::optional<double> width, height;
-      LengthUnit            lateral_unit, height_unit;
+      LengthUnit            width_unit, height_unit, value_unit;
     };
 
     double
@@ -62,17 +62,12 @@ namespace strait
         return;
       const std::string key   = trim(line.substr(1, colon - 1));
       const std::string value = trim(line.substr(colon + 1));
-      LengthUnit        unit;
       if (key == "Width")
-        header.width = parse_side(value, header.lateral_unit, file);
+        header.width = parse_side(value, header.width_unit, file);
       else if (key == "Height")
-        {
-          header.height = parse_side(value, unit, file);
-          if (header.width && unit.is_stated() != header.lateral_unit.is_stated())
-            reject_for_import(file, "states a unit for one of its sides only");
-        }
+        header.height = parse_side(value, header.height_unit, file);
       else if (key == "Value units")
-        header.height_unit = parse_length_unit(value);
+        header.value_unit = parse_length_unit(value);
       else if (key != "Channel")
         reject_for_import(file, "has the header line '" + trim(line) + "'");
     }
@@ -143,9 +138,11 @@ namespace strait
         file,
         "does not state its size as lines '# Width: 10 um' and '# Height: "
         "10 um' would");
+    if (header.width_unit.is_stated() != header.height_unit.is_stated())
+      reject_for_import(file, "states a unit for one of its sides only");
     map.size         = {{*header.width, *header.height}};
-    map.lateral_unit = header.lateral_unit;
-    map.height_unit  = header.height_unit;
+    map.lateral_unit = header.width_unit;
+    map.height_unit  = header.value_unit;
     map.format       = "matrix text";
     return map;
   }

@@ -13,9 +13,7 @@ namespace strait
 {
   namespace
   {
-    // What the classic format calls its lists and types of numbers.
-    constexpr std::uint64_t list_of_dimensions = 10, list_of_variables = 11,
-                            list_of_attributes = 12;
+    // What the classic format calls its types of numbers.
     constexpr std::uint64_t type_char = 2, type_int = 4, type_float = 5, type_double = 6;
 
     // What the library of NetCDF writes where nothing was.
@@ -74,24 +72,20 @@ namespace strait
       std::uint64_t                    type  = 0;
       std::uint64_t                    begin = 0; // bytes from the start of the file
 
-      std::string
-      text(const std::string &name) const
+      /** The attribute of a name; one without content if there is none. */
+      const Attribute &
+      operator[](const std::string &name) const
       {
-        const auto found = attributes.find(name);
-        return found == attributes.end() ? std::string() : found->second.text;
-      }
-
-      std::optional<double>
-      number(const std::string &name) const
-      {
-        const auto found = attributes.find(name);
-        return found == attributes.end() ? std::nullopt : found->second.number;
+        static const Attribute none;
+        const auto             found = attributes.find(name);
+        return found == attributes.end() ? none : found->second;
       }
 
       LengthUnit
       unit() const
       {
-        return parse_length_unit(text("unit").empty() ? text("units") : text("unit"));
+        return parse_length_unit((*this)["unit"].text.empty() ? (*this)["units"].text
+                                                              : (*this)["unit"].text);
       }
     };
 
@@ -114,13 +108,13 @@ namespace strait
         const std::string magic            = take(4);
         const int         n_bytes_of_begin = magic[3] == 1 ? 4 : 8;
         number(4); // records, of which a map has none
-        for (std::uint64_t n = count(list_of_dimensions); n > 0; --n)
+        for (std::uint64_t n = count(); n > 0; --n)
           {
             const std::string name = text();
             dimensions.push_back({name, number(4)});
           }
         attributes();
-        for (std::uint64_t n = count(list_of_variables); n > 0; --n)
+        for (std::uint64_t n = count(); n > 0; --n)
           {
             const std::string name     = text();
             Variable         &variable = variables[name];
@@ -165,22 +159,19 @@ namespace strait
         return padded(number(4));
       }
 
-      /** The length of a list, which begins with its kind or with a zero if it is empty.
-       */
+      /** The length of a list, behind the number of its kind. */
       std::uint64_t
-      count(const std::uint64_t kind)
+      count()
       {
-        const std::uint64_t found = number(4), n = number(4);
-        if (n > 0 && found != kind)
-          reject_height_map(file, "has a damaged header: copy or import it again.");
-        return n;
+        number(4);
+        return number(4);
       }
 
       std::map<std::string, Attribute>
       attributes()
       {
         std::map<std::string, Attribute> result;
-        for (std::uint64_t n = count(list_of_attributes); n > 0; --n)
+        for (std::uint64_t n = count(); n > 0; --n)
           {
             const std::string   name = text();
             const std::uint64_t type = number(4), length = number(4);
@@ -210,14 +201,14 @@ namespace strait
     {
       const auto x = header.variables.find(name_x), y = header.variables.find(name_y);
       if (x == header.variables.end() || y == header.variables.end() ||
-          !x->second.number("length") || !y->second.number("length"))
+          !x->second["length"].number || !y->second["length"].number)
         return;
       if (x->second.unit().name != y->second.unit().name)
         reject_for_import(file, "states different units for its sides");
-      map.size         = {{*x->second.number("length"), *y->second.number("length")}};
+      map.size         = {{*x->second["length"].number, *y->second["length"].number}};
       map.lateral_unit = x->second.unit();
-      map.is_periodic  = x->second.number("periodic").value_or(0.) != 0. &&
-                        y->second.number("periodic").value_or(0.) != 0.;
+      map.is_periodic  = x->second["periodic"].number.value_or(0.) != 0. &&
+                        y->second["periodic"].number.value_or(0.) != 0.;
     }
 
     /** The variable of the heights; throws where the layout is another. */
@@ -257,7 +248,7 @@ namespace strait
     map.nx = static_cast<int>(x_is_outer ? outer.n : inner.n);
     map.ny = static_cast<int>(x_is_outer ? inner.n : outer.n);
     map.values.resize(outer.n * inner.n);
-    const double      fill = heights.number("_FillValue").value_or(usual_fill);
+    const double      fill = heights["_FillValue"].number.value_or(usual_fill);
     const auto        size = bytes_of(heights.type);
     std::vector<char> line(inner.n * size);
     std::ifstream     stream(file, std::ios::binary);

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <regex>
 
 namespace strait
@@ -79,19 +78,6 @@ namespace strait
       return dictionary;
     }
 
-    std::uint64_t
-    parse_extent(const std::string &digits, const std::string &file)
-    {
-      // Ten digits fit into 64 bits and are more than any grid has.
-      const std::uint64_t extent = digits.size() > 10 ? 0 : std::stoull(digits);
-      if (extent == 0 || extent > std::numeric_limits<int>::max())
-        reject_height_map(file,
-                          "has " + digits +
-                            " rows or columns, which is not possible: save "
-                            "an array of shape (Ny, Nx).");
-      return extent;
-    }
-
     NpyHeader
     read_header(std::ifstream &stream, const std::string &file)
     {
@@ -116,26 +102,16 @@ namespace strait
       if (!std::regex_search(dictionary, match, shape))
         reject_height_map(file,
                           "is not two-dimensional: save an array of shape (Ny, Nx).");
-      header.n_rows    = parse_extent(match[1], file);
-      header.n_columns = parse_extent(match[2], file);
+      // Ten digits fit into 64 bits and are more than any grid has.
+      const auto extent = [](const std::string &digits) -> std::uint64_t {
+        return digits.size() > 10 ? 0 : std::stoull(digits);
+      };
+      header.n_rows    = extent(match[1]);
+      header.n_columns = extent(match[2]);
 
       static const std::regex fortran("'fortran_order': *True");
       header.fortran_order = std::regex_search(dictionary, fortran);
       return header;
-    }
-
-    /** Before any memory is set aside for what a damaged header may claim. */
-    void
-    check_length(const NpyHeader &header, const std::string &file)
-    {
-      const std::uint64_t actual   = std::filesystem::file_size(file) - header.data_begin;
-      const std::uint64_t n_values = header.n_rows * header.n_columns; // below 2^62
-      if (actual % header.item_size != 0 || actual / header.item_size != n_values)
-        reject_height_map(file,
-                          "promises " + std::to_string(header.n_rows) + " x " +
-                            std::to_string(header.n_columns) + " values and holds " +
-                            std::to_string(actual / header.item_size) +
-                            ": copy or save it again.");
     }
   } // namespace
 
@@ -143,8 +119,11 @@ namespace strait
   read_npy(const std::string &file)
   {
     std::ifstream   stream(file, std::ios::binary);
-    const NpyHeader header = read_header(stream, file);
-    check_length(header, file);
+    const NpyHeader header  = read_header(stream, file);
+    const auto      n_bytes = std::filesystem::file_size(file) - header.data_begin;
+    check_claim(file, header.n_columns, header.n_rows, header.item_size, n_bytes);
+    if (n_bytes != header.n_rows * header.n_columns * header.item_size)
+      reject_height_map(file, "holds more than it promises: copy or save it again.");
 
     HeightMap map;
     map.format = ".npy";
