@@ -23,6 +23,7 @@ class Channel:
     metres: float = None   # that a value of 1 is high; None: not stated, or no length
     quantity: str = ""     # unit of what is no length, such as V
     periodic: bool = False
+    note: str = ""         # what the user should know of it
 
     def __str__(self):
         ny, nx = self.values.shape

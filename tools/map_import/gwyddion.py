@@ -150,13 +150,16 @@ def read_gwy(path, mask_is_missing=False):
             continue
         field, values = found
         mask = _field(container, key[:-4] + "mask")
+        note = ""
         if mask and mask_is_missing and mask[1].shape == values.shape:
             values[mask[1] > 0] = np.nan
+        elif mask:
+            note = "note: the file's mask may mean anything and is left out"
         lateral, unit = metres_in(_unit(field, "si_unit_xy")), _unit(field, "si_unit_z")
         size = lateral and tuple(float(field.get(side, 0)) * lateral
                                  for side in ("xreal", "yreal"))
         metres = metres_in(unit)
         name = container.get(key + "/title")
         channels.append(Channel(name if isinstance(name, str) else f"channel {key.split('/')[1]}",
-                                values, size, None, metres, "" if metres else unit or "no unit"))
+                                values, size, None, metres, "" if metres else unit or "no unit", note=note))
     return channels

@@ -9,6 +9,7 @@ import zlib
 
 from . import arrays, gwyddion, text
 from .channel import Refused
+from .table import decode
 
 LARGEST = 1 << 30   # bytes that compressed files may unpack to; more is no map but a trap
 
@@ -86,7 +87,7 @@ def _read(path, options, scratch, is_unpacked=False):
     if start.startswith((b"aBCR", b"aISO")):
         return gwyddion.convert(path, scratch)
     with open(path, "rb") as file:
-        content = text.decode(file.read())
+        content = decode(file.read())
     if content is None:
         return gwyddion.convert(path, scratch)
     return _read_text(content, path, options, scratch)
