@@ -14,7 +14,7 @@ NX, NY = 12, 10
 SIZE = 24e-6, 10e-6            # m
 Y, X = np.mgrid[0:NY, 0:NX]
 # Micrometres with one digit behind the point, no row or column of equal steps, no symmetry.
-MICRONS = np.round(3 + 2 * np.sin(.9 * X + .4 * Y**1.5) + .1 * Y, 1)
+MICRONS = np.round(.8 + 2 * np.sin(.9 * X + .4 * Y**1.5) + .1 * Y, 1)
 HOLE = 3, 4                    # row and column of the missing point of some kinds
 
 
@@ -53,8 +53,8 @@ def x_axis():
     return "\t".join(f"{2. * x}" for x in range(NX)) + "\n" + rows("\t")
 
 
-def quoted(text):
-    return "".join(",".join(f'"{word}"' for word in line.split(",")) + "\n"
+def quoted(text, separator=","):
+    return "".join(",".join(f'"{word}"' for word in line.split(separator)) + "\n"
                    for line in text.splitlines())
 
 
@@ -73,12 +73,17 @@ COMPLETE = {
     "spip_column.asc": SPIP + rows("\n").replace("\n\n", "\n"),
     "keyence.csv": KEYENCE + rows(","),
     "keyence_quoted.csv": KEYENCE + quoted(rows(",")),
+    "keyence_quoted_commas.csv": KEYENCE + quoted(rows(";", ","), ";"),
+    "minus.txt": gwyddion_header("Channel", "Width", "Height", "Value units")
+    + rows("\t").replace("-", "\u2212"),
     "interferometer.txt": "h=10 w=12\nx pixel size=2e-06 m\ny pixel size=1e-6 m\n"
                           "height conversion factor (-> m)=1e-06\n" + rows(" "),
     "semicolons.csv": "Width;24;µm\nHeight;10;µm\nUnit;µm\n" + rows(";", ","),
     "points.xyz": "# xy unit: um\n# z unit: um\n" + points(" "),
     "points.txt": "X [µm]\tY [µm]\tZ [µm]\n" + points("\t"),
     "points.csv": "X (um),Y (um),Z (um)\n" + points(","),
+    "points_of_two_units.csv": "X (mm),Y (um),Z (um)\n" + "".join(
+        f"{2e-3 * x:.3f},{y},{MICRONS[y, x]:.1f}\n" for x in range(NX) for y in range(NY)),
     "points_commas.csv": "X (um);Y (um);Z (um)\n" + points(";", ","),
     "points_shuffled.txt": "x [um] y [um] z [um]\n".replace(" [", "[") + "\n".join(
         sorted(points(" ").splitlines(), key=lambda line: line[::-1])) + "\n",
@@ -101,7 +106,7 @@ AMBIGUOUS = {
                        ["--channel", "table 2", *IN_NM]),
     "axis_row.txt": (x_axis(), "--as axes.*--as matrix", ["--as", "axes", *IN_NM]),
     "axes_number.txt": (axes(" ", "0"), "--as axes.*--as matrix", ["--as", "axes", *XY]),
-    "thousands.txt": ("\n".join(" ".join(f"{int(10 * value) + 1},500" for value in row)
+    "thousands.txt": ("\n".join(" ".join(f"{int(10 * abs(value)) + 1},500" for value in row)
                                 for row in MICRONS), "--decimal comma or --decimal point", None),
     "volts.txt": (TWICE.replace("units: µm", "units: V") + rows(" "), "'V', which is no length",
                   ["--unit", "um"]),
@@ -122,7 +127,7 @@ REFUSED = {
                      "grows by equal steps"),
     "list.txt": ("\n".join(str(x * x % 7) for x in range(20)), "profile"),
     "unequal.txt": (rows(" ") + "1 2 3\n", "3 values in line 11"),
-    "word.txt": (rows(" ").replace("3.1", "3.1x", 1), "is no number"),
+    "word.txt": (rows(" ").replace(" ", " x", 1), "is no number"),
     "words.txt": ("This is no map.\n", "no table of numbers"),
     "underscore.txt": (TWICE + rows(" ").replace(".", "_.", 1), "is no number"),
     "length.txt": (TWICE.replace("24.00 µm", "24 furlongs") + rows(" "), "24 furlongs"),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Text as blocks of lines of numbers, and these as tables, whatever separates the numbers."""
+import csv
 import math
 import re
 
@@ -60,12 +61,21 @@ class Block:
         return len(self.lines)
 
 
+def _without_quotes(line):
+    """A line of quoted cells; commas between them become semicolons, those within remain."""
+    if ";" in line or "\t" in line:
+        return line.replace('"', "")
+    return ";".join(next(csv.reader([line]), []))
+
+
 def blocks_of(text):
     """The blocks of the text; blank lines and lines of words separate them."""
     blocks, header, is_open = [], [], False
-    for number, line in enumerate(text.splitlines(), 1):
-        line = re.sub(r"no data", "nan", line.replace('"', ""), flags=re.I) if (
-            '"' in line or "ata" in line or "ATA" in line) else line
+    for number, line in enumerate(text.replace("\u2212", "-").splitlines(), 1):
+        if '"' in line:
+            line = _without_quotes(line)
+        if "ata" in line or "ATA" in line:
+            line = re.sub(r"no data", "nan", line, flags=re.I)
         if not line.strip() or not _is_data(line):
             is_open = False
             if line.strip(" \t,;") and len(line) <= 1000 and len(header) < 1000:

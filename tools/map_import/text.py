@@ -87,13 +87,13 @@ def _as_points(table, header, names):
     if not found:
         return None
     maps, spacing = found
-    lateral = header.coordinate or _unit_of_column(names[0])
+    lateral = [header.coordinate or _unit_of_column(name) for name in names[:2]]
     channels = []
     for values, name in zip(maps, names[2:]):
         unit = header.metres or _unit_of_column(name)
         ny, nx = values.shape
         extent = nx * spacing[0], ny * spacing[1]
-        size = tuple(side * lateral for side in extent) if lateral else None
+        size = None if None in lateral else (extent[0] * lateral[0], extent[1] * lateral[1])
         if len(maps) > 1:
             name = name or f"column {len(channels) + 3}"
         channels.append(Channel(name or header.name, values, size, extent, unit,
