@@ -299,7 +299,7 @@ class Damaged(Case):
 
     def test_mutations(self):
         """More by hand: mutate.py FILE RUNS."""
-        n_runs = 60
+        n_runs = 30
         for name in self.samples():
             with self.subTest(name):
                 through = name in files.THROUGH_GWYDDION
