@@ -139,23 +139,16 @@ def table_of(block, separator, options):
 
 
 def _numbers(words, comma, line_number):
-    try:
-        if comma:
-            words = [word.replace(",", ".") for word in words]
-        if any("_" in word for word in words):
-            raise ValueError
-        return np.array([float(word) for word in words])
-    except ValueError:
-        numbers = []
-        for column, word in enumerate(words):
-            try:
-                if word.lower() in _MISSING or word == "":
-                    numbers.append(math.nan)
-                elif "_" in word:
-                    raise ValueError
-                else:
-                    numbers.append(float(word))
-            except ValueError:
-                raise Refused(f"has '{word[:40]}' in line {line_number}, column {column + 1}, "
-                              "which is no number") from None
-        return np.array(numbers)
+    numbers = []
+    for column, word in enumerate(words, 1):
+        try:
+            if "_" in word:          # which Python would take for a part of a number
+                raise ValueError
+            if not word or word.lower() in _MISSING:
+                numbers.append(math.nan)
+            else:
+                numbers.append(float(word.replace(",", ".") if comma else word))
+        except ValueError:
+            raise Refused(f"has '{word[:40]}' in line {line_number}, column {column}, which is no "
+                          "number") from None
+    return np.array(numbers)
