@@ -151,6 +151,10 @@ class Arrays(Case):
         self.check_refusal(os.path.join(self.folder, "two.h5"), "1: first .*\n  2: second")
         self.check_refusal(os.path.join(self.folder, "array.npy"), "--size .* --unit")
 
+    def test_without_gwyddion(self):
+        with unittest.mock.patch("shutil.which", return_value=None):
+            self.check_refusal(self.write("map.x3p", files.x3p()), "sudo apt install gwyddion")
+
     def test_gwy(self):
         self.check_map(self.write("map.gwy", files.gwy()))
 
