@@ -4,12 +4,12 @@
 #include <strait/base/command_line.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/log.h>
-#include <strait/base/scene.h>
 #include <strait/base/signals.h>
 #include <strait/run/earlier_results.h>
 #include <strait/run/ensemble.h>
 #include <strait/run/result_tables.h>
 #include <strait/run/simulation.h>
+#include <strait/surface/read_scene.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -5,8 +5,8 @@
     tools/make_example_map.py > prm/data/ground_surface.txt
 
 Not a measurement: a periodic, self-affine surface (H = 0.8, wavelengths from 8
-to 64 grid spacings, rms slope 0.1) in the format of a white-light
-interferometer, heights in whole nanometres. Always the same.
+to 64 grid spacings, rms slope 0.1) as a matrix below a header of units, heights in
+whole nanometres. Always the same.
 """
 import random
 import sys
@@ -42,9 +42,9 @@ def heights():
 
 def main():
     values = numpy.rint(heights() / NANOMETRE).astype(int)
-    print(f"h={POINTS} w={POINTS}")
-    print(f"pixel size={SPACING:g} m")
-    print(f"height conversion factor (-> m)={NANOMETRE:g}")
+    print(f"# Width: {POINTS * SPACING:g} m")
+    print(f"# Height: {POINTS * SPACING:g} m")
+    print("# Value units: nm")
     numpy.savetxt(sys.stdout, values - values.min(), fmt="%d")
 
 

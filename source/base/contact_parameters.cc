@@ -113,7 +113,7 @@ namespace strait
       grid_points,
       any_number.at_least(4).at_most(65535),
       "Nx, Ny: grid points of the periodic box in x and y [1]; one number: both. "
-      "Products of small primes are fastest.");
+      "Products of small primes are fastest. Surface/Kind = file: if empty, the map's own.");
     section.add("Effective modulus",
                 effective_modulus,
                 positive,

@@ -219,7 +219,7 @@ namespace strait
   }
 
   Scene
-  make_scene(const std::vector<SceneEntry> &entries)
+  parse_scene(const std::vector<SceneEntry> &entries)
   {
     Scene          scene;
     ParameterTable table;
@@ -228,6 +228,13 @@ namespace strait
       table.assign(entry);
     scene.resolved                     = table.scene(false);
     scene.surface.map.length_in_metres = scene.units.length_in_metres();
+    return scene;
+  }
+
+  Scene
+  make_scene(const std::vector<SceneEntry> &entries)
+  {
+    Scene scene = parse_scene(entries);
     scene.contact.take_elastic_constants();
     scene.fluid.take_gas(scene.units);
     scene.check();
@@ -244,8 +251,8 @@ namespace strait
     return scene;
   }
 
-  Scene
-  read_scene(const std::string &path, const Overrides &overrides)
+  std::vector<SceneEntry>
+  read_entries(const std::string &path, const Overrides &overrides)
   {
     // Files and the current folder are rank 0's; from the broadcast on, every
     // rank does the same with the same text and meets the same errors.
@@ -263,7 +270,7 @@ namespace strait
     std::vector<SceneEntry> entries = lex_scene(text, path, folder);
     for (const std::string &override_text : overrides)
       entries.push_back(lex_override(override_text, here));
-    return make_scene(entries);
+    return entries;
   }
 
   void

@@ -42,30 +42,14 @@ namespace strait
     section.add_path(
       "File",
       file,
-      "Kind = file: a measured map (.npy, text, XYZ, NetCDF, HDF5, X3P, SDF); "
+      "Kind = file: a measured map: what tools/strait_import leaves of an instrument's "
+      "file (NetCDF), .npy, or a matrix of numbers below a header of units; "
       "a relative path starts at the folder of the scene file (with --set: at "
       "the current folder).");
     section.add_path("Second file",
                      second_file,
                      "Kind = file: the map of the other body, if that is rough as well; "
                      "turned over (x to -x) and added.");
-    section.add("Format",
-                format,
-                Names<MapFormat>({{MapFormat::by_content, "auto"},
-                                  {MapFormat::npy, "npy"},
-                                  {MapFormat::text, "text"},
-                                  {MapFormat::xyz, "xyz"},
-                                  {MapFormat::netcdf, "netcdf"},
-                                  {MapFormat::hdf5, "hdf5"},
-                                  {MapFormat::x3p, "x3p"},
-                                  {MapFormat::sdf, "sdf"}}),
-                "Kind = file: format of the file; auto: by its content, XYZ by its "
-                "extension.");
-    section.add(
-      "Dataset",
-      dataset,
-      "Kind = file: path of the data set of an HDF5 file or variable of a NetCDF "
-      "file; empty: the only one with two dimensions.");
     section.add(
       "Height unit",
       height_unit,
@@ -146,10 +130,12 @@ namespace strait
                                     {SurfaceKind::expression, "expression"},
                                     {SurfaceKind::file, "file"}}),
                 "The height profile h(x, y) of the rigid substrate.");
-    section.add("Size",
-                size,
-                positive,
-                "Lx, Ly: sides of the periodic box [length]; one number: a square.");
+    section.add(
+      "Size",
+      size,
+      positive,
+      "Lx, Ly: sides of the periodic box [length]; one number: a square. Kind = file: "
+      "if empty, the map's own.");
     section.add(
       "Seed",
       seed,

@@ -10,6 +10,7 @@
 #include <strait/run/result_tables.h>
 #include <strait/run/run_state.h>
 #include <strait/run/simulation.h>
+#include <strait/surface/read_scene.h>
 
 #include <cmath>
 #include <filesystem>

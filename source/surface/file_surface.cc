@@ -4,7 +4,6 @@
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/file_surface.h>
 #include <strait/surface/map_processing.h>
-#include <strait/surface/readers/formats.h>
 #include <strait/surface/scene_text.h>
 
 #include <algorithm>
@@ -155,7 +154,7 @@ namespace strait
     , file(file_)
   {
     run_on_root(communicator, [&]() {
-      map = read_height_map({file, scene.map.format, scene.map.dataset});
+      map = read_height_map(file);
       process_map(map, scene.map, file, of_map);
       if (map.size)
         check_size(scene, *map.size, file);

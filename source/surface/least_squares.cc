@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/surface/least_squares.h>
+#include <strait/surface/map_processing.h>
 
 #include <cmath>
 

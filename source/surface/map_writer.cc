@@ -3,80 +3,114 @@
 #include <strait/base/exceptions.h>
 #include <strait/surface/map_writer.h>
 
-#include <netcdf.h>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
 
 namespace strait
 {
   namespace
   {
-    /** A NetCDF file that is being written. */
-    class Writer
+    // What the classic format calls its lists and types of numbers.
+    constexpr std::uint64_t list_of_dimensions = 10, list_of_variables = 11,
+                            list_of_attributes = 12;
+    constexpr std::uint64_t type_char = 2, type_int = 4, type_double = 6;
+
+    void
+    append(std::string &to, const std::uint64_t value, const int n_bytes)
     {
-    public:
-      explicit Writer(const std::string &path_)
-        : path(path_)
-      {
-        check(nc_create(path.c_str(), NC_CLOBBER | NC_64BIT_OFFSET, &file));
-      }
+      for (int shift = 8 * (n_bytes - 1); shift >= 0; shift -= 8)
+        to += static_cast<char>(value >> shift & 0xff);
+    }
 
-      ~Writer()
-      {
-        if (file >= 0)
-          nc_close(file);
-      }
+    void
+    append(std::string &to, const double value)
+    {
+      std::uint64_t bits;
+      std::memcpy(&bits, &value, sizeof(bits));
+      append(to, bits, 8);
+    }
 
-      Writer(const Writer &)            = delete;
-      Writer &operator=(const Writer &) = delete;
+    /** Length and letters, padded to four bytes. */
+    void
+    append(std::string &to, const std::string &text)
+    {
+      append(to, text.size(), 4);
+      to += text + std::string((4 - text.size() % 4) % 4, '\0');
+    }
 
-      void
-      check(const int status) const
-      {
-        if (status != NC_NOERR)
-          throw ComputationError("The file '" + path + "' could not be written (" +
-                                 nc_strerror(status) + ").");
-      }
-
-      int
-      define_side(const char *name, const int n, const double length, int &dimension)
-      {
-        int       variable = -1;
-        const int periodic = 1;
-        check(nc_def_dim(file, name, static_cast<std::size_t>(n), &dimension));
-        check(nc_def_var(file, name, NC_DOUBLE, 1, &dimension, &variable));
-        check(nc_put_att_double(file, variable, "length", NC_DOUBLE, 1, &length));
-        check(nc_put_att_int(file, variable, "periodic", NC_INT, 1, &periodic));
-        return variable;
-      }
-
-      void
-      state_unit(const int variable, const std::string &unit)
-      {
-        if (!unit.empty())
-          check(nc_put_att_text(file, variable, "unit", unit.size(), unit.data()));
-      }
-
-      void
-      write_coordinates(const int variable, const int n, const double spacing)
-      {
-        std::vector<double> values;
-        for (int i = 0; i < n; ++i)
-          values.push_back(i * spacing);
-        check(nc_put_var_double(file, variable, values.data()));
-      }
-
-      void
-      close()
-      {
-        const int status = nc_close(file);
-        file             = -1;
-        check(status);
-      }
-
-      int file = -1;
-
-    private:
-      std::string path;
+    /** A variable in a header: its name, its dimensions, and a side's or only a unit. */
+    struct VariableEntry
+    {
+      std::string           name;
+      std::vector<unsigned> dimensions;
+      double                length; // of a side; 0: it is none
+      std::uint64_t         n_values;
     };
+
+    void
+    append_attributes(std::string &to, const double length, const std::string &unit)
+    {
+      const unsigned n = (length > 0 ? 2 : 0) + (unit.empty() ? 0 : 1);
+      append(to, n > 0 ? list_of_attributes : 0, 4);
+      append(to, n, 4);
+      if (length > 0)
+        {
+          append(to, "length");
+          append(to, type_double, 4);
+          append(to, 1, 4);
+          append(to, length);
+          append(to, "periodic");
+          append(to, type_int, 4);
+          append(to, 1, 4);
+          append(to, 1, 4);
+        }
+      if (!unit.empty())
+        {
+          append(to, "unit");
+          append(to, type_char, 4);
+          append(to, unit);
+        }
+    }
+
+    /** The header of CDF-2, with variables one after the other behind it. */
+    std::string
+    header_of(const PeriodicGrid &grid, const std::string &unit)
+    {
+      const auto                       nx          = static_cast<std::uint64_t>(grid.nx);
+      const auto                       ny          = static_cast<std::uint64_t>(grid.ny);
+      const std::vector<VariableEntry> variables   = {{"x", {0}, grid.lx, nx},
+                                                      {"y", {1}, grid.ly, ny},
+                                                      {"heights", {0, 1}, 0., nx * ny}};
+      const auto                       header_with = [&](std::uint64_t begin) {
+        std::string header("CDF\2\0\0\0\0", 8);
+        append(header, list_of_dimensions, 4);
+        append(header, 2, 4);
+        append(header, "x");
+        append(header, nx, 4);
+        append(header, "y");
+        append(header, ny, 4);
+        append(header, 0, 8); // no attributes of the file
+        append(header, list_of_variables, 4);
+        append(header, variables.size(), 4);
+        for (const VariableEntry &variable : variables)
+          {
+            append(header, variable.name);
+            append(header, variable.dimensions.size(), 4);
+            for (const unsigned dimension : variable.dimensions)
+              append(header, dimension, 4);
+            append_attributes(header, variable.length, unit);
+            append(header, type_double, 4);
+            // The last variable may exceed what fits here; this is then how it is said.
+            append(header, std::min<std::uint64_t>(8 * variable.n_values, 0xffffffff), 4);
+            append(header, begin, 8);
+            begin += 8 * variable.n_values;
+          }
+        return header;
+      };
+      // The length of the header, which places the variables, does not depend on them.
+      return header_with(header_with(0).size());
+    }
   } // namespace
 
   void
@@ -87,29 +121,23 @@ namespace strait
     const PeriodicGrid       &grid  = heights.grid();
     const std::vector<double> whole = gather_on_root(heights);
     run_on_root(heights.layout().communicator(), [&]() {
-      Writer    writer(path);
-      int       dimensions[2] = {-1, -1}, variable = -1;
-      const int x = writer.define_side("x", grid.nx, grid.lx, dimensions[0]);
-      const int y = writer.define_side("y", grid.ny, grid.ly, dimensions[1]);
-      // The last variable: only that may exceed what this format allows of others.
-      writer.check(
-        nc_def_var(writer.file, "heights", NC_DOUBLE, 2, dimensions, &variable));
-      for (const int stated : {x, y, variable})
-        writer.state_unit(stated, unit);
-      writer.check(nc_enddef(writer.file));
-      writer.write_coordinates(x, grid.nx, grid.dx());
-      writer.write_coordinates(y, grid.ny, grid.dy());
-      std::vector<double> column(static_cast<std::size_t>(grid.ny));
+      std::ofstream file(path, std::ios::binary | std::ios::trunc);
+      std::string   content = header_of(grid, unit);
+      for (int ix = 0; ix < grid.nx; ++ix)
+        append(content, ix * grid.dx());
+      for (int iy = 0; iy < grid.ny; ++iy)
+        append(content, iy * grid.dy());
+      file << content;
       for (int ix = 0; ix < grid.nx; ++ix)
         {
+          content.clear();
           for (int iy = 0; iy < grid.ny; ++iy)
-            column[iy] = whole[static_cast<std::size_t>(iy) * grid.nx + ix];
-          const std::size_t start[2] = {static_cast<std::size_t>(ix), 0};
-          const std::size_t count[2] = {1, column.size()};
-          writer.check(
-            nc_put_vara_double(writer.file, variable, start, count, column.data()));
+            append(content, whole[static_cast<std::size_t>(iy) * grid.nx + ix]);
+          file << content;
         }
-      writer.close();
+      file.close();
+      if (!file)
+        throw ComputationError("The file '" + path + "' could not be written.");
     });
   }
 } // namespace strait

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
 #include <strait/surface/scene_text.h>
-
-#include <locale>
-#include <sstream>
 
 namespace strait
 {
   std::string
   scene_number(const double value)
   {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(9);
-    text << value;
-    return text.str();
+    return format("%.9g", value);
   }
 
   std::string

@@ -117,10 +117,13 @@ TEST(Scene, PathOfAMapCountsFromTheSceneOrTheCurrentFolder)
 {
   const SceneFile file(
     "subsection Surface\n set Kind = file\n set File = d/m.txt\nend\n");
-  EXPECT_EQ(read_scene(file.path).surface.map.file, file.folder + "/d/m.txt");
-  const Scene scene = read_scene(file.path, {"Surface/File=m.npy"});
-  EXPECT_EQ(scene.surface.map.file, (std::filesystem::current_path() / "m.npy").string());
-  EXPECT_EQ(read_scene(file.path, {"Surface/File=/m.npy"}).surface.map.file, "/m.npy");
+  const auto map_file = [&](const Overrides &overrides) {
+    return parse_scene(read_entries(file.path, overrides)).surface.map.file;
+  };
+  EXPECT_EQ(map_file({}), file.folder + "/d/m.txt");
+  EXPECT_EQ(map_file({"Surface/File=m.npy"}),
+            (std::filesystem::current_path() / "m.npy").string());
+  EXPECT_EQ(map_file({"Surface/File=/m.npy"}), "/m.npy");
 }
 
 // The values allowed include every default, and what is printed is what is read.

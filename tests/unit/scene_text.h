@@ -4,7 +4,7 @@
 
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
-#include <strait/base/scene.h>
+#include <strait/surface/read_scene.h>
 
 #include <gtest/gtest.h>
 

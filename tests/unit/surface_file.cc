@@ -11,6 +11,13 @@ namespace
   using test::TemporaryFile;
   using test::whole_surface;
 
+  /** A matrix on the unit square, in the scene's units. */
+  std::string
+  matrix(const std::string &rows)
+  {
+    return "# Width: 1\n# Height: 1\n" + rows;
+  }
+
   SurfaceParameters
   surface_from(const TemporaryFile &file, const double lx = 1., const double ly = 1.)
   {
@@ -29,14 +36,14 @@ namespace
 
   TEST(FileSurface, FirstRowIsTheBottom)
   {
-    const TemporaryFile file("1 2 3\n4 5 6\n7 8 9\n10 11 12\n");
+    const TemporaryFile file(matrix("1 2 3\n4 5 6\n7 8 9\n10 11 12\n"));
     EXPECT_EQ(whole_surface(surface_from(file), 3, 4),
               (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
   }
 
   TEST(FileSurface, InvertedAndRotated)
   {
-    const TemporaryFile file("1 2 3\n4 5 6\n");
+    const TemporaryFile file(matrix("1 2 3\n4 5 6\n"));
     auto                parameters = surface_from(file);
     parameters.invert              = true;
     EXPECT_EQ(whole_surface(parameters, 3, 2),
@@ -49,7 +56,7 @@ namespace
 
   TEST(FileSurface, GridMustFit)
   {
-    const TemporaryFile file("1 2 3\n4 5 6\n");
+    const TemporaryFile file(matrix("1 2 3\n4 5 6\n"));
     auto                parameters = surface_from(file);
     EXPECT_TRUE(mentions(complaint(parameters, 3, 3), "Contact/Grid points = 3, 2."));
     EXPECT_TRUE(mentions(complaint(parameters, 2, 3), "Contact/Grid points = 3, 2."));
@@ -78,13 +85,13 @@ namespace
     missing.kind     = SurfaceKind::file;
     missing.map.file = "/no/such/file.npy";
     EXPECT_TRUE(mentions(complaint(missing, 2, 2), "does not exist"));
-    const TemporaryFile ragged("1 2 3\n4 5\n");
-    EXPECT_TRUE(mentions(complaint(surface_from(ragged), 3, 2), "in line 2"));
+    const TemporaryFile ragged(matrix("1 2 3\n4 5\n"));
+    EXPECT_TRUE(mentions(complaint(surface_from(ragged), 3, 2), "in line 4"));
   }
 
   TEST(FileSurface, ResampledToTheGridOfTheScene)
   {
-    const TemporaryFile file("1 3 1 3\n1 3 1 3\n");
+    const TemporaryFile file(matrix("1 3 1 3\n1 3 1 3\n"));
     auto                parameters = surface_from(file);
     EXPECT_TRUE(mentions(complaint(parameters, 8, 4), "Surface/Resample = true"));
     parameters.map.resample = true;
@@ -100,13 +107,14 @@ namespace
 
   TEST(FileSurface, TwoRoughBodies)
   {
-    const TemporaryFile first("1 2 3\n4 5 6\n"), second("10 20 30\n40 50 60\n");
-    auto                parameters = surface_from(first);
-    parameters.map.second_file     = second.path;
+    const TemporaryFile first(matrix("1 2 3\n4 5 6\n")),
+      second(matrix("10 20 30\n40 50 60\n"));
+    auto parameters            = surface_from(first);
+    parameters.map.second_file = second.path;
     // The second one is turned over: x becomes −x.
     EXPECT_EQ(whole_surface(parameters, 3, 2),
               (std::vector<double>{11, 32, 23, 44, 65, 56}));
-    const TemporaryFile other("1 2\n3 4\n");
+    const TemporaryFile other(matrix("1 2\n3 4\n"));
     parameters.map.second_file = other.path;
     EXPECT_TRUE(mentions(complaint(parameters, 3, 2), other.path));
   }

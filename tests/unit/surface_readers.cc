@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/surface/readers/formats.h>
+#include <strait/surface/readers/height_map.h>
 
 #include <gtest/gtest.h>
 
@@ -19,14 +19,14 @@ namespace
   HeightMap
   read(const std::string &content)
   {
-    return read_height_map({TemporaryFile(content).path});
+    return read_height_map(TemporaryFile(content).path);
   }
 
   std::string
   complaint(const std::string &content)
   {
     const TemporaryFile file(content);
-    return input_error([&]() { read_height_map({file.path}); });
+    return input_error([&]() { read_height_map(file.path); });
   }
 
   void
@@ -112,17 +112,17 @@ namespace
     EXPECT_TRUE(
       mentions(complaint(npy(dictionary("<f8", "(1, 2, 3)"), data)), "two-dimensional"));
     EXPECT_TRUE(
-      mentions(complaint(npy(dictionary("<f8", "(0, 3)"), "")), "not possible"));
+      mentions(complaint(npy(dictionary("<f8", "(0, 3)"), "")), "must lie between"));
     EXPECT_TRUE(mentions(complaint(npy(dictionary("<f8", "(2, 3)"), data.substr(8))),
-                         "promises 2 x 3 values and holds 5"));
+                         "promises 3 x 2 points and is too short"));
     EXPECT_TRUE(
-      mentions(complaint(npy(dictionary("<f8", "(2, 3)"), data + data)), "holds 12"));
+      mentions(complaint(npy(dictionary("<f8", "(2, 3)"), data + data)), "holds more"));
     EXPECT_TRUE(
       mentions(complaint(npy(dictionary("<f8", "(2000000000, 2000000000)"), data)),
-               "holds 6"));
+               "must lie between"));
     EXPECT_TRUE(
       mentions(complaint(npy(dictionary("<f8", "(99999999999999999999, 3)"), data)),
-               "not possible"));
+               "must lie between"));
     const std::string whole = npy(dictionary("<f8", "(2, 3)"), data);
     EXPECT_TRUE(mentions(complaint(whole.substr(0, 40)), "within its header"));
     EXPECT_TRUE(mentions(complaint(whole.substr(0, 9)), "within its header"));
@@ -147,116 +147,96 @@ namespace
                          "no valid point"));
   }
 
-  TEST(MatrixTextReader, Separators)
+  const std::string header = "# Width: 3\n# Height: 2\n";
+
+  TEST(MatrixTextReader, Lines)
   {
     const std::vector<double> expected = {1, -2.5, 3e-7, 4, 5, 6};
-    for (const std::string text :
-         {"1 -2.5 3e-7\n4 5 6\n",
-          "  1\t-2.5  3E-07 \r\n 4 +5 6",
-          "1,-2.5,3e-007\n4,5,6,\n",
-          "1; -2.5 ;.3e-6\n\n4; 5; 6.\n",
-          "\xef\xbb\xbf# by hand\nx y z\n1 -2.5 3e-7\n# 9 9 9\n4 5 6"})
-      expect_map(read(text), 3, 2, expected);
+    for (const std::string text : {"1 -2.5 3e-7\n4 5 6\n",
+                                   "  1\t-2.5  3E-07 \r\n 4 +5 6",
+                                   "# by hand\n\n1 -2.5 .3e-6\n4 5 6.\n\n\n"})
+      expect_map(read(header + text), 3, 2, expected);
+    EXPECT_EQ(read(header + "1 nan\nNaN 4\n").n_missing(), 2U);
   }
 
-  TEST(MatrixTextReader, InterferometerHeader)
-  {
-    const auto map = read(
-      "h=2 w=3\npixel size=5e-007 m\ndata unit=rad\n"
-      "height conversion factor (-> m)=2e-008\n1 2 3\n4 5 6 \n");
-    expect_map(map, 3, 2, {1, 2, 3, 4, 5, 6});
-    EXPECT_DOUBLE_EQ(map.height_unit.metres.value(), 2e-8);
-    EXPECT_DOUBLE_EQ(map.lateral_unit.metres.value(), 1.);
-    ASSERT_TRUE(map.size);
-    EXPECT_DOUBLE_EQ((*map.size)[0], 1.5e-6);
-    EXPECT_DOUBLE_EQ((*map.size)[1], 1e-6);
-    EXPECT_FALSE(read("data unit=rad\n1 2\n3 4\n").height_unit.metres);
-    EXPECT_EQ(read("data unit=rad\n1 2\n3 4\n").height_unit.name, "rad");
-  }
-
-  TEST(MatrixTextReader, GwyddionHeader)
+  TEST(MatrixTextReader, Units)
   {
     for (const std::string micro : {"\xc2\xb5", "\xb5", "\xce\xbc", "u"})
       {
         const auto map =
-          read("# Channel: Topography\n# Width: 12,34 " + micro +
+          read("# Channel: Topography\n# Width: 12.34 " + micro +
                "m\n# Height: 5678.9 nm\n# Value units: " + micro + "m\n1 1.5\n-2 0\n");
         expect_map(map, 2, 2, {1, 1.5, -2, 0});
         EXPECT_DOUBLE_EQ(map.height_unit.metres.value(), 1e-6);
+        EXPECT_DOUBLE_EQ(map.lateral_unit.metres.value(), 1.);
         ASSERT_TRUE(map.size);
         EXPECT_DOUBLE_EQ((*map.size)[0], 12.34e-6);
         EXPECT_DOUBLE_EQ((*map.size)[1], 5678.9e-9);
       }
+    const auto plain = read(header + "1 2\n3 4\n");
+    EXPECT_FALSE(plain.lateral_unit.is_stated());
+    EXPECT_FALSE(plain.height_unit.is_stated());
+    EXPECT_EQ((*plain.size)[0], 3.);
+    EXPECT_EQ(read(header + "# Value units: rad\n1 2\n3 4\n").height_unit.name, "rad");
   }
 
-  TEST(MatrixTextReader, OtherInstruments)
+  TEST(MatrixTextReader, WhatElseIsTextIsImported)
   {
-    const auto cells = read(
-      "\"Date\",\"today\"\n\"XY calibration\",\"276.5\",\"nm\"\n"
-      "\"Unit\",\"\xb5m\"\n\n1,2\n3,4\n");
-    expect_map(cells, 2, 2, {1, 2, 3, 4});
-    EXPECT_DOUBLE_EQ((*cells.size)[0], 553e-9);
-    EXPECT_DOUBLE_EQ(cells.height_unit.metres.value(), 1e-6);
-
-    const auto pixels = read(
-      "# x-pixels = 2\n# y-pixels = 1\n# x-length = 500\n"
-      "# y-length = 250\n# Bit2nm = 0.5\n# Start of Data:\n1 2\n");
-    EXPECT_DOUBLE_EQ((*pixels.size)[0], 500.);
-    EXPECT_FALSE(pixels.lateral_unit.is_stated());
-    EXPECT_DOUBLE_EQ(pixels.height_unit.metres.value(), 5e-10);
-  }
-
-  TEST(MatrixTextReader, DecimalCommas)
-  {
-    const std::vector<double> expected = {1, -2.5, 3e-7, 4, 5, 6.25};
-    for (const std::string text : {"1;-2,5;3e-7\n4;5;6,25\n",
-                                   "1 -2,5 3e-7\n4 5 6,25\n",
-                                   "1\t-2,5\t3e-7\r\n4\t5\t6,25\r\n"})
-      expect_map(read(text), 3, 2, expected);
-    EXPECT_TRUE(mentions(complaint("1.5 2\n3,5 4\n"), "mixes decimal points and commas"));
-    EXPECT_TRUE(mentions(complaint("1.5;1,234.5\n"), "not a number in line 1, column 1"));
-  }
-
-  TEST(MatrixTextReader, MissingPoints)
-  {
-    for (const std::string text : {"1 nan\nBAD 4\n", "1,***\n--,4\n", "1;NaN\nn/a;4\n"})
-      EXPECT_EQ(read(text).n_missing(), 2U) << text;
-    EXPECT_EQ(read("bad 2\n3 4\n").n_missing(), 1U);
+    for (const std::string &text : std::vector<std::string>{
+           "1 2\n3 4\n",                            // no size
+           "# Breite: 3\n" + header + "1 2\n3 4\n", // another language
+           "h=2 w=2\npixel size=1 um\n1 2\n3 4\n",  // an interferometer's
+           header + "x y z\n1 2\n3 4\n",            // names of columns
+           header + "1,2\n3,4\n",                   // another separator
+           header + "1;2\n3;4\n",
+           header + "1 2\n3 4,5\n", // decimal commas
+           header + "1 2\n3 bad\n",
+           header + "1 2\n3 5.5.5\n",
+           header + "1 2\n3 4\n\n5 6\n7 8\n", // a second channel
+           header + "1 2\n3 4\n# Channel: error\n5 6\n7 8\n",
+           "# Width: 3 furlong\n# Height: 2 m\n1 2\n",
+           "# Width: 3 m\n# Height: 2\n1 2\n",
+           "# Width: -3 m\n# Height: 2 m\n1 2\n",
+           "# Width: 3,5 m\n# Height: 2 m\n1 2\n",
+           "# Width: wide\n# Height: 2 m\n1 2\n",
+           std::string(100000, 'x')})
+      EXPECT_TRUE(mentions(complaint(text), "strait_import")) << text.substr(0, 100);
   }
 
   TEST(MatrixTextReader, BadFiles)
   {
-    EXPECT_TRUE(mentions(complaint("1 2 3\n4 5\n"), "2 values in line 2 and 3"));
-    EXPECT_TRUE(mentions(complaint("1 2\n4 5 6\n"), "3 values in line 2 and 2"));
-    EXPECT_TRUE(mentions(complaint("1 2\n4 x\n"), "not a number in line 2, column 1"));
-    EXPECT_TRUE(mentions(complaint("1 2\n4 5.5.5\n"), "not a number in line 2"));
-    EXPECT_TRUE(mentions(complaint("1,,2\n"), "not a number in line 1, column 1"));
-    EXPECT_TRUE(mentions(complaint("1 2\n3,4\n"), "1 values in line 2 and 2"));
-    EXPECT_TRUE(mentions(complaint("h=3 w=2\n1 2\n3 4\n"), "promises 3 rows of 2"));
-    EXPECT_TRUE(
-      mentions(complaint("h=999999999 w=999999999\n1 2\n"), "holds 1 rows of 2"));
-    for (const char *count : {"1e300", "-1e300", "nan"})
-      EXPECT_TRUE(mentions(complaint("# x-pixels = " + std::string(count) + "\n1 2\n"),
-                           "promises 1 rows of 0"));
-    EXPECT_TRUE(mentions(complaint("1 2\n-inf 4\n"), "row 1, column 0"));
-    EXPECT_TRUE(mentions(complaint("# Width: 3 furlong\n1 2\n"), "'furlong'"));
-    EXPECT_TRUE(mentions(complaint("# Width: -3 m\n1 2\n"), "positive"));
-    EXPECT_TRUE(mentions(complaint("# Width: wide\n1 2\n"), "'wide'"));
-    EXPECT_TRUE(mentions(complaint("no number at all\n"), "holds no numbers"));
+    EXPECT_TRUE(mentions(complaint(header + "1 2 3\n4 5\n"), "2 values in line 4 and 3"));
+    EXPECT_TRUE(mentions(complaint(header + "1 2\n4 5 6\n"), "3 values in line 4 and 2"));
+    EXPECT_TRUE(mentions(complaint(header + "1 2\n-inf 4\n"), "row 1, column 0"));
+    EXPECT_TRUE(mentions(complaint(header), "holds no numbers"));
     EXPECT_TRUE(mentions(complaint(""), "is empty"));
-    EXPECT_TRUE(mentions(complaint(std::string(100000, 'x')), "holds no numbers"));
   }
 
   TEST(HeightMap, FilesOfOtherKinds)
   {
-    EXPECT_TRUE(mentions(complaint("\x89HDF\r\n\x1a\n"), "HDF5"));
-    EXPECT_TRUE(mentions(complaint("CDF\x02"), "NetCDF"));
-    EXPECT_TRUE(mentions(complaint("PK\x03\x04"), "zip"));
-    EXPECT_TRUE(mentions(complaint(std::string("MZ\0\1", 4)), "not known"));
+    for (const std::string &start :
+         std::vector<std::string>{std::string("\x89HDF\r\n\x1a\n\0", 9),
+                                  std::string("PK\x03\x04\0", 5),
+                                  std::string("CDF\x05\0", 5),
+                                  std::string("MZ\0\1", 4)})
+      EXPECT_TRUE(mentions(complaint(start), "strait_import"));
     EXPECT_TRUE(
-      mentions(input_error([]() { read_height_map({""}); }), "Surface/File is empty"));
-    EXPECT_TRUE(mentions(input_error([]() { read_height_map({"/no/such.npy"}); }),
+      mentions(input_error([]() { read_height_map(""); }), "Surface/File is empty"));
+    EXPECT_TRUE(mentions(input_error([]() { read_height_map("/no/such.npy"); }),
                          "'/no/such.npy' does not exist"));
-    EXPECT_TRUE(mentions(input_error([]() { read_height_map({"/"}); }), "is not a file"));
+    EXPECT_TRUE(mentions(input_error([]() { read_height_map("/"); }), "is not a file"));
+  }
+
+  TEST(HeightMap, CommandOfTheImport)
+  {
+    const std::string said = input_error([]() {
+      reject_for_import("/maps/my map.opd", "is no map that strait reads itself");
+    });
+    EXPECT_TRUE(
+      mentions(said, "strait_import '/maps/my map.opd' -o '/maps/my map.nc'\""));
+    EXPECT_TRUE(mentions(said, "set Surface/File = /maps/my map.nc"));
+    // The map must not overwrite the file.
+    EXPECT_TRUE(mentions(input_error([]() { reject_for_import("/m.nc", "is none"); }),
+                         "/m.nc -o /m.map.nc\""));
   }
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/surface/map_writer.h>
-#include <strait/surface/readers/formats.h>
+#include <strait/surface/readers/height_map.h>
 #include <strait/surface/spectrum.h>
 #include <strait/surface/statistics.h>
 
@@ -110,7 +110,7 @@ namespace
       {
         const TemporaryFile file("");
         write_netcdf_map(file.path, heights, unit);
-        const auto map = read_height_map({file.path});
+        const auto map = read_height_map(file.path);
         EXPECT_EQ(map.nx, 6);
         EXPECT_EQ(map.ny, 4);
         EXPECT_TRUE(map.is_periodic);

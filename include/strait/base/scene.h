@@ -61,6 +61,10 @@ namespace strait
   /** An override from the command line, "Section/Parameter=value". */
   using Overrides = std::vector<std::string>;
 
+  /** The scene that @p entries give, each value allowed by itself, but not yet checked.
+   */
+  Scene parse_scene(const std::vector<SceneEntry> &entries);
+
   /**
    * The scene that @p entries give, checked. Throws InputError for an unknown parameter
    * (naming file, line and the nearest known name), a value that is not allowed, or
@@ -69,12 +73,13 @@ namespace strait
   Scene make_scene(const std::vector<SceneEntry> &entries);
 
   /**
-   * Read the scene file @p path on rank 0 of MPI_COMM_WORLD, override it and make the
-   * scene on all ranks. Throws InputError on all ranks, also for an unreadable file. The
-   * paths of files in the scene become absolute: they count from the folder of the scene
+   * The entries of the scene file @p path, which rank 0 of MPI_COMM_WORLD reads, and the
+   * overrides behind them, on all ranks; see read_scene(). Throws InputError on all
+   * ranks, also for an unreadable file. Paths of files count from the folder of the scene
    * file, those in an override from the current folder.
    */
-  Scene read_scene(const std::string &path, const Overrides &overrides = {});
+  std::vector<SceneEntry> read_entries(const std::string &path,
+                                       const Overrides   &overrides);
 
   /**
    * All parameters with defaults, units and documentation, as a scene file

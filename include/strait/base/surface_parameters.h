@@ -9,19 +9,6 @@ namespace strait
 {
   class ParameterSection;
 
-  /** The format of a file of heights. */
-  enum class MapFormat
-  {
-    by_content,
-    npy,
-    text,
-    xyz,
-    netcdf,
-    hdf5,
-    x3p,
-    sdf
-  };
-
   /** What is subtracted from a measured map, by least squares. */
   enum class Detrend
   {
@@ -47,8 +34,6 @@ namespace strait
   {
     std::string  file;
     std::string  second_file;
-    MapFormat    format = MapFormat::by_content;
-    std::string  dataset;
     std::string  height_unit;  // settles or overrides what the file states
     std::string  lateral_unit; // likewise
     double       largest_missing_share = 0.;

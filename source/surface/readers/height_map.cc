@@ -1,12 +1,70 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/build_info.h>
 #include <strait/base/exceptions.h>
 #include <strait/surface/readers/height_map.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 namespace strait
 {
+  namespace
+  {
+    /** The first bytes of a file. */
+    std::string
+    start_of(const std::string &file)
+    {
+      std::error_code error;
+      if (!std::filesystem::exists(file, error))
+        reject_height_map(file, "does not exist: check Surface/File.");
+      if (!std::filesystem::is_regular_file(file, error))
+        reject_height_map(file, "is not a file: check Surface/File.");
+      std::ifstream stream(file, std::ios::binary);
+      if (!stream)
+        reject_height_map(file, "cannot be opened: check that you may read it.");
+      std::string start(512, '\0');
+      stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+      start.resize(static_cast<std::size_t>(stream.gcount()));
+      return start;
+    }
+
+    HeightMap
+    read_by_content(const std::string &file, const std::string &start)
+    {
+      const auto starts_with = [&](const std::string &magic) {
+        return start.compare(0, magic.size(), magic) == 0;
+      };
+      if (starts_with("\x93NUMPY"))
+        return read_npy(file);
+      if (starts_with("CDF\x01") || starts_with("CDF\x02"))
+        return read_netcdf(file);
+      if (start.find('\0') == std::string::npos)
+        return read_matrix_text(file);
+      reject_for_import(file, "is no map that strait reads itself");
+    }
+
+    void
+    check_values(const HeightMap &map, const std::string &file)
+    {
+      for (std::size_t i = 0; i < map.values.size(); ++i)
+        if (std::isinf(map.values[i]))
+          reject_height_map(file,
+                            "has an infinite value in row " + std::to_string(i / map.nx) +
+                              ", column " + std::to_string(i % map.nx) +
+                              " (counted from 0): mark missing points as nan.");
+      if (map.n_missing() == map.values.size())
+        reject_height_map(file, "has no valid point at all: check what was exported.");
+      if (map.size)
+        for (const double side : *map.size)
+          if (!(side > 0.) || !std::isfinite(side))
+            reject_height_map(file,
+                              "states a size that is not positive: mend its header or "
+                              "export it again.");
+    }
+  } // namespace
+
   std::size_t
   HeightMap::n_missing() const
   {
@@ -16,10 +74,42 @@ namespace strait
       }));
   }
 
+  HeightMap
+  read_height_map(const std::string &file)
+  {
+    if (file.empty())
+      throw InputError(
+        "Surface/File is empty: name a height map, or choose another "
+        "Surface/Kind.");
+    const std::string start = start_of(file);
+    if (start.empty())
+      reject_height_map(file, "is empty: copy or export it again.");
+    HeightMap map = read_by_content(file, start);
+    check_values(map, file);
+    return map;
+  }
+
   void
   reject_height_map(const std::string &file, const std::string &complaint)
   {
     throw InputError("The height map '" + file + "' " + complaint);
+  }
+
+  void
+  reject_for_import(const std::string &file, const std::string &complaint)
+  {
+    const auto quoted = [](const std::string &path) {
+      return path.find_first_of(" '\"()&;$") == std::string::npos ? path
+                                                                  : "'" + path + "'";
+    };
+    const std::string     script = find_script("strait_import");
+    std::filesystem::path map    = file;
+    map.replace_extension(map.extension() == ".nc" ? ".map.nc" : ".nc");
+    reject_height_map(file,
+                      complaint + ": type \"" +
+                        quoted(script.empty() ? "strait_import" : script) + " " +
+                        quoted(file) + " -o " + quoted(map.string()) +
+                        "\" and set Surface/File = " + map.string());
   }
 
   void

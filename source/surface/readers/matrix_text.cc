@@ -1,63 +1,101 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/surface/readers/formats.h>
-#include <strait/surface/readers/text_header.h>
-#include <strait/surface/readers/text_row.h>
+#include <strait/base/text.h>
+#include <strait/surface/readers/height_map.h>
 
-#include <algorithm>
+#include <charconv>
 #include <fstream>
+#include <limits>
 
 namespace strait
 {
   namespace
   {
-    /** No header line is longer, and a regular expression must not see more. */
-    constexpr std::size_t longest_header_line = 1000;
+    constexpr char white_space[] = " \t\r";
 
-    constexpr char byte_order_mark[] = "\xef\xbb\xbf";
-
-    /** Blank, or a comment. */
-    bool
-    is_skipped(const std::string &line)
+    /**
+     * The number at @p position, which moves behind it; nothing if there is none.
+     * Unlike std::stod this knows no locale: the decimal sign is a point.
+     */
+    std::optional<double>
+    take_number(const char *&position, const char *const end)
     {
-      return line.empty() || line[0] == '#' ||
-             line.find_first_not_of(" \t\r") == std::string::npos;
+      // std::from_chars takes a minus sign but no plus sign.
+      const bool has_plus =
+        end - position > 1 && position[0] == '+' && position[1] != '-';
+      double     value  = 0;
+      const auto result = std::from_chars(position + (has_plus ? 1 : 0), end, value);
+      if (result.ec != std::errc())
+        return {};
+      position = result.ptr;
+      return value;
     }
 
-    /** Add a row; the first one sets how many values each must have. */
-    void
-    append_row(TextRow           &row,
-               HeightMap         &map,
-               const std::string &line,
-               const long         line_number,
-               const std::string &file)
+    /** The lines above the numbers. */
+    struct Header
     {
-      const std::size_t n_before = map.values.size();
-      row.append(line, line_number, map.values);
-      const std::size_t n_values = map.values.size() - n_before;
-      if (map.ny == 0)
-        map.nx = static_cast<int>(n_values);
-      else if (n_values != static_cast<std::size_t>(map.nx))
-        reject_height_map(file,
-                          "has " + std::to_string(n_values) + " values in line " +
-                            std::to_string(line_number) + " and " +
-                            std::to_string(map.nx) +
-                            " in the rows above: mend or export it again.");
-      ++map.ny;
+      std::optional<double> width, height;
+      LengthUnit            width_unit, height_unit, value_unit;
+    };
+
+    double
+    parse_side(const std::string &text, LengthUnit &unit, const std::string &file)
+    {
+      const char       *position = text.data();
+      const char *const end      = position + text.size();
+      const auto        value    = take_number(position, end);
+      const LengthUnit  own      = parse_length_unit(
+        trim(std::string(position, static_cast<std::size_t>(end - position))));
+      if (!value || !(*value > 0) || (own.is_stated() && !own.metres))
+        reject_for_import(file,
+                          "states the side '" + text +
+                            "' in its header, which is no positive length");
+      // Sides may have different units; what is kept is in metres.
+      unit = own.is_stated() ? LengthUnit{"m", 1.} : own;
+      return *value * own.metres.value_or(1.);
     }
 
     void
-    check_extents(const HeightMap &map, const TextHeader &header, const std::string &file)
+    read_header_line(Header &header, const std::string &line, const std::string &file)
     {
-      if (map.ny == 0)
-        reject_height_map(file, "holds no numbers: check Surface/File.");
-      const int n_rows    = header.n_rows.value_or(map.ny);
-      const int n_columns = header.n_columns.value_or(map.nx);
-      if (n_rows != map.ny || n_columns != map.nx)
-        reject_height_map(file,
-                          "promises " + std::to_string(n_rows) + " rows of " +
-                            std::to_string(n_columns) + " values and holds " +
-                            std::to_string(map.ny) + " rows of " +
-                            std::to_string(map.nx) + ": copy or export it again.");
+      const std::size_t colon = line.find(':');
+      if (colon == std::string::npos)
+        return;
+      const std::string key   = trim(line.substr(1, colon - 1));
+      const std::string value = trim(line.substr(colon + 1));
+      if (key == "Width")
+        header.width = parse_side(value, header.width_unit, file);
+      else if (key == "Height")
+        header.height = parse_side(value, header.height_unit, file);
+      else if (key == "Value units")
+        header.value_unit = parse_length_unit(value);
+      else if (key != "Channel")
+        reject_for_import(file, "has the header line '" + trim(line) + "'");
+    }
+
+    /** Append the numbers of a line; how many they are. */
+    std::size_t
+    append_row(std::vector<double> &values,
+               const std::string   &line,
+               const long           line_number,
+               const std::string   &file)
+    {
+      const std::size_t n_before = values.size();
+      for (std::size_t at = line.find_first_not_of(white_space); at != std::string::npos;)
+        {
+          const std::size_t end =
+            std::min(line.find_first_of(white_space, at), line.size());
+          const char *position = line.data() + at;
+          const auto  value    = take_number(position, line.data() + end);
+          if (!value || position != line.data() + end)
+            reject_for_import(file,
+                              "has '" +
+                                line.substr(at, std::min<std::size_t>(end - at, 40)) +
+                                "' in line " + std::to_string(line_number) +
+                                ", which is no number");
+          values.push_back(*value);
+          at = line.find_first_not_of(white_space, end);
+        }
+      return values.size() - n_before;
     }
   } // namespace
 
@@ -65,23 +103,47 @@ namespace strait
   read_matrix_text(const std::string &file)
   {
     std::ifstream stream(file, std::ios::binary);
-    TextHeader    header(file);
-    TextRow       row(file);
+    Header        header;
     HeightMap     map;
     std::string   line;
-    for (long line_number = 1; std::getline(stream, line); ++line_number)
+    bool          has_ended = false; // by a blank line, after which no other row may come
+    for (long number = 1; std::getline(stream, line); ++number)
       {
-        if (line_number == 1 && line.compare(0, 3, byte_order_mark) == 0)
-          line.erase(0, 3);
-        if (map.ny > 0 ? !is_skipped(line) : row.is_data(line))
-          append_row(row, map, line, line_number, file);
-        else if (map.ny == 0 && line.size() <= longest_header_line)
-          header.parse_line(line);
+        const std::size_t first = line.find_first_not_of(white_space);
+        if (first == std::string::npos)
+          has_ended = map.ny > 0;
+        else if (map.ny == 0 && line[first] == '#')
+          read_header_line(header, line.substr(first), file);
+        else
+          {
+            if (has_ended)
+              reject_for_import(file, "goes on behind a blank line");
+            const std::size_t n = append_row(map.values, line, number, file);
+            if (map.ny > 0 && n != static_cast<std::size_t>(map.nx))
+              reject_height_map(file,
+                                "has " + std::to_string(n) + " values in line " +
+                                  std::to_string(number) + " and " +
+                                  std::to_string(map.nx) +
+                                  " in the rows above: mend or export it again.");
+            map.nx = static_cast<int>(n);
+            ++map.ny;
+          }
       }
     if (stream.bad())
       reject_height_map(file, "cannot be read to its end: copy it again.");
-    check_extents(map, header, file);
-    header.complete(map);
+    if (map.ny == 0)
+      reject_height_map(file, "holds no numbers: check Surface/File.");
+    if (!header.width || !header.height)
+      reject_for_import(
+        file,
+        "does not state its size as lines '# Width: 10 um' and '# Height: "
+        "10 um' would");
+    if (header.width_unit.is_stated() != header.height_unit.is_stated())
+      reject_for_import(file, "states a unit for one of its sides only");
+    map.size         = {{*header.width, *header.height}};
+    map.lateral_unit = header.width_unit;
+    map.height_unit  = header.value_unit;
+    map.format       = "matrix text";
     return map;
   }
 } // namespace strait

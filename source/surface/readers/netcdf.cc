@@ -1,243 +1,277 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/text.h>
-#include <strait/surface/readers/formats.h>
-#include <strait/surface/readers/netcdf_file.h>
-
-#include <netcdf.h>
+#include <strait/surface/readers/height_map.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <limits>
+#include <map>
 
 namespace strait
 {
   namespace
   {
-    std::string
-    variable_name(const int file, const int variable)
+    // What the classic format calls its types of numbers.
+    constexpr std::uint64_t type_char = 2, type_int = 4, type_float = 5, type_double = 6;
+
+    // What the library of NetCDF writes where nothing was.
+    constexpr double usual_fill = 9.969209968386869e36;
+
+    std::uint64_t
+    big_endian(const char *bytes, const int n_bytes)
     {
-      char name[NC_MAX_NAME + 1] = {};
-      nc_inq_varname(file, variable, name);
-      return name;
+      std::uint64_t value = 0;
+      for (int i = 0; i < n_bytes; ++i)
+        value = value << 8 | static_cast<unsigned char>(bytes[i]);
+      return value;
     }
 
-    bool
-    is_map(const int file, const int variable)
+    double
+    decode(const char *bytes, const std::uint64_t type)
     {
-      int     n_dimensions = 0;
-      nc_type type         = NC_NAT;
-      nc_inq_varndims(file, variable, &n_dimensions);
-      nc_inq_vartype(file, variable, &type);
-      return n_dimensions == 2 && type != NC_CHAR && type <= NC_UINT64 &&
-             type != NC_STRING;
-    }
-
-    int
-    choose_variable(const int file, const MapSource &source)
-    {
-      int n_variables = 0;
-      nc_inq_nvars(file, &n_variables);
-      std::vector<std::string> names;
-      int                      found = -1;
-      for (int variable = 0; variable < n_variables; ++variable)
-        if (is_map(file, variable))
-          {
-            names.push_back(variable_name(file, variable));
-            if (found < 0 || names.back() == "heights")
-              found = variable;
-          }
-      if (!source.dataset.empty())
+      if (type == type_double)
         {
-          int named = -1;
-          if (nc_inq_varid(file, source.dataset.c_str(), &named) == NC_NOERR &&
-              is_map(file, named))
-            return named;
-          reject_height_map(source.file,
-                            "has no two-dimensional variable '" + source.dataset +
-                              "': set Surface/Dataset to one of " + join(names, ", ") +
-                              ".");
+          const std::uint64_t bits = big_endian(bytes, 8);
+          double              value;
+          std::memcpy(&value, &bits, sizeof(value));
+          return value;
         }
-      if (names.empty())
-        reject_height_map(source.file,
-                          "holds no two-dimensional variable of numbers: check "
-                          "Surface/File.");
-      if (names.size() > 1 && variable_name(file, found) != "heights")
-        reject_height_map(source.file,
-                          "holds several variables: set Surface/Dataset to one of " +
-                            join(names, ", ") + ".");
-      return found;
+      const auto bits = static_cast<std::uint32_t>(big_endian(bytes, 4));
+      if (type == type_int)
+        return static_cast<std::int32_t>(bits);
+      float value;
+      std::memcpy(&value, &bits, sizeof(value));
+      return value;
     }
 
-    /** A side of the map. */
+    std::uint64_t
+    bytes_of(const std::uint64_t type)
+    {
+      constexpr std::uint64_t bytes[] = {1, 1, 1, 2, 4, 4, 8};
+      return bytes[type <= type_double ? type : 0];
+    }
+
+    struct Attribute
+    {
+      std::string           text;
+      std::optional<double> number; // if it is a single one
+    };
+
     struct Dimension
     {
-      int         id = -1;
-      std::string name;
-      std::size_t n = 0;
+      std::string   name;
+      std::uint64_t n = 0;
     };
 
-    Dimension
-    dimension(const int file, const int id)
+    struct Variable
     {
-      char        name[NC_MAX_NAME + 1] = {};
-      std::size_t n                     = 0;
-      nc_inq_dim(file, id, name, &n);
-      return {id, name, n};
-    }
+      std::vector<std::uint64_t>       dimensions; // numbers of them
+      std::map<std::string, Attribute> attributes;
+      std::uint64_t                    type  = 0;
+      std::uint64_t                    begin = 0; // bytes from the start of the file
 
-    /** What the coordinate variable of a side says of it. */
-    struct Side
-    {
-      std::optional<double> length;
-      LengthUnit            unit;
-      bool                  is_periodic = false;
+      /** The attribute of a name; one without content if there is none. */
+      const Attribute &
+      operator[](const std::string &name) const
+      {
+        static const Attribute none;
+        const auto             found = attributes.find(name);
+        return found == attributes.end() ? none : found->second;
+      }
+
+      LengthUnit
+      unit() const
+      {
+        return parse_length_unit((*this)["unit"].text.empty() ? (*this)["units"].text
+                                                              : (*this)["unit"].text);
+      }
     };
 
-    Side
-    read_side(const int file, const Dimension &along)
+    /**
+     * The header of a file: big-endian numbers, texts padded to four bytes. Reads no more
+     * than the file has, whatever the counts in it claim.
+     */
+    class Header
     {
-      int variable = -1;
-      if (nc_inq_varid(file, along.name.c_str(), &variable) != NC_NOERR)
-        return {};
-      Side side;
-      side.unit        = unit_attribute(file, variable);
-      side.length      = number_attribute(file, variable, "length");
-      side.is_periodic = number_attribute(file, variable, "periodic").value_or(0.) != 0.;
-      if (!side.length && along.n > 1)
-        {
-          const std::size_t first = 0, last = along.n - 1;
-          double            begin = 0., end = 0.;
-          if (nc_get_var1_double(file, variable, &first, &begin) == NC_NOERR &&
-              nc_get_var1_double(file, variable, &last, &end) == NC_NOERR)
-            side.length = std::abs(end - begin) / static_cast<double>(last) *
-                          static_cast<double>(along.n);
-        }
-      return side;
-    }
+    public:
+      explicit Header(const std::string &file_)
+        : file(file_)
+      {
+        std::ifstream stream(file, std::ios::binary);
+        // Headers of maps have some hundred bytes; this has room for any history.
+        constexpr std::uint64_t longest = 1 << 20;
+        content.resize(
+          std::min<std::uint64_t>(longest, std::filesystem::file_size(file)));
+        stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+        const std::string magic            = take(4);
+        const int         n_bytes_of_begin = magic[3] == 1 ? 4 : 8;
+        number(4); // records, of which a map has none
+        for (std::uint64_t n = count(); n > 0; --n)
+          {
+            const std::string name = text();
+            dimensions.push_back({name, number(4)});
+          }
+        attributes();
+        for (std::uint64_t n = count(); n > 0; --n)
+          {
+            const std::string name     = text();
+            Variable         &variable = variables[name];
+            for (std::uint64_t d = number(4); d > 0; --d)
+              variable.dimensions.push_back(number(4));
+            variable.attributes = attributes();
+            variable.type       = number(4);
+            number(4); // its size, which follows from the rest
+            variable.begin = number(n_bytes_of_begin);
+          }
+      }
 
+      std::vector<Dimension>          dimensions;
+      std::map<std::string, Variable> variables;
+
+    private:
+      std::string
+      take(const std::uint64_t n_bytes)
+      {
+        if (n_bytes > content.size() - position)
+          reject_height_map(file, "ends within its header: copy or import it again.");
+        const std::string bytes = content.substr(position, n_bytes);
+        position += n_bytes;
+        return bytes;
+      }
+
+      std::uint64_t
+      number(const int n_bytes)
+      {
+        return big_endian(take(static_cast<std::uint64_t>(n_bytes)).data(), n_bytes);
+      }
+
+      std::string
+      padded(const std::uint64_t n_bytes)
+      {
+        return take((n_bytes + 3) / 4 * 4).substr(0, n_bytes);
+      }
+
+      std::string
+      text()
+      {
+        return padded(number(4));
+      }
+
+      /** The length of a list, behind the number of its kind. */
+      std::uint64_t
+      count()
+      {
+        number(4);
+        return number(4);
+      }
+
+      std::map<std::string, Attribute>
+      attributes()
+      {
+        std::map<std::string, Attribute> result;
+        for (std::uint64_t n = count(); n > 0; --n)
+          {
+            const std::string   name = text();
+            const std::uint64_t type = number(4), length = number(4);
+            const std::string   bytes = padded(length * bytes_of(type));
+            Attribute          &found = result[name];
+            if (type == type_char)
+              found.text = bytes.substr(0, bytes.find('\0'));
+            else if (length == 1 && type >= type_int && type <= type_double)
+              found.number = decode(bytes.data(), type);
+          }
+        return result;
+      }
+
+      std::string file;
+      std::string content;
+      std::size_t position = 0;
+    };
+
+    /** What the coordinate variables say of the sides; nothing if one states no length.
+     */
     void
     read_sides(HeightMap         &map,
-               const int          file,
-               const Dimension   &x,
-               const Dimension   &y,
-               const std::string &name)
+               const std::string &file,
+               const Header      &header,
+               const std::string &name_x,
+               const std::string &name_y)
     {
-      const Side along_x = read_side(file, x), along_y = read_side(file, y);
-      map.is_periodic = along_x.is_periodic && along_y.is_periodic;
-      if (!along_x.length || !along_y.length)
+      const auto x = header.variables.find(name_x), y = header.variables.find(name_y);
+      if (x == header.variables.end() || y == header.variables.end() ||
+          !x->second["length"].number || !y->second["length"].number)
         return;
-      if (along_x.unit.metres != along_y.unit.metres)
-        reject_height_map(name,
-                          "states different units for its sides, '" + along_x.unit.name +
-                            "' and '" + along_y.unit.name + "': make them alike.");
-      map.size         = {{*along_x.length, *along_y.length}};
-      map.lateral_unit = along_x.unit;
+      if (x->second.unit().name != y->second.unit().name)
+        reject_for_import(file, "states different units for its sides");
+      map.size         = {{*x->second["length"].number, *y->second["length"].number}};
+      map.lateral_unit = x->second.unit();
+      map.is_periodic  = x->second["periodic"].number.value_or(0.) != 0. &&
+                        y->second["periodic"].number.value_or(0.) != 0.;
     }
 
-    /** Fill values become NaN; scale and offset are applied. */
-    void
-    interpret(std::vector<double> &values, const int file, const int variable)
+    /** The variable of the heights; throws where the layout is another. */
+    const Variable &
+    find_heights(const Header &header, const std::string &file)
     {
-      int    no_fill = 0;
-      double fill    = std::numeric_limits<double>::quiet_NaN();
-      // The default fill value of floating-point types marks missing points as well.
-      nc_type type = NC_NAT;
-      nc_inq_vartype(file, variable, &type);
-      if (const auto stated = number_attribute(file, variable, "_FillValue"))
-        fill = *stated;
-      else if (type == NC_DOUBLE && nc_inq_var_fill(file, variable, &no_fill, &fill) == 0)
-        fill = NC_FILL_DOUBLE;
-      else if (type == NC_FLOAT)
-        fill = static_cast<double>(NC_FILL_FLOAT);
-      const auto   other  = number_attribute(file, variable, "missing_value");
-      const double scale  = number_attribute(file, variable, "scale_factor").value_or(1.);
-      const double offset = number_attribute(file, variable, "add_offset").value_or(0.);
-      for (double &value : values)
-        if (value == fill || (other && value == *other))
-          value = std::numeric_limits<double>::quiet_NaN();
-        else
-          value = value * scale + offset;
-    }
-
-    std::vector<double>
-    transposed(const std::vector<double> &values, const std::size_t n_rows)
-    {
-      const std::size_t   n_columns = values.size() / n_rows;
-      std::vector<double> result(values.size());
-      for (std::size_t row = 0; row < n_rows; ++row)
-        for (std::size_t column = 0; column < n_columns; ++column)
-          result[column * n_rows + row] = values[row * n_columns + column];
-      return result;
-    }
-
-    /** Bytes that a variable can have at most, for what the file holds of it. */
-    std::uint64_t
-    largest_content(const int file, const int variable, const std::string &name)
-    {
-      int format = 0;
-      nc_inq_format(file, &format);
-      const std::uint64_t bytes = std::filesystem::file_size(name);
-      if (format == NC_FORMAT_NETCDF4 || format == NC_FORMAT_NETCDF4_CLASSIC)
-        return largest_compression * bytes;
-      const std::uint64_t begin =
-        begin_of_classic_variable(name, variable).value_or(bytes);
-      return begin < bytes ? bytes - begin : 0;
+      const auto found = header.variables.find("heights");
+      if (found == header.variables.end() || found->second.dimensions.size() != 2 ||
+          (found->second.type != type_double && found->second.type != type_float))
+        reject_for_import(file, "has no two-dimensional variable 'heights'");
+      for (const char *name : {"scale_factor", "add_offset", "missing_value"})
+        if (found->second.attributes.count(name) > 0)
+          reject_for_import(file, std::string("has the attribute ") + name);
+      for (const std::uint64_t dimension : found->second.dimensions)
+        if (dimension >= header.dimensions.size())
+          reject_height_map(file, "has a damaged header: copy or import it again.");
+      return found->second;
     }
   } // namespace
 
-  bool
-  is_netcdf4(const std::string &name)
-  {
-    // Any HDF5 file can be opened; only those of the library carry its name.
-    const NetcdfFile file(name);
-    int              length = 0;
-    if (!file.is_open)
-      return false;
-    std::size_t size = 0;
-    if (nc_inq_attlen(file.id, NC_GLOBAL, "_NCProperties", &size) == NC_NOERR)
-      return true;
-    return nc_inq_ndims(file.id, &length) == NC_NOERR && length > 0 &&
-           std::filesystem::path(name).extension() == ".nc";
-  }
-
   HeightMap
-  read_netcdf(const MapSource &source)
+  read_netcdf(const std::string &file)
   {
-    const NetcdfFile file(source.file);
-    if (!file.is_open)
-      reject_height_map(source.file,
-                        "is damaged or no NetCDF file: copy or export it again.");
-    const int          variable = choose_variable(file.id, source);
-    std::array<int, 2> ids{};
-    nc_inq_vardimid(file.id, variable, ids.data());
-    const Dimension outer = dimension(file.id, ids[0]),
-                    inner = dimension(file.id, ids[1]);
-
-    nc_type     type      = NC_NAT;
-    std::size_t item_size = 8;
-    nc_inq_vartype(file.id, variable, &type);
-    nc_inq_type(file.id, type, nullptr, &item_size);
-    check_claim(source.file,
+    const Header        header(file);
+    const Variable     &heights = find_heights(header, file);
+    const Dimension    &outer   = header.dimensions[heights.dimensions[0]];
+    const Dimension    &inner   = header.dimensions[heights.dimensions[1]];
+    const std::uint64_t n_bytes = std::filesystem::file_size(file);
+    check_claim(file,
                 inner.n,
                 outer.n,
-                item_size,
-                largest_content(file.id, variable, source.file));
-    std::vector<double> values(inner.n * outer.n);
-    if (nc_get_var_double(file.id, variable, values.data()) != NC_NOERR)
-      reject_height_map(source.file,
-                        "cannot be read to its end: copy or export it again.");
+                bytes_of(heights.type),
+                n_bytes - std::min(n_bytes, heights.begin));
 
-    HeightMap  map;
     const bool x_is_outer = outer.name == "x";
-    map.nx                = static_cast<int>(x_is_outer ? outer.n : inner.n);
-    map.ny                = static_cast<int>(x_is_outer ? inner.n : outer.n);
-    map.values            = x_is_outer ? transposed(values, outer.n) : std::move(values);
-    interpret(map.values, file.id, variable);
-    map.height_unit = unit_attribute(file.id, variable);
-    read_sides(
-      map, file.id, x_is_outer ? outer : inner, x_is_outer ? inner : outer, source.file);
+    HeightMap  map;
+    map.nx = static_cast<int>(x_is_outer ? outer.n : inner.n);
+    map.ny = static_cast<int>(x_is_outer ? inner.n : outer.n);
+    map.values.resize(outer.n * inner.n);
+    const double      fill = heights["_FillValue"].number.value_or(usual_fill);
+    const auto        size = bytes_of(heights.type);
+    std::vector<char> line(inner.n * size);
+    std::ifstream     stream(file, std::ios::binary);
+    stream.seekg(static_cast<std::streamoff>(heights.begin));
+    for (std::uint64_t i = 0; i < outer.n; ++i)
+      {
+        stream.read(line.data(), static_cast<std::streamsize>(line.size()));
+        if (!stream)
+          reject_height_map(file, "cannot be read to its end: copy or import it again.");
+        for (std::uint64_t j = 0; j < inner.n; ++j)
+          {
+            const double value = decode(line.data() + j * size, heights.type);
+            map.values[x_is_outer ? j * outer.n + i : i * inner.n + j] =
+              value == fill ? std::numeric_limits<double>::quiet_NaN() : value;
+          }
+      }
+    map.height_unit = heights.unit();
+    map.format      = "NetCDF";
+    read_sides(map,
+               file,
+               header,
+               x_is_outer ? outer.name : inner.name,
+               x_is_outer ? inner.name : outer.name);
     return map;
   }
 } // namespace strait

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/surface/readers/binary.h>
-#include <strait/surface/readers/formats.h>
+#include <strait/surface/readers/height_map.h>
 
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <regex>
 
 namespace strait
@@ -32,15 +31,27 @@ namespace strait
       return value;
     }
 
-    /** The type of the numbers behind "<f8" and its like. */
-    NumberType
-    number_type(const NpyHeader &header)
+    /** A number of the type that the header names. */
+    double
+    decode(const NpyHeader &header, const char *bytes)
     {
+      const std::uint64_t bits = little_endian(bytes, header.item_size);
+      if (header.type == 'f' && header.item_size == 8)
+        {
+          double value;
+          std::memcpy(&value, &bits, sizeof(value));
+          return value;
+        }
       if (header.type == 'f')
-        return header.item_size == 4 ? NumberType::float32 : NumberType::float64;
-      return header.item_size == 2   ? NumberType::int16
-             : header.item_size == 4 ? NumberType::int32
-                                     : NumberType::int64;
+        {
+          const auto short_bits = static_cast<std::uint32_t>(bits);
+          float      value;
+          std::memcpy(&value, &short_bits, sizeof(value));
+          return value;
+        }
+      // Shifted up and down again, so that the sign is that of the short number.
+      const int shift = 64 - 8 * header.item_size;
+      return static_cast<double>(static_cast<std::int64_t>(bits << shift) >> shift);
     }
 
     /** The text of the dictionary; sets header.data_begin. */
@@ -67,19 +78,6 @@ namespace strait
       return dictionary;
     }
 
-    std::uint64_t
-    parse_extent(const std::string &digits, const std::string &file)
-    {
-      // Ten digits fit into 64 bits and are more than any grid has.
-      const std::uint64_t extent = digits.size() > 10 ? 0 : std::stoull(digits);
-      if (extent == 0 || extent > std::numeric_limits<int>::max())
-        reject_height_map(file,
-                          "has " + digits +
-                            " rows or columns, which is not possible: save "
-                            "an array of shape (Ny, Nx).");
-      return extent;
-    }
-
     NpyHeader
     read_header(std::ifstream &stream, const std::string &file)
     {
@@ -104,26 +102,16 @@ namespace strait
       if (!std::regex_search(dictionary, match, shape))
         reject_height_map(file,
                           "is not two-dimensional: save an array of shape (Ny, Nx).");
-      header.n_rows    = parse_extent(match[1], file);
-      header.n_columns = parse_extent(match[2], file);
+      // Ten digits fit into 64 bits and are more than any grid has.
+      const auto extent = [](const std::string &digits) -> std::uint64_t {
+        return digits.size() > 10 ? 0 : std::stoull(digits);
+      };
+      header.n_rows    = extent(match[1]);
+      header.n_columns = extent(match[2]);
 
       static const std::regex fortran("'fortran_order': *True");
       header.fortran_order = std::regex_search(dictionary, fortran);
       return header;
-    }
-
-    /** Before any memory is set aside for what a damaged header may claim. */
-    void
-    check_length(const NpyHeader &header, const std::string &file)
-    {
-      const std::uint64_t actual   = std::filesystem::file_size(file) - header.data_begin;
-      const std::uint64_t n_values = header.n_rows * header.n_columns; // below 2^62
-      if (actual % header.item_size != 0 || actual / header.item_size != n_values)
-        reject_height_map(file,
-                          "promises " + std::to_string(header.n_rows) + " x " +
-                            std::to_string(header.n_columns) + " values and holds " +
-                            std::to_string(actual / header.item_size) +
-                            ": copy or save it again.");
     }
   } // namespace
 
@@ -131,12 +119,16 @@ namespace strait
   read_npy(const std::string &file)
   {
     std::ifstream   stream(file, std::ios::binary);
-    const NpyHeader header = read_header(stream, file);
-    check_length(header, file);
+    const NpyHeader header  = read_header(stream, file);
+    const auto      n_bytes = std::filesystem::file_size(file) - header.data_begin;
+    check_claim(file, header.n_columns, header.n_rows, header.item_size, n_bytes);
+    if (n_bytes != header.n_rows * header.n_columns * header.item_size)
+      reject_height_map(file, "holds more than it promises: copy or save it again.");
 
     HeightMap map;
-    map.nx = static_cast<int>(header.n_columns);
-    map.ny = static_cast<int>(header.n_rows);
+    map.format = ".npy";
+    map.nx     = static_cast<int>(header.n_columns);
+    map.ny     = static_cast<int>(header.n_rows);
     map.values.resize(header.n_rows * header.n_columns);
 
     // A line is a row in C order and a column in Fortran order.
@@ -145,7 +137,6 @@ namespace strait
     const std::size_t line_stride = header.fortran_order ? 1 : header.n_columns;
     const std::size_t item_stride = header.fortran_order ? header.n_columns : 1;
 
-    const NumberType  type = number_type(header);
     std::vector<char> bytes(n_items * header.item_size);
     for (std::size_t line = 0; line < n_lines; ++line)
       {
@@ -154,7 +145,7 @@ namespace strait
           reject_height_map(file, "cannot be read to its end: copy or save it again.");
         for (std::size_t item = 0; item < n_items; ++item)
           map.values[line * line_stride + item * item_stride] =
-            decode(type, bytes.data() + item * header.item_size);
+            decode(header, bytes.data() + item * header.item_size);
       }
     return map;
   }

@@ -2,7 +2,6 @@
 #ifndef strait_surface_readers_height_map_h
 #define strait_surface_readers_height_map_h
 
-#include <strait/base/surface_parameters.h>
 #include <strait/base/units.h>
 
 #include <array>
@@ -32,16 +31,52 @@ namespace strait
     std::size_t n_missing() const;
   };
 
-  /** What is to be read, and how. */
-  struct MapSource
-  {
-    std::string file;
-    MapFormat   format  = MapFormat::by_content;
-    std::string dataset = {}; // HDF5 and NetCDF; empty: the only one that fits
-  };
+  /**
+   * Read a height map in one of the formats below; the content of the file tells which.
+   * Not collective: call it on one rank. Throws InputError, with the command that imports
+   * the file, if it is of any other kind; also if it cannot be read, is incomplete, or
+   * holds an infinite value.
+   */
+  HeightMap read_height_map(const std::string &file);
+
+  /**
+   * Read a two-dimensional numpy array (.npy of version 1, 2 or 3) of shape
+   * (ny, nx): little-endian f4, f8, i2, i4 or i8, in C or Fortran order.
+   * Throws InputError for any other content, or if the length of the file is
+   * not what the header promises.
+   */
+  HeightMap read_npy(const std::string &file);
+
+  /**
+   * Read the variable "heights" of a NetCDF file in the classic format (CDF-1 or CDF-2)
+   * and the layout of contact.engineering, as strait_import and write_netcdf_map() leave
+   * it: floating-point numbers; the dimension called x, else the last, runs along x;
+   * coordinate variables with the attributes "length" (of the whole side), "unit" and
+   * "periodic". NaN and _FillValue mark missing points. What the header claims is checked
+   * against the length of the file.
+   */
+  HeightMap read_netcdf(const std::string &file);
+
+  /**
+   * Read a matrix of numbers, one row of the grid a line, separated by white space with
+   * decimal points, nan for missing points, below
+   *
+   *     # Width: 12.34 µm        lx
+   *     # Height: 5678.9 nm      ly
+   *     # Value units: m         what a value of 1 means
+   *
+   * as Gwyddion writes it in English, or without units in those of the scene. Other lines
+   * that begin with # and have a colon are refused, but for "# Channel:": they may state
+   * a unit in another language. So is whatever follows the last row.
+   */
+  HeightMap read_matrix_text(const std::string &file);
 
   /** Throw InputError: the height map @p file @p complaint. */
   [[noreturn]] void reject_height_map(const std::string &file,
+                                      const std::string &complaint);
+
+  /** Throw InputError: the height map @p file @p complaint; and what imports it. */
+  [[noreturn]] void reject_for_import(const std::string &file,
                                       const std::string &complaint);
 
   /**
@@ -55,9 +90,6 @@ namespace strait
                    std::uint64_t      n_rows,
                    std::uint64_t      item_size,
                    std::uint64_t      n_bytes);
-
-  /** What deflate can at most make of a byte: the bound for compressed data. */
-  inline constexpr std::uint64_t largest_compression = 1032;
 } // namespace strait
 
 #endif

@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Files of every kind as instruments and programs write them, of one map of 12 x 10 points."""
+import bz2
+import gzip
+import io
+import lzma
+import os
+import struct
+import zipfile
+
+import numpy as np
+
+NX, NY = 12, 10
+SIZE = 24e-6, 10e-6            # m
+Y, X = np.mgrid[0:NY, 0:NX]
+# Micrometres with one digit behind the point, no row or column of equal steps, no symmetry.
+MICRONS = np.round(.8 + 2 * np.sin(.9 * X + .4 * Y**1.5) + .1 * Y, 1)
+HOLE = 3, 4                    # row and column of the missing point of some kinds
+
+
+def rows(separator, decimal="."):
+    return "".join(separator.join(f"{value:.1f}".replace(".", decimal) for value in row) + "\n"
+                   for row in MICRONS)
+
+
+def points(separator, decimal=".", order=1):
+    lines = [separator.join(f"{value:.1f}".replace(".", decimal)
+                            for value in (2 * x, y, MICRONS[y, x]))
+             for y in range(NY) for x in range(NX)]
+    return "\n".join(lines[::order]) + "\n"
+
+
+def gwyddion_header(channel, width, height, unit, decimal="."):
+    return (f"# {channel}: Z\n# {width}: 24{decimal}00 µm\n# {height}: 10{decimal}00 µm\n"
+            f"# {unit}: µm\n")
+
+
+SPIP = ("# File Format = ASCII\n# Created by SPIP 4.6.5.0 2008-02-20 11:56\n# x-pixels = 12\n"
+        "# y-pixels = 10\n# x-length = 24000\n# y-length = 10000\n# x-unit = nm\n# y-unit = nm\n"
+        "# Bit2nm = 1000\n# Start of Data:\n")
+KEYENCE = ('"Date","01/02/2024"\n"Measurement data"\n"Pixel size","2","um"\n'
+           '"X pixel size","2","um"\n"Y pixel size","1","um"\n"Unit","um"\n\n"Height"\n')
+
+
+def axes(separator, corner):
+    lines = [separator.join([corner] + [f"{2. * x}" for x in range(NX)])]
+    lines += [separator.join([f"{1. * y}"] + [f"{value:.1f}" for value in MICRONS[y]])
+              for y in range(NY)]
+    return "\n".join(lines) + "\n"
+
+
+def x_axis():
+    return "\t".join(f"{2. * x}" for x in range(NX)) + "\n" + rows("\t")
+
+
+def quoted(text, separator=","):
+    return "".join(",".join(f'"{word}"' for word in line.split(separator)) + "\n"
+                   for line in text.splitlines())
+
+
+# Texts that say it all: name, text.
+COMPLETE = {
+    "gwyddion.txt": gwyddion_header("Channel", "Width", "Height", "Value units") + rows("\t"),
+    "gwyddion_german.txt": gwyddion_header("Kanal", "Breite", "Höhe", "Value units")
+    + rows("\t"),
+    "gwyddion_german_commas.txt": gwyddion_header("Kanal", "Breite", "Höhe", "Werteinheiten", ",")
+    + rows("\t", ","),
+    "gwyddion_french.txt": gwyddion_header("Canal", "Largeur", "Hauteur", "Unités de valeur")
+    + rows("\t"),
+    "gwyddion_russian.txt": gwyddion_header("Канал", "Ширина", "Высота", "Единицы") + rows(" "),
+    "gwyddion_klingon.txt": gwyddion_header("Qap", "juch", "'ab", "mI'") + rows(" "),
+    "spip.asc": SPIP + rows("\t"),
+    "spip_column.asc": SPIP + rows("\n").replace("\n\n", "\n"),
+    "keyence.csv": KEYENCE + rows(","),
+    "keyence_quoted.csv": KEYENCE + quoted(rows(",")),
+    "keyence_quoted_commas.csv": KEYENCE + quoted(rows(";", ","), ";"),
+    "minus.txt": gwyddion_header("Channel", "Width", "Height", "Value units")
+    + rows("\t").replace("-", "\u2212"),
+    "interferometer.txt": "h=10 w=12\nx pixel size=2e-06 m\ny pixel size=1e-6 m\n"
+                          "height conversion factor (-> m)=1e-06\n" + rows(" "),
+    "semicolons.csv": "Width;24;µm\nHeight;10;µm\nUnit;µm\n" + rows(";", ","),
+    "points.xyz": "# xy unit: um\n# z unit: um\n" + points(" "),
+    "points.txt": "X [µm]\tY [µm]\tZ [µm]\n" + points("\t"),
+    "points.csv": "X (um),Y (um),Z (um)\n" + points(","),
+    "points_of_two_units.csv": "X (mm),Y (um),Z (um)\n" + "".join(
+        f"{2e-3 * x:.3f},{y},{MICRONS[y, x]:.1f}\n" for x in range(NX) for y in range(NY)),
+    "points_commas.csv": "X (um);Y (um);Z (um)\n" + points(";", ","),
+    "points_shuffled.txt": "x [um] y [um] z [um]\n".replace(" [", "[") + "\n".join(
+        sorted(points(" ").splitlines(), key=lambda line: line[::-1])) + "\n",
+    "axes.txt": "# xy unit: um\n# z unit: um\n" + axes("\t", "y/x"),
+}
+
+# Texts that lack something, or can be read in several ways: text, words of the refusal, the
+# options that settle it.
+IN_NM = ["--size", "24, 10 um", "--unit", "um"]
+XY = ["--xy-unit", "um", "--unit", "um"]
+TWICE = gwyddion_header("Channel", "Width", "Height", "Value units")
+AMBIGUOUS = {
+    "plain.txt": (rows(" "), "--size.*--unit", IN_NM),
+    "plain.csv": (rows(","), "--size.*--unit", IN_NM),
+    "plain_points.txt": (points(" "), "--xy-unit um --unit", XY),
+    "plain_points.csv": (points(","), "--xy-unit um --unit", XY),
+    "two_channels.txt": (TWICE + rows(" ") + TWICE.replace(": Z", ": back") + rows(" "),
+                         "1: Z .*\n  2: back", ["--channel", "1"]),
+    "two_blocks.txt": (rows(" ") + "\n" + rows(" "), "1: table 1 .*\n  2: table 2",
+                       ["--channel", "table 2", *IN_NM]),
+    "axis_row.txt": (x_axis(), "--as axes.*--as matrix", ["--as", "axes", *IN_NM]),
+    "axes_number.txt": (axes(" ", "0"), "--as axes.*--as matrix", ["--as", "axes", *XY]),
+    "thousands.txt": ("\n".join(" ".join(f"{int(10 * abs(value)) + 1},500" for value in row)
+                                for row in MICRONS), "--decimal comma or --decimal point", None),
+    "volts.txt": (TWICE.replace("units: µm", "units: V") + rows(" "), "'V', which is no length",
+                  ["--unit", "um"]),
+    "wyko.txt": ("Wyko ASCII Data File Format 0 0 1\nX Size\t12\nY Size\t10\n" + rows("\t"),
+                 "--size.*--unit", None),
+    "nova.txt": ("File Format = ASCII\nNX = 12\nNY = 10\nScale X = 2\nScale Y = 1\n"
+                 "Start of Data :\n" + rows("\t"), "--size.*--unit", None),
+}
+
+# Texts that are no maps, or damaged.
+REFUSED = {
+    "profile.txt": ("\n".join(f"{x} {x * x % 7}" for x in range(20)), "profile"),
+    "profile.csv": ("X_(microns),y1\n" + "\n".join(f"{x},{x * x % 7}" for x in range(20)),
+                    "profile"),
+    "profile_index.csv": ("index,x in µm,y in µm\n"
+                          + "\n".join(f"{x},{x * .5},{x * x % 7}" for x in range(20)), "profile"),
+    "profiles.txt": ("\n".join(f"{x} {x * x % 7} {x * x % 5} {x * x % 3}" for x in range(20)),
+                     "grows by equal steps"),
+    "list.txt": ("\n".join(str(x * x % 7) for x in range(20)), "profile"),
+    "unequal.txt": (rows(" ") + "1 2 3\n", "3 values in line 11"),
+    "word.txt": (rows(" ").replace(" ", " x", 1), "is no number"),
+    "words.txt": ("This is no map.\n", "no table of numbers"),
+    "underscore.txt": (TWICE + rows(" ").replace(".", "_.", 1), "is no number"),
+    "length.txt": (TWICE.replace("24.00 µm", "24 furlongs") + rows(" "), "24 furlongs"),
+    "promise.txt": ("h=11 w=12\npixel size=1 um\nUnit: um\n" + rows(" "), "promises 11 rows"),
+    "scattered.txt": ("\n".join(f"{x * x % 17} {x * x % 13}.5 {x}" for x in range(1, 40)),
+                      "no x, y, z of points"),
+}
+
+
+def gwy_object(kind, components):
+    content = b"".join(name.encode() + b"\0" + value for name, value in components)
+    return kind.encode() + b"\0" + struct.pack("<I", len(content)) + content
+
+
+def gwy():
+    def unit(text):
+        return b"o" + gwy_object("GwySIUnit", [("unitstr", b"s" + text.encode() + b"\0")])
+
+    def field(values, z_unit):
+        return b"o" + gwy_object("GwyDataField", [
+            ("xres", b"i" + struct.pack("<i", NX)), ("yres", b"i" + struct.pack("<i", NY)),
+            ("xreal", b"d" + struct.pack("<d", SIZE[0])),
+            ("yreal", b"d" + struct.pack("<d", SIZE[1])),
+            ("si_unit_xy", unit("m")), ("si_unit_z", unit(z_unit)),
+            ("data", b"D" + struct.pack("<I", values.size) + values.astype("<f8").tobytes())])
+
+    return b"GWYP" + gwy_object("GwyContainer", [
+        ("/0/data", field(MICRONS * 1e-6, "m")), ("/0/data/title", b"sHeight\0"),
+        ("/1/data", field(MICRONS, "V")), ("/1/data/title", b"sError\0")])
+
+
+def x3p(folder="", hole=False):
+    values = MICRONS.astype("<f8") * 1e-6
+    if hole:
+        values[HOLE] = np.inf
+    axis = ("<C{0}><AxisType>{1}</AxisType><DataType>D</DataType><Increment>{2}</Increment>"
+            "<Offset>0</Offset></C{0}>")
+    xml = ("<?xml version='1.0' encoding='UTF-8'?><p:ISO5436_2 xmlns:p='http://www.opengps.eu/2008/"
+           "ISO5436_2'><Record1><Revision>ISO5436 - 2000</Revision><FeatureType>SUR</FeatureType>"
+           "<Axes>" + axis.format("X", "I", 2e-6) + axis.format("Y", "I", 1e-6)
+           + axis.format("Z", "A", 1)
+           + f"</Axes></Record1><Record3><MatrixDimension><SizeX>{NX}</SizeX><SizeY>{NY}</SizeY>"
+           "<SizeZ>1</SizeZ></MatrixDimension><DataLink><PointDataLink>bindata/data.bin"
+           "</PointDataLink></DataLink></Record3></p:ISO5436_2>")
+    output = io.BytesIO()
+    with zipfile.ZipFile(output, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(folder + "main.xml", xml)
+        archive.writestr(folder + "bindata/data.bin", values.tobytes())
+    return output.getvalue()
+
+
+def sdf():
+    return (f"aISO-1.0\nManufacID = none\nCreateDate = 040120100853\nModDate = 050320101353\n"
+            f"NumPoints = {NX}\nNumProfiles = {NY}\nXscale = 2.0e-6\nYscale = 1.0e-6\n"
+            "Zscale = 1.0e-6\nZresolution = 1.0e-9\nCompression = 0\nDataType = 7\n"
+            "CheckType = 0\n*\n" + rows(" ") + "*\n").encode()
+
+
+def bcr(encoding="utf-16-le"):
+    header = (f"fileformat = bcrf_unicode\nheadersize = 2048\nxpixels = {NX}\nypixels = {NY}\nxlength = 24000\n"
+              "ylength = 10000\nxunit = nm\nyunit = nm\nzunit = nm\nbit2nm = 1\n"
+              "intelmode = 1\n")
+    if encoding == "latin-1":
+        header = header.replace("bcrf_unicode", "bcrf")
+    n_bytes = 4096 if encoding.startswith("utf-16") else 2048
+    header = header.encode(encoding)
+    return header + " ".encode(encoding) * ((n_bytes - len(header)) // len(" ".encode(encoding))) + (
+        MICRONS * 1e3).astype("<f4").tobytes()
+
+
+def write_arrays(folder):
+    """Files of arrays; their names."""
+    import h5py
+    from scipy.io import netcdf_file, savemat
+
+    def path(name):
+        return os.path.join(folder, name)
+
+    np.save(path("array.npy"), MICRONS)
+    np.savez(path("array.npz"), heights=MICRONS)
+    savemat(path("array.mat"), {"heights": MICRONS, "other": np.zeros(3)})
+    with h5py.File(path("attributes.h5"), "w") as file:
+        data = file.create_dataset("scan/height", data=MICRONS, compression="gzip")
+        data.attrs.update({"unit": "um", "lx": 24., "ly": 10., "lateral_unit": "um"})
+        file["time"] = np.arange(5.)
+    with h5py.File(path("two.h5"), "w") as file:
+        file["first"], file["second"] = MICRONS, -MICRONS
+    with h5py.File(path("netcdf4.nc"), "w") as file:
+        heights = file.create_dataset("heights", data=MICRONS.T)
+        heights.attrs["unit"] = "um"
+        for i, (name, n, step) in enumerate((("x", NX, 2.), ("y", NY, 1.))):
+            file[name] = np.arange(n) * step
+            file[name].make_scale(name)
+            file[name].attrs["unit"] = "um"
+            heights.dims[i].attach_scale(file[name])
+    with netcdf_file(path("classic.nc"), "w") as file:
+        for name, n, step in (("x", NX, 2.), ("y", NY, 1.)):
+            file.createDimension(name, n)
+            side = file.createVariable(name, "d", (name,))
+            side[:] = np.arange(n) * step
+            side.unit = b"um"
+        heights = file.createVariable("heights", "d", ("x", "y"))
+        heights[:] = MICRONS.T
+        heights.unit = b"um"
+
+
+def packed():
+    """Compressed text: name, content."""
+    text = COMPLETE["gwyddion_german.txt"].encode()
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as file:
+        file.writestr("map.txt", text)
+    return {"text.gz": gzip.compress(text), "text.bz2": bz2.compress(text),
+            "text.xz": lzma.compress(text), "text.zip": archive.getvalue(),
+            "utf16.txt": text.decode().encode("utf-16"),
+            "latin1.txt": text.decode().encode("latin-1"),
+            "crlf.txt": text.replace(b"\n", b"\r\n")}
+
+
+# What Gwyddion reads: name, content.
+THROUGH_GWYDDION = {"map.x3p": x3p(), "folder.x3p": x3p("scan/"), "ascii.sdf": sdf(),
+                    "utf16.bcrf": bcr(), "plain.bcrf": bcr("latin-1")}

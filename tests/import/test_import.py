@@ -1,0 +1,387 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""strait_import: files of all kinds, ambiguous ones, and damaged ones.
+
+Files of instruments are read where STRAIT_MAPS names the folder that has them, and the program's
+own part is tested where STRAIT_PROGRAM names it.
+"""
+import gzip
+import hashlib
+import importlib.machinery
+import importlib.util
+import os
+import pathlib
+import random
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import unittest.mock
+
+import numpy as np
+from scipy.io import netcdf_file
+
+import files
+import mutate
+from map_import import read, settle   # mutate.py adds the folder to the path
+from map_import.channel import Refused
+
+TOOL = pathlib.Path(__file__).resolve().parents[2] / "tools" / "strait_import"
+sys.dont_write_bytecode = True
+loader = importlib.machinery.SourceFileLoader("strait_import", str(TOOL))
+front = importlib.util.module_from_spec(importlib.util.spec_from_loader("strait_import", loader))
+loader.exec_module(front)
+
+REAL = os.environ.get("STRAIT_MAPS", "")
+PROGRAM = os.environ.get("STRAIT_PROGRAM", "")
+HAS_GWYDDION = shutil.which("gwyddion") is not None
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix="strait-import-")
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def write(self, name, content):
+        path = os.path.join(self.folder, name)
+        with open(path, "wb") as file:
+            file.write(content.encode() if isinstance(content, str) else content)
+        return path
+
+    def run_tool(self, path, *options):
+        output = os.path.join(self.folder, "map.nc")
+        return subprocess.run([str(TOOL), path, "-o", output, "--force", *options], text=True,
+                              capture_output=True, check=False, timeout=60)
+
+    def read_map(self):
+        with netcdf_file(os.path.join(self.folder, "map.nc"), mmap=False) as file:
+            self.assertEqual(file.variables["heights"].unit, b"m")
+            return (file.variables["heights"][:].T.copy(), float(file.variables["x"].length),
+                    float(file.variables["y"].length))
+
+    def read(self, path, *options):
+        """Heights and size in metres, as strait_import would write them; raises Refused."""
+        settings = front.parse_arguments([path, *options])
+        with tempfile.TemporaryDirectory() as scratch:
+            channel = settle.choose(read.read(path, settings, scratch), settings.channel)
+        settle.settle(channel, settings)
+        return channel.values * channel.metres, *channel.size
+
+    def check_map(self, path, *options, hole=False):
+        try:
+            heights, lx, ly = self.read(path, *options)
+        except Refused as reason:
+            self.fail(f"refused: {reason}")
+        self.check_heights(heights, lx, ly, hole)
+
+    def check_heights(self, heights, lx, ly, hole=False):
+        heights = np.where(np.isfinite(heights), heights, np.nan)
+        expected = files.MICRONS * 1e-6
+        if hole:
+            expected[files.HOLE] = np.nan
+        np.testing.assert_allclose(heights, expected, rtol=1e-6)
+        np.testing.assert_allclose((lx, ly), files.SIZE, rtol=1e-6)
+
+    def check_refusal(self, path, words, *options):
+        with self.assertRaisesRegex(Refused, words):
+            self.read(path, *options)
+
+    def check_exit(self, path, words, *options):
+        """The same, of the program."""
+        result = self.run_tool(path, *options)
+        self.assertEqual(result.returncode, 2, result.stdout)
+        self.assertRegex(result.stderr, words)
+        self.assertEqual(result.stderr.count("strait_import:"), 1)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "map.nc")))
+
+
+class Text(Case):
+    def test_complete(self):
+        for name, text in files.COMPLETE.items():
+            with self.subTest(name):
+                self.check_map(self.write(name, text))
+
+    def test_ambiguous(self):
+        for name, (text, words, options) in files.AMBIGUOUS.items():
+            with self.subTest(name):
+                path = self.write(name, text)
+                self.check_refusal(path, words)
+                if options:
+                    self.check_map(path, *options)
+
+    def test_refused(self):
+        for name, (text, words) in files.REFUSED.items():
+            with self.subTest(name):
+                self.check_refusal(self.write(name, text), words)
+
+    def test_packed(self):
+        for name, content in files.packed().items():
+            with self.subTest(name):
+                self.check_map(self.write(name, content))
+
+    def test_missing_points(self):
+        for word in ("nan", "bad", "***", "--", "n/a", "No Data", "inf"):
+            with self.subTest(word):
+                lines = files.rows("\t").splitlines()
+                row = lines[files.HOLE[0]].split("\t")
+                row[files.HOLE[1]] = word
+                lines[files.HOLE[0]] = "\t".join(row)
+                header = files.gwyddion_header("Channel", "Width", "Height", "Value units")
+                self.check_map(self.write("hole.txt", header + "\n".join(lines)), hole=True)
+
+    def test_absent_point(self):
+        lines = files.points(" ").splitlines()
+        del lines[files.HOLE[0] * files.NX + files.HOLE[1]]
+        self.check_map(self.write("hole.txt", "\n".join(lines)), *files.XY, hole=True)
+
+
+class Arrays(Case):
+    def test_all(self):
+        files.write_arrays(self.folder)
+        for name, options in (("array.npy", files.IN_NM), ("array.npz", files.IN_NM),
+                              ("array.mat", files.IN_NM), ("attributes.h5", []),
+                              ("two.h5", ["--channel", "first", *files.IN_NM]),
+                              ("netcdf4.nc", []), ("classic.nc", [])):
+            with self.subTest(name):
+                self.check_map(os.path.join(self.folder, name), *options)
+        self.check_refusal(os.path.join(self.folder, "two.h5"), "1: first .*\n  2: second")
+        self.check_refusal(os.path.join(self.folder, "array.npy"), "--size .* --unit")
+
+    def test_without_gwyddion(self):
+        with unittest.mock.patch("shutil.which", return_value=None):
+            self.check_refusal(self.write("map.x3p", files.x3p()), "sudo apt install gwyddion")
+
+    def test_gwy(self):
+        self.check_map(self.write("map.gwy", files.gwy()))
+
+
+class Result(Case):
+    def run_and_check(self, path, *options):
+        result = self.run_tool(path, *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.check_heights(*self.read_map())
+
+    def test_import_again(self):
+        """The canonical map is itself a file that can be imported, without change."""
+        self.run_and_check(self.write("map.txt", files.COMPLETE["gwyddion.txt"]))
+        os.rename(os.path.join(self.folder, "map.nc"), os.path.join(self.folder, "first.nc"))
+        self.run_and_check(os.path.join(self.folder, "first.nc"))
+
+    def test_provenance_and_picture(self):
+        path = self.write("map.txt", files.COMPLETE["gwyddion.txt"])
+        self.run_and_check(path)
+        with netcdf_file(os.path.join(self.folder, "map.nc"), mmap=False) as file:
+            self.assertEqual(file.source, b"map.txt")
+            with open(path, "rb") as original:
+                self.assertEqual(file.sha256.decode(), hashlib.sha256(original.read()).hexdigest())
+        with open(os.path.join(self.folder, "map.png"), "rb") as file:
+            self.assertEqual(file.read(4), b"\x89PNG")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["map.nc", "map.png", "map.txt"])
+
+    def test_steep_slope_warns(self):
+        header = files.gwyddion_header("Channel", "Width", "Height", "Value units")
+        path = self.write("map.txt", header.replace("units: µm", "units: m") + files.rows(" "))
+        result = self.run_tool(path)
+        self.assertRegex(result.stdout, "warning: an rms slope above 1")
+
+    def test_existing_map_is_kept(self):
+        path = self.write("map.txt", files.COMPLETE["gwyddion.txt"])
+        kept = self.write("map.nc", "precious")
+        result = subprocess.run([str(TOOL), path], text=True, capture_output=True, check=False)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--force", result.stderr)
+        with open(kept, encoding="utf-8") as file:
+            self.assertEqual(file.read(), "precious")
+
+
+@unittest.skipUnless(PROGRAM, "STRAIT_PROGRAM does not name the program")
+class Program(Case):
+    def test_reads_and_writes_maps(self):
+        """The program reads what strait_import writes, and the other way round."""
+        path = self.write("map.txt", files.COMPLETE["gwyddion.txt"])
+        self.assertEqual(self.run_tool(path).returncode, 0)
+        scene = self.write("scene.prm", """
+            subsection Surface
+              set Kind = file
+              set File = map.nc
+            end
+            subsection Fluid
+              set Enabled = false
+            end
+            subsection Load programme
+              set Pressures = 1e-3
+            end
+            subsection Output
+              set Surface map = true
+              set Pictures = false
+            end""")
+        output = os.path.join(self.folder, "output")
+        result = subprocess.run([PROGRAM, scene, "--output", output], text=True,
+                                capture_output=True, check=False)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        written = os.path.join(output, "surface.nc")
+        with netcdf_file(written, mmap=False) as file:
+            self.assertEqual(file.variables["x"].periodic, 1)
+            self.assertEqual(file.variables["y"].unit, b"m")
+            np.testing.assert_allclose(file.variables["x"][:], np.arange(files.NX) * 2e-6)
+        self.check_map(written)
+
+    def test_names_the_command_of_the_import(self):
+        path = self.write("map.x3p", files.x3p())
+        scene = self.write("scene.prm", f"subsection Surface\n set Kind = file\n "
+                           f"set File = {path}\nend\n")
+        result = subprocess.run([PROGRAM, scene], text=True, capture_output=True, check=False,
+                                cwd=self.folder)
+        self.assertEqual(result.returncode, 2)
+        command = re.search('type "([^"]+)"', result.stderr)[1]
+        if HAS_GWYDDION:
+            subprocess.run(command.split(), check=True, capture_output=True)
+            self.check_map(re.search("set Surface/File = (.*)", result.stderr)[1].strip(" ."))
+
+
+class Damaged(Case):
+    def samples(self):
+        """One file of each kind, by name."""
+        files.write_arrays(self.folder)
+        for name, content in {**files.packed(), "map.gwy": files.gwy(),
+                              "text.txt": files.COMPLETE["spip.asc"],
+                              "points.csv": files.COMPLETE["points.csv"],
+                              **(files.THROUGH_GWYDDION if HAS_GWYDDION else {})}.items():
+            self.write(name, content)
+        return sorted(os.listdir(self.folder))
+
+    def test_absent_empty_and_folder(self):
+        self.check_exit(os.path.join(self.folder, "none.txt"), "does not exist")
+        self.check_exit(self.folder, "is no file")
+        self.check_exit(self.write("empty.txt", ""), "is empty")
+
+    def test_one_sentence(self):
+        for name, (text, words, _) in list(files.AMBIGUOUS.items())[:3]:
+            with self.subTest(name):
+                self.check_exit(self.write(name, text), words)
+
+    def test_truncated(self):
+        for name in self.samples():
+            path = os.path.join(self.folder, name)
+            with open(path, "rb") as file:
+                content = file.read()
+            for part in (.3, .9):
+                with self.subTest(name=name, part=part):
+                    path = self.write("cut-" + name, content[:int(part * len(content))])
+                    try:
+                        heights, *_ = self.read(path, *files.IN_NM)
+                    except Refused:
+                        continue
+                    # A text that ends early may be a smaller map; the number at the cut is lost.
+                    whole = files.MICRONS[:len(heights) - 1] * 1e-6
+                    np.testing.assert_allclose(heights[:-1], whole, rtol=1e-6)
+
+    def test_known_troublemakers(self):
+        """In these files the libraries read out of bounds, go on forever or take gigabytes."""
+        data = pathlib.Path(__file__).resolve().parent / "data"
+        for path in (*sorted(data.iterdir()), data.parents[1] / "robustness/data/boundless.nc"):
+            with self.subTest(path.name):
+                begin = time.monotonic()
+                self.check_exit(str(path), ".")
+                self.assertLess(time.monotonic() - begin, 35)
+
+    def test_huge_claims(self):
+        npy = b"\x93NUMPY\1\0v\0" + (b"{'descr': '<f8', 'fortran_order': False, 'shape': "
+                                     b"(60000, 60000), }").ljust(117) + b"\n" + b"\0" * 80
+        gwy = files.gwy().replace(b"xres\0i" + struct.pack("<i", files.NX),
+                                  b"xres\0i" + struct.pack("<i", 60000))
+        for name, content in (("huge.npy", npy), ("huge.gwy", gwy),
+                              ("header.txt", "# Width: 1 m\n" * 10**6)):
+            with self.subTest(name):
+                begin = time.monotonic()
+                self.check_exit(self.write(name, content), ".", *files.IN_NM)
+                self.assertLess(time.monotonic() - begin, 35)
+
+    def test_archive_that_unpacks_to_too_much(self):
+        path = self.write("bomb.gz", gzip.compress(b"1 2 3 4 5 6\n" * (1 << 18)))
+        with unittest.mock.patch.object(read, "LARGEST", 1 << 20):
+            self.check_refusal(path, "unpacks to more than")
+
+    def test_mutations(self):
+        """More by hand: mutate.py FILE RUNS."""
+        n_runs = 15
+        for name in self.samples():
+            with self.subTest(name):
+                through = name in files.THROUGH_GWYDDION
+                counts = mutate.mutate(os.path.join(self.folder, name),
+                                       3 if through else n_runs, random.Random(name))
+                self.assertEqual(counts["error"], 0)
+
+
+@unittest.skipUnless(HAS_GWYDDION, "Gwyddion is not installed: its formats are not tested")
+class Gwyddion(Case):
+    def test_all(self):
+        for name, content in files.THROUGH_GWYDDION.items():
+            with self.subTest(name):
+                self.check_map(self.write(name, content))
+
+    def test_infinite_points_of_x3p(self):
+        self.check_map(self.write("hole.x3p", files.x3p(hole=True)), hole=True)
+
+
+# Points, size in m, rms height in m of all values, or of those measured, and missing points.
+INSTRUMENTS = {
+    "x3p-2.x3p": (650, 650, 8.29767e-5, 2.04478e-4, 7.728e-8, 0),
+    "sur-2.sur": (563, 484, 1.96149e-3, 1.68626e-3, 3.1187e-8, 0),
+    "opd-1.opd": (640, 480, 1.25909e-4, 9.44319e-5, 8.3565e-9, 116),
+    "plu-1.plu": (768, 576, 1.27488e-3, 9.5616e-4, 2.8344e-6, 0),
+    "nid-1.nid Z-Axis forward": (256, 256, 2e-5, 2e-5, 2.3959e-7, 0),
+    "nid-1.nid Z-AxisSensor forward": (256, 256, 2e-5, 2e-5, 3.0267e-7, 0),
+    "mi-1.mi": (256, 256, 2e-5, 2e-5, 3.3215e-8, 0),
+    "di-1.di 1": (512, 512, 5e-7, 5e-7, 9.946e-9, 0),
+    "di-1.di 2": (512, 512, 5e-7, 5e-7, 1.1401e-7, 0),
+    "frt-2.frt": (150, 300, .03, .06, 8.8268e-6, 12314),
+    "al3d-1.al3d": (200, 296, 8.76054e-5, 1.29656e-4, 7.6883e-6, 0),
+    "metropro-1.dat": (640, 480, 7.02881e-4, 5.27161e-4, 7.5288e-8, 0),
+    "top-1.top": (256, 256, 6e-7, 6e-7, 3.1531e-9, 0),
+    "stp-1.stp": (256, 256, 6e-7, 6e-7, 1.6542e-9, 0),
+    "bcrf-1.bcrf": (960, 600, 1.7774e-3, 1.11088e-3, 2.456e-8, 0),
+    "sdf-1.sdf": (7, 4, 7e-6, 4e-6, 1.3603e-8, 0),
+    "matrix-3.txt": (256, 256, 1e-5, 1e-5, 3.5223e-8, 0),
+    "gwyddion-export-german.txt": (3, 4, 1.234e-5, 5.6789e-6, 4.7058, 0),
+    "gwyddion-export-english.txt": (3, 4, 1.234e-5, 5.6789e-6, 4.7058, 0),
+    "txt_example.txt": (6, 3, 1e-6, 5e-7, 2.6644e-8, 0),
+}
+NO_MAPS = {
+    "di_corrupted.di": "truncated", "hfm-1.hfm": ".", "nid-1.nid": "8: Z-AxisSensor backward",
+    "di-1.di": "2: Height", "matrix-5.txt": "--size", "xyz-1.txt": "--xy-unit",
+    "xyz-1-different-order.txt": "--xy-unit", "xyz-2.txt": "--xy-unit", "xy-1.txt": "profile",
+    "xy-2.txt": "2 values in line 3", "xy-3.txt": "profile", "csv-1.csv": "profile",
+    "csv-2.csv": "profile", "csv-3.csv": "profile", "dektak-1.csv": ".",
+    "multiple_data_sets.h5": "2: dataset2", "nonsense_txt_file.txt": "no table",
+    "wrongnpyfile.npy": "known neither", "single_column.txt": "profile",
+    "nonuniform.asc": "profile", "example-2d.npy": "--size",
+}
+
+
+@unittest.skipUnless(os.path.isdir(REAL), "STRAIT_MAPS names no folder of instruments' files")
+class Instruments(Case):
+    @unittest.skipUnless(HAS_GWYDDION, "Gwyddion is not installed: its formats are not tested")
+    def test_maps(self):
+        for key, (nx, ny, lx, ly, rms, missing) in INSTRUMENTS.items():
+            with self.subTest(key):
+                name, _, channel = key.partition(" ")
+                heights, *size = self.read(os.path.join(REAL, name),
+                                           *(["--channel", channel] if channel else []))
+                self.assertEqual(heights.shape, (ny, nx))
+                np.testing.assert_allclose(size, (lx, ly), rtol=1e-5)
+                self.assertAlmostEqual(np.nanstd(heights) / rms, 1, 3)
+                self.assertEqual(np.isnan(heights).sum(), missing)
+
+    def test_refused(self):
+        for name, words in NO_MAPS.items():
+            with self.subTest(name):
+                self.check_refusal(os.path.join(REAL, name), words)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1 if len(sys.argv) > 1 else 2)

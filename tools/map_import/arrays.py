@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Files of arrays: NetCDF, HDF5, numpy and MATLAB."""
+import os
+
+import numpy as np
+
+from .channel import Channel, Refused, check_extents, metres_in
+
+
+def _plain(attribute):
+    """An attribute as text or as one number; None for anything else."""
+    value = np.asarray(attribute)
+    if value.size != 1:
+        return None
+    value = value.reshape(-1)[0]
+    if isinstance(value, bytes):
+        return value.decode("utf-8", "replace").strip("\0 ")
+    if isinstance(value, str):
+        return value.strip()
+    return float(value) if np.issubdtype(type(value), np.number) else None
+
+
+def _first(attributes, *names):
+    for name in names:
+        if name in attributes and attributes[name] is not None:
+            return attributes[name]
+    return None
+
+
+def _interpret(values, attributes):
+    """Fill values become nan; scale and offset are applied."""
+    result = np.asarray(values, dtype=float)
+    for name in ("_FillValue", "missing_value"):
+        fill = attributes.get(name)
+        if isinstance(fill, float):
+            result = np.where(result == fill, np.nan, result)
+    # NetCDF's own mark of what was never written.
+    result = np.where(abs(result) >= 9.96e36, np.nan, result)
+    scale, offset = attributes.get("scale_factor"), attributes.get("add_offset")
+    return result * (1. if scale is None else scale) + (offset or 0.)
+
+
+def _map(name, values, attributes, of_file=None):
+    """A channel of what attributes of an array, and of its file, say."""
+    known = {**(of_file or {}), **attributes}
+    ny, nx = values.shape
+    unit = _first(known, "unit", "units")
+    lateral = _first(known, "lateral_unit", "lateral_units")
+    lateral = metres_in(str(lateral)) if lateral else None
+    sides = [_first(known, "lx"), _first(known, "ly")]
+    if None in sides:
+        steps = [_first(known, "dx"), _first(known, "dy")]
+        sides = None if None in steps else [nx * steps[0], ny * steps[1]]
+    extent = tuple(sides) if sides and all(isinstance(side, float) for side in sides) else None
+    size = tuple(side * lateral for side in extent) if extent and lateral else None
+    metres = metres_in(str(unit)) if unit else None
+    return Channel(name, _interpret(values, attributes), size, extent, metres,
+                   "" if metres or not unit else str(unit), bool(known.get("periodic")))
+
+
+# NetCDF: contact.engineering's layout.
+
+def _side(n, coordinate):
+    """Length of a side, the metres of its unit, and whether it is periodic."""
+    if coordinate is None:
+        return None, None, False
+    values, attributes = coordinate
+    unit = _first(attributes, "unit", "units")
+    metres = metres_in(str(unit)) if unit else None
+    length = attributes.get("length")
+    if not isinstance(length, float) and len(values) > 1:
+        length = float(abs(values[-1] - values[0])) * n / (n - 1)
+    return length, metres, bool(attributes.get("periodic"))
+
+
+def _netcdf_channel(name, values, dimensions, attributes, coordinates):
+    """The dimension called x, or else the last, runs along x."""
+    if dimensions[0] == "x":
+        values, dimensions = values.T, dimensions[::-1]
+    lx, metres_x, periodic_x = _side(values.shape[1], coordinates.get(dimensions[1]))
+    ly, metres_y, periodic_y = _side(values.shape[0], coordinates.get(dimensions[0]))
+    channel = _map(name, values, attributes)
+    if lx and ly:
+        channel.extent = lx, ly
+        channel.size = (lx * metres_x, ly * metres_y) if metres_x and metres_y else None
+    channel.periodic = periodic_x and periodic_y
+    return channel
+
+
+def read_classic_netcdf(path):
+    from scipy.io import netcdf_file
+
+    with netcdf_file(path, "r", mmap=False, maskandscale=False) as file:
+        attributes = {name: {key: _plain(value) for key, value in variable._attributes.items()}
+                      for name, variable in file.variables.items()}
+        coordinates = {name: (variable[:], attributes[name])
+                       for name, variable in file.variables.items() if len(variable.shape) == 1}
+        channels = []
+        for name, variable in file.variables.items():
+            if len(variable.shape) == 2 and variable.typecode() != "c":
+                check_extents(*variable.shape, os.path.getsize(path))
+                channels.append(_netcdf_channel(name, np.array(variable[:]), variable.dimensions,
+                                                attributes[name], coordinates))
+    return [found for found in channels if found.name == "heights"] or channels
+
+
+# HDF5, and NetCDF-4, which is HDF5.
+
+def _attributes(thing):
+    return {key: _plain(value) for key, value in thing.attrs.items()
+            if getattr(value, "dtype", None) is None or value.dtype.kind in "SUOifub"}
+
+
+def _dimensions(data):
+    """Names of the dimensions of a NetCDF-4 variable."""
+    return [list(scale.keys())[0] if scale.keys() else "" for scale in data.dims]
+
+
+def read_hdf5(path):
+    import h5py
+
+    n_bytes, channels = os.path.getsize(path), []
+    with h5py.File(path, "r") as file:
+        of_file = _attributes(file)
+        coordinates = {}
+        arrays = []
+
+        def visit(name, thing):
+            if not isinstance(thing, h5py.Dataset) or thing.dtype.kind not in "iuf":
+                return
+            if thing.ndim == 1 and 0 < thing.size < 65536:
+                coordinates[name] = (thing[:], _attributes(thing))
+            elif thing.ndim == 2 and min(thing.shape) > 0:
+                arrays.append((name, thing))
+
+        file.visititems(visit)
+        for name, data in arrays:
+            check_extents(*data.shape, n_bytes)
+            dimensions = [dimension.rsplit("/", 1)[-1] for dimension in _dimensions(data)]
+            if any(dimension in coordinates for dimension in dimensions):
+                channels.append(_netcdf_channel(name, data[:], dimensions, _attributes(data),
+                                                coordinates))
+            else:
+                channels.append(_map(name, data[:], _attributes(data), of_file))
+    return [found for found in channels if found.name == "heights"] or channels
+
+
+# Arrays without any attributes.
+
+def _bare(name, values):
+    values = np.asarray(values)
+    if values.ndim != 2 or values.dtype.kind not in "iufb" or min(values.shape) < 2:
+        return []
+    return [Channel(name, values.astype(float))]
+
+
+def read_npy(path):
+    loaded = np.load(path, allow_pickle=False)
+    if isinstance(loaded, np.ndarray):
+        if not _bare("", loaded):
+            raise Refused("holds no array of numbers with two dimensions")
+        return _bare("", loaded)
+    with loaded:
+        return [channel for name in loaded.files for channel in _bare(name, loaded[name])]
+
+
+def read_matlab(path):
+    from scipy.io import loadmat
+
+    return [channel for name, values in loadmat(path).items() if not name.startswith("__")
+            for channel in _bare(name, values)]

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the readers give, and the units and complaints that they share."""
+import dataclasses
+import re
+
+import numpy as np
+
+# No grid of strait has more points a side; a header that claims more is damaged.
+MOST_POINTS = 65535
+
+
+class Refused(Exception):
+    """The file cannot be taken, for the reason that the one sentence in it gives."""
+
+
+@dataclasses.dataclass
+class Channel:
+    """A map of ny x nx values, row 0 at y = 0; not finite where nothing was measured."""
+    name: str
+    values: np.ndarray
+    size: tuple = None     # lx, ly in metres of nx x ny points; None: not stated
+    extent: tuple = None   # the same as numbers without a unit, where the size is None
+    metres: float = None   # that a value of 1 is high; None: not stated, or no length
+    quantity: str = ""     # unit of what is no length, such as V
+    periodic: bool = False
+    note: str = ""         # what the user should know of it
+
+    def __str__(self):
+        ny, nx = self.values.shape
+        return f"{self.name} ({nx} x {ny}{', in ' + self.quantity if self.quantity else ''})"
+
+
+_PREFIX = {"": 1., "k": 1e3, "c": 1e-2, "m": 1e-3, "u": 1e-6, "n": 1e-9, "p": 1e-12}
+_NAMES = {"meter": 1., "metre": 1., "millimeter": 1e-3, "millimetre": 1e-3, "micron": 1e-6,
+          "micrometer": 1e-6, "micrometre": 1e-6, "nanometer": 1e-9, "nanometre": 1e-9,
+          "angstrom": 1e-10, "å": 1e-10, "inch": .0254, "in": .0254}
+
+
+def metres_in(unit):
+    """What one of a unit of length is in metres; None if it is none. "63.1 nm" is one."""
+    match = re.fullmatch(r"([-+.\deE]+(?=[\sa-zA-Zµμ]))?\s*(\S+)", unit.strip(" ()[]\"'"))
+    if not match:
+        return None
+    try:
+        factor = float(match[1] or 1)
+    except ValueError:
+        return None
+    name = match[2].replace("µ", "u").replace("μ", "u")
+    if name.endswith("m") and name[:-1] in _PREFIX:
+        return factor * _PREFIX[name[:-1]]
+    if name == "A":
+        return factor * 1e-10
+    known = _NAMES.get(name.lower(), _NAMES.get(name.lower().rstrip("s")))
+    return known and factor * known
+
+
+def check_extents(n_columns, n_rows, n_bytes):
+    """Refuse a map that cannot be in a file of so many bytes, before memory is taken."""
+    if not (1 <= n_columns <= MOST_POINTS and 1 <= n_rows <= MOST_POINTS):
+        raise Refused(f"claims {n_columns} x {n_rows} points, which no map has")
+    # Deflate, the densest compression in use, makes at most 1032 bytes of one.
+    if n_columns * n_rows > 1032 * n_bytes:
+        raise Refused(f"claims {n_columns} x {n_rows} points and is too short for them")
