@@ -324,8 +324,9 @@ namespace strait
             return true;
           }));
           EXPECT_LE(rounds[0], 8);
-          // The stronger pressure takes more.
-          EXPECT_LE(rounds[1], expected.inlet_pressure < .2 ? 15 : 40);
+          // The stronger pressure takes more: 38 to 68 with meshes that differ by a few
+          // cells, as the closure is not continuous where the channel may close.
+          EXPECT_LE(rounds[1], expected.inlet_pressure < .2 ? 15 : 80);
         }
     }
 

@@ -121,7 +121,8 @@ namespace strait
                                             "flow_iterations",
                                             "contact_seconds",
                                             "flow_seconds",
-                                            "status"};
+                                            "status",
+                                            "validity"};
       EXPECT_EQ(columns(scene), all);
 
       const auto memory = [](const Scene &s) {
