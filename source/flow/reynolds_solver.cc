@@ -169,24 +169,17 @@ namespace strait
         leakage.iterations += outcome.iterations;
         solved = solved && outcome.converged;
       }
-    plain = plain_bracket(flow_mesh, pressure_problem, stream_problem);
-    Bracket closest;
-    if (correction)
-      closest = corrected_bracket(
-        flow_mesh, gap_field, pressure_problem, stream_problem, *correction);
-    else
-      {
-        closest = plain;
-        allow_for_quadrature(
-          closest, flow_mesh, gap_field, pressure_problem, stream_problem);
-      }
-    // Where the coefficients are not integrated well enough cells must be smaller.
-    if (closest.quadrature_errors.size() > 0)
-      plain.contributions += closest.quadrature_errors;
+    plain                 = plain_bracket(flow_mesh, pressure_problem, stream_problem);
+    const Bracket closest = correction ? corrected_bracket(flow_mesh,
+                                                           gap_field,
+                                                           pressure_problem,
+                                                           stream_problem,
+                                                           *correction)
+                                       : plain;
 
     const double drop  = std::abs(pressure_drop);
-    leakage.mesh_upper = closest.safe_upper * drop;
-    leakage.mesh_lower = closest.safe_lower * drop;
+    leakage.mesh_upper = closest.upper * drop;
+    leakage.mesh_lower = closest.lower * drop;
     // A bound of an earlier mesh still holds, should the solver fail on this one,
     // unless its cells were so coarse that it contradicts this one.
     const bool first = leakage.upper == 0;

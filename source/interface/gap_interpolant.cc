@@ -38,6 +38,44 @@ namespace strait
       double value, rise, slope_left, slope_right;
     };
 
+    using Range = GapInterpolant::Range;
+
+    /** What a difference of two numbers can be. */
+    Range
+    difference(const Range &a, const Range &b)
+    {
+      return {a.lowest - b.highest, a.highest - b.lowest};
+    }
+
+    Range
+    limited_slope(const Range &left, const Range &right)
+    {
+      return {limited_slope(left.lowest, right.lowest),
+              limited_slope(left.highest, right.highest)};
+    }
+
+    /** The control polygon, on t0 <= t <= t1, of the cubic with control polygon @p b on
+     *  0 <= t <= 1. */
+    std::array<double, 4>
+    control_polygon(const std::array<double, 4> &b, const double t0, const double t1)
+    {
+      const auto blossom = [&b](const double r, const double s, const double t) {
+        std::array<double, 4> c = b;
+        int                   n = 3;
+        for (const double at : {r, s, t})
+          {
+            for (int i = 0; i < n; ++i)
+              c[i] = (1. - at) * c[i] + at * c[i + 1];
+            --n;
+          }
+        return c[0];
+      };
+      return {{blossom(t0, t0, t0),
+               blossom(t0, t0, t1),
+               blossom(t0, t1, t1),
+               blossom(t1, t1, t1)}};
+    }
+
     /** First along the second index of gap(line, ·), then across the lines. */
     template <class Gap>
     void
@@ -126,30 +164,53 @@ namespace strait
                         const double      height) const
   {
     const double x[2] = {x0, x0 + width}, y[2] = {y0, y0 + height};
-    double       values[8];
-    unsigned int n = 0;
+    if (width == 1. && height == 1.)
+      {
+        const auto [lowest, highest] =
+          std::minmax({gap[1][1], gap[1][2], gap[2][1], gap[2][2]});
+        return {std::max(lowest, 0.), std::max(highest, 0.)};
+      }
     if (kind == GapInterpolation::bilinear)
       {
+        double values[4];
         evaluate(gap, 2, x, y, values);
-        n = 4;
+        const auto [lowest, highest] = std::minmax_element(values, values + 4);
+        return {*lowest, *highest};
       }
-    else
+    const bool    along_x = direction == FlowDirection::x;
+    const double *first = along_x ? x : y, *second = along_x ? y : x;
+    Range         line[4];
+    for (int k = 0; k < 4; ++k)
       {
-        const bool    along_x = direction == FlowDirection::x;
-        const double *first = along_x ? x : y, *second = along_x ? y : x;
-        const auto    at = [&gap, along_x](const int line, const int i) {
-          return along_x ? gap[line][i] : gap[i][line];
+        const auto at = [&gap, along_x, k](const int i) {
+          return along_x ? gap[k][i] : gap[i][k];
         };
-        const MonotoneCubic lower(at(1, 0), at(1, 1), at(1, 2), at(1, 3));
-        const MonotoneCubic upper(at(2, 0), at(2, 1), at(2, 2), at(2, 3));
-        const double        t[2] = {second[0] * second[0], second[1] * (2. - second[1])};
-        for (int a = 0; a < 2; ++a)
-          for (int b = 0; b < 2; ++b)
-            for (const double phi : t)
-              values[n++] = (1. - phi) * lower(first[a]) + phi * upper(first[b]);
+        const MonotoneCubic cubic(at(0), at(1), at(2), at(3));
+        const double        ends[2] = {cubic(first[0]), cubic(first[1])};
+        line[k] = {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])};
       }
-    const auto [lowest, highest] = std::minmax_element(values, values + n);
-    return {std::max(*lowest, 0.), std::max(*highest, 0.)};
+    const Range before = difference(line[1], line[0]),
+                rise = difference(line[2], line[1]), after = difference(line[3], line[2]),
+                left = limited_slope(before, rise), right = limited_slope(rise, after);
+    const auto lower = control_polygon({{line[1].lowest,
+                                         line[1].lowest + left.lowest / 3.,
+                                         line[2].lowest - right.highest / 3.,
+                                         line[2].lowest}},
+                                       second[0],
+                                       second[1]);
+    const auto upper = control_polygon({{line[1].highest,
+                                         line[1].highest + left.highest / 3.,
+                                         line[2].highest - right.lowest / 3.,
+                                         line[2].highest}},
+                                       second[0],
+                                       second[1]);
+    // Between the lines the gap is between those on the lines.
+    return {std::max({*std::min_element(lower.begin(), lower.end()),
+                      std::min(line[1].lowest, line[2].lowest),
+                      0.}),
+            std::max(std::min(*std::max_element(upper.begin(), upper.end()),
+                              std::max(line[1].highest, line[2].highest)),
+                     0.)};
   }
 
   GapRows::GapRows(const PeriodicGrid   &grid_,

@@ -58,10 +58,10 @@ namespace strait
 
     /**
      * Bounds, not below zero, of the gap on the rectangle of @p width × @p height at
-     * (x0, y0) in the unit cell. Bilinear: attained at the corners. Monotone cubic:
-     * between the grid lines the gap is v1 + (v2 − v1) φ(t), where φ lies between the
-     * cubics from 0 to 1 with slopes (0, 2) and (2, 0), the steepest that harmonic means
-     * of slopes allow; exact on the whole cell.
+     * (x0, y0) in the unit cell. Bilinear: attained at the corners. Monotone cubic: on
+     * each grid line attained at the ends; across the lines the control polygon of the
+     * cubic, whose slopes grow with each of the differences that they are made of. Exact
+     * on the whole cell, and closer in proportion to the rectangle's size.
      */
     Range
     range(const GapStencil &gap, double x0, double y0, double width, double height) const;

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/interface/cell_quadrature.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    // Largest over smallest gap of a part on which quadrature is trusted. At half of the
+    // excess over one, preparing a gap takes half as long again for the same bounds; at
+    // double, points may pass by a peak of 1/K that is 40 times as high as what they see.
+    constexpr double trusted_ratio = 2.5;
+
+    // What a part may add to the integral over the cell without being halved, relative.
+    // Half and double change bounds and times by less than the rest of the program lets
+    // one see; it limits what quadrature adds to the width of the bracket where the mesh
+    // is coarser than the grid.
+    constexpr double tolerance = 1e-3;
+
+    // How often a cell of the grid is halved, and one that touches contact, where 1/K has
+    // no end; and how often a cell of a mesh that is finer than the grid. The first ones
+    // trade the time to prepare a gap against a finer mesh, as what is not resolved only
+    // widens the bracket.
+    constexpr int most_halvings = 6, most_halvings_at_contact = 2,
+                  most_halvings_of_small_cells = 8;
+
+    /** A rectangle of the unit cell. */
+    struct Part
+    {
+      double x0, y0, width, height;
+    };
+  } // namespace
+
+  /** The integral over one square, as it grows part by part. */
+  class CellQuadrature::Sum
+  {
+  public:
+    Sum(const CellQuadrature &quadrature_,
+        const CoefficientLaw &law_,
+        const GapStencil     &gap_,
+        const Square         &square_,
+        double               *moments_)
+      : quadrature(quadrature_)
+      , law(law_)
+      , gap(gap_)
+      , square(square_)
+      , moments(moments_)
+    {
+    }
+
+    /** Add a part on which the coefficient is taken to be constant. */
+    void
+    add_constant(const Part &part, const double value)
+    {
+      Values values;
+      values.fill(value);
+      add_values(part, quadrature.coarse, values, 0.);
+    }
+
+    /** Add a part, which may be halved @p n_halvings times. */
+    void
+    add(const Part &part, const int n_halvings)
+    {
+      const GapInterpolant::Range range =
+        quadrature.interpolant.range(gap, part.x0, part.y0, part.width, part.height);
+      const double area = part.width * part.height;
+      Values       values;
+      if (!quadrature.rigorous && range.highest <= trusted_ratio * range.lowest)
+        {
+          const double other = sample(part, quadrature.coarse, values);
+          const double mean  = sample(part, quadrature.fine, values);
+          const double error = std::abs(mean - other);
+          if (n_halvings == 0 || error * area <= tolerance * std::max(scale, mean * area))
+            {
+              add_values(part, quadrature.fine, values, error);
+              return;
+            }
+        }
+      else
+        {
+          const double at_lowest = law(range.lowest), at_highest = law(range.highest);
+          if (n_halvings > 0 && scale == 0)
+            scale = sample(part, quadrature.fine, values) * area;
+          if (n_halvings == 0 ||
+              std::abs(at_highest - at_lowest) * area <= tolerance * scale)
+            {
+              add_constant(part, std::max(at_lowest, at_highest));
+              return;
+            }
+        }
+      Part first = part, second = part;
+      if (varies_more_along_x(part))
+        {
+          first.width = second.width = .5 * part.width;
+          second.x0 += first.width;
+        }
+      else
+        {
+          first.height = second.height = .5 * part.height;
+          second.y0 += first.height;
+        }
+      add(first, n_halvings - 1);
+      add(second, n_halvings - 1);
+    }
+
+  private:
+    using Values =
+      std::array<double, GapInterpolant::max_points * GapInterpolant::max_points>;
+
+    /** The coefficient at the points of @p rule. Returns its mean. */
+    double
+    sample(const Part &part, const Rule &rule, Values &values) const
+    {
+      const int n                             = static_cast<int>(rule.points.size());
+      double    x[GapInterpolant::max_points] = {}, y[GapInterpolant::max_points] = {};
+      for (int q = 0; q < n; ++q)
+        {
+          x[q] = part.x0 + part.width * rule.points[q];
+          y[q] = part.y0 + part.height * rule.points[q];
+        }
+      quadrature.interpolant.evaluate(gap, n, x, y, values.data());
+      double mean = 0.;
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+          {
+            values[j * n + i] = law(values[j * n + i]);
+            mean += rule.weights[i] * rule.weights[j] * values[j * n + i];
+          }
+      return mean;
+    }
+
+    void
+    add_values(const Part   &part,
+               const Rule   &rule,
+               const Values &values,
+               const double  constant)
+    {
+      const int    n      = static_cast<int>(rule.points.size());
+      const double size   = 1. / square.edge; // of the unit cell, in the square's units
+      const double left   = (part.x0 - square.x0) * size;
+      const double lower  = (part.y0 - square.y0) * size;
+      const double width  = part.width * size;
+      const double height = part.height * size;
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+          quadrature.set.add_point(moments,
+                                   left + width * rule.points[i],
+                                   lower + height * rule.points[j],
+                                   width * height * rule.weights[i] * rule.weights[j] *
+                                     (values[j * n + i] + constant));
+    }
+
+    /** Whether halves beside each other are better than one above the other. */
+    bool
+    varies_more_along_x(const Part &part) const
+    {
+      const double x[2] = {part.x0, part.x0 + part.width};
+      const double y[2] = {part.y0, part.y0 + part.height};
+      double       g[4];
+      quadrature.interpolant.evaluate(gap, 2, x, y, g);
+      // Ratios, with contact a thousandth of the largest gap: half and double of it only
+      // matter where the gap closes along both axes.
+      const double least = 1e-3 * *std::max_element(g, g + 4);
+      const auto   ratio = [least](const double a, const double b) {
+        return (std::max(a, b) + least) / (std::min(a, b) + least);
+      };
+      const double along_x = std::max(ratio(g[0], g[1]), ratio(g[2], g[3]));
+      const double along_y = std::max(ratio(g[0], g[2]), ratio(g[1], g[3]));
+      return along_x > along_y || (along_x == along_y && part.width > part.height);
+    }
+
+    const CellQuadrature &quadrature;
+    const CoefficientLaw &law;
+    const GapStencil     &gap;
+    const Square         &square;
+    double               *moments;
+    double                scale = 0.; // of the integral
+  };
+
+  CellQuadrature::CellQuadrature(const FluidParameters &fluid)
+    : set(fluid.element_degree)
+    , interpolant(fluid.interpolation, fluid.direction)
+    , rigorous(fluid.bounds == FlowBounds::rigorous)
+  {
+    for (Rule *rule : {&coarse, &fine})
+      {
+        const dealii::QGauss<1> gauss(fluid.element_degree + (rule == &fine ? 2 : 1));
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          {
+            rule->points.push_back(gauss.point(q)[0]);
+            rule->weights.push_back(gauss.weight(q));
+          }
+      }
+  }
+
+  bool
+  CellQuadrature::integrate(const CoefficientLaw &law,
+                            const GapStencil     &gap,
+                            const Square         &square,
+                            double               *moments) const
+  {
+    const bool is_open = GapInterpolant::may_be_open(gap);
+    if (!is_open && !law.is_resistivity)
+      return false;
+    const double x0 = std::max(square.x0, 0.), y0 = std::max(square.y0, 0.);
+    const Part   part{x0,
+                    y0,
+                    std::min(square.x0 + square.edge, 1.) - x0,
+                    std::min(square.y0 + square.edge, 1.) - y0};
+    Sum          sum(*this, law, gap, square, moments);
+    if (!is_open)
+      sum.add_constant(part, law(0.));
+    else if (square.edge < 1.)
+      sum.add(part, most_halvings_of_small_cells);
+    else
+      {
+        const bool touches_contact =
+          !(std::min({gap[1][1], gap[1][2], gap[2][1], gap[2][2]}) > 0);
+        sum.add(part, touches_contact ? most_halvings_at_contact : most_halvings);
+      }
+    return true;
+  }
+} // namespace strait
