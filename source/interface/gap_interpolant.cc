@@ -38,20 +38,22 @@ namespace strait
       double value, rise, slope_left, slope_right;
     };
 
-    using Range = GapInterpolant::Range;
-
-    /** What a difference of two numbers can be. */
-    Range
-    difference(const Range &a, const Range &b)
+    /** What a number between grid lines can be. */
+    struct Interval
     {
-      return {a.lowest - b.highest, a.highest - b.lowest};
+      double low, high;
+    };
+
+    Interval
+    difference(const Interval &a, const Interval &b)
+    {
+      return {a.low - b.high, a.high - b.low};
     }
 
-    Range
-    limited_slope(const Range &left, const Range &right)
+    Interval
+    limited_slope(const Interval &left, const Interval &right)
     {
-      return {limited_slope(left.lowest, right.lowest),
-              limited_slope(left.highest, right.highest)};
+      return {limited_slope(left.low, right.low), limited_slope(left.high, right.high)};
     }
 
     /** The control polygon, on t0 <= t <= t1, of the cubic with control polygon @p b on
@@ -164,53 +166,61 @@ namespace strait
                         const double      height) const
   {
     const double x[2] = {x0, x0 + width}, y[2] = {y0, y0 + height};
-    if (width == 1. && height == 1.)
-      {
-        const auto [lowest, highest] =
-          std::minmax({gap[1][1], gap[1][2], gap[2][1], gap[2][2]});
-        return {std::max(lowest, 0.), std::max(highest, 0.)};
-      }
     if (kind == GapInterpolation::bilinear)
       {
         double values[4];
         evaluate(gap, 2, x, y, values);
         const auto [lowest, highest] = std::minmax_element(values, values + 4);
-        return {*lowest, *highest};
+        return {*lowest, *highest, false};
       }
     const bool    along_x = direction == FlowDirection::x;
     const double *first = along_x ? x : y, *second = along_x ? y : x;
-    Range         line[4];
+    const bool    is_whole = width == 1. && height == 1.;
+    double        ends[4][2];
     for (int k = 0; k < 4; ++k)
       {
         const auto at = [&gap, along_x, k](const int i) {
           return along_x ? gap[k][i] : gap[i][k];
         };
+        if (is_whole)
+          {
+            ends[k][0] = at(1);
+            ends[k][1] = at(2);
+            continue;
+          }
         const MonotoneCubic cubic(at(0), at(1), at(2), at(3));
-        const double        ends[2] = {cubic(first[0]), cubic(first[1])};
-        line[k] = {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])};
+        ends[k][0] = cubic(first[0]);
+        ends[k][1] = cubic(first[1]);
       }
-    const Range before = difference(line[1], line[0]),
-                rise = difference(line[2], line[1]), after = difference(line[3], line[2]),
-                left = limited_slope(before, rise), right = limited_slope(rise, after);
-    const auto lower = control_polygon({{line[1].lowest,
-                                         line[1].lowest + left.lowest / 3.,
-                                         line[2].lowest - right.highest / 3.,
-                                         line[2].lowest}},
-                                       second[0],
-                                       second[1]);
-    const auto upper = control_polygon({{line[1].highest,
-                                         line[1].highest + left.highest / 3.,
-                                         line[2].highest - right.lowest / 3.,
-                                         line[2].highest}},
-                                       second[0],
-                                       second[1]);
+    Interval line[4];
+    for (int k = 0; k < 4; ++k)
+      line[k] = {std::min(ends[k][0], ends[k][1]), std::max(ends[k][0], ends[k][1])};
     // Between the lines the gap is between those on the lines.
-    return {std::max({*std::min_element(lower.begin(), lower.end()),
-                      std::min(line[1].lowest, line[2].lowest),
-                      0.}),
-            std::max(std::min(*std::max_element(upper.begin(), upper.end()),
-                              std::max(line[1].highest, line[2].highest)),
-                     0.)};
+    Range range{std::max(std::min(line[1].low, line[2].low), 0.),
+                std::max({line[1].high, line[2].high, 0.})};
+    for (int k = 0; k < 3; ++k)
+      range.bends |= (ends[k + 1][0] - ends[k][0]) * (ends[k + 1][1] - ends[k][1]) < 0.;
+    if (is_whole)
+      return range;
+    const Interval rise  = difference(line[2], line[1]),
+                   left  = limited_slope(difference(line[1], line[0]), rise),
+                   right = limited_slope(rise, difference(line[3], line[2]));
+    const auto lower     = control_polygon({{line[1].low,
+                                             line[1].low + left.low / 3.,
+                                             line[2].low - right.high / 3.,
+                                             line[2].low}},
+                                       second[0],
+                                       second[1]);
+    const auto upper     = control_polygon({{line[1].high,
+                                             line[1].high + left.high / 3.,
+                                             line[2].high - right.low / 3.,
+                                             line[2].high}},
+                                       second[0],
+                                       second[1]);
+    range.lowest = std::max(range.lowest, *std::min_element(lower.begin(), lower.end()));
+    range.highest =
+      std::min(range.highest, *std::max_element(upper.begin(), upper.end()));
+    return range;
   }
 
   GapRows::GapRows(const PeriodicGrid   &grid_,
