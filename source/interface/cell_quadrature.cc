@@ -11,23 +11,23 @@ namespace strait
   namespace
   {
     // Largest over smallest gap of a part on which quadrature is trusted, and of one in
-    // which the gap bends. With half of the excess of the first over one a gap takes half
-    // as long again to prepare and the bounds are the same; at double of it points may
-    // pass by a peak of 1/K that is 60 times as high as what they see. The second keeps
-    // integrals from being too small by 2e-4 in one random cell of 500; it is 1e-3 with
-    // 1.5.
+    // which the gap bends. With 1.6 for the first a gap takes half as long again to
+    // prepare and the bounds are the same; with 4 points might pass by a peak of 1/K that
+    // is 60 times as high as what they see. With the second
+    // no integral over a random cell is too small by more than 2e-4; with an excess of
+    // 0.2 it is 8e-4.
     constexpr double trusted_ratio = 2.5, trusted_ratio_with_bend = 1.05;
 
     // What a part may add to the integral over the cell without being halved, relative.
-    // Half and double change bounds and times by less than the rest of the program lets
-    // one see; it limits what quadrature adds to the width of the bracket where the mesh
-    // is coarser than the grid.
+    // It limits what quadrature adds to the width of the bracket where cells are larger
+    // than the spacing; a third of it takes no longer and changes bounds by a few 1e-5.
     constexpr double tolerance = 1e-3;
 
     // How often a cell of the grid is halved, and one that touches contact, where 1/K has
-    // no end; and how often a cell of a mesh that is finer than the grid. The first ones
-    // trade the time to prepare a gap against a finer mesh, as what is not resolved only
-    // widens the bracket.
+    // no end; and how often a cell of a mesh that is finer than the grid. What is still
+    // not resolved widens the bracket: fewer halvings trade the time to prepare a gap
+    // for finer meshes. Next to contact four take half as long again and save nothing,
+    // none need two to three times the unknowns next to the threshold.
     constexpr int most_halvings = 6, most_halvings_at_contact = 2,
                   most_halvings_of_small_cells = 8;
 

@@ -48,8 +48,8 @@ namespace strait
    *
    * The coefficient is the conductivity K = g³/(12 η), or its reciprocal
    * 1/max(K, K_floor) for the lower bound. Cells of at least two grid spacings are
-   * looked up in a pyramid of moments, where K was integrated by Gauss quadrature
-   * at the resolution of the grid; smaller ones are integrated directly. Where the gap
+   * looked up in a pyramid of moments, where K was integrated on each cell of the grid
+   * (CellQuadrature); smaller ones are integrated directly. Where the gap
    * has windows of finer points K is that of the finest level present: a cell of the grid
    * that a window replaces is the sum over the window's cells, of which each is
    * integrated once, and a smaller cell that over the parts of the levels' cells that lie
