@@ -66,6 +66,11 @@ namespace strait
             cell->clear_refine_flag();
           dealii::parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
             tria, contributions, affordable, 0.);
+          // Of cells that contribute alike it may mark none.
+          n_marked = 0;
+          for (const auto &cell : tria.active_cell_iterators())
+            n_marked += cell->is_locally_owned() && cell->refine_flag_set() ? 1 : 0;
+          return sum(n_marked, comm) > 0;
         }
       return true;
     }
