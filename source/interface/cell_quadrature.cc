@@ -23,16 +23,13 @@ namespace strait
     // than the spacing; a third of it takes no longer and changes bounds by a few 1e-5.
     constexpr double tolerance = 1e-3;
 
-    // How often a cell is halved, one that touches contact, and a small one, which is
-    // what is left around throats and whose edge is less than this, in spacings. What is
-    // still not resolved widens the bracket: fewer halvings trade the time to prepare a
-    // gap for finer meshes. Next to contact four take half as long again and save
-    // nothing; none need two to three times the unknowns at the last load of
-    // prm/quickstart.prm. With 1 for the small ones one in ten more gaps near its
-    // threshold takes ten times the unknowns.
-    constexpr int most_halvings = 6, most_halvings_at_contact = 2,
-                  most_halvings_of_small_cells = 8;
-    constexpr double small_cell                = .25;
+    // How often a cell is halved, and a small one, which is what is left around throats
+    // and whose edge is less than this, in spacings. What is still not resolved widens
+    // the bracket: fewer halvings trade the time to prepare a gap for finer meshes. With
+    // 1 for the small ones one in ten more gaps near its threshold takes ten times the
+    // unknowns.
+    constexpr int    most_halvings = 6, most_halvings_of_small_cells = 8;
+    constexpr double small_cell = .25;
 
     /** A rectangle of the unit cell. */
     struct Part
@@ -78,14 +75,17 @@ namespace strait
       const double trusted = range.bends ? trusted_ratio_with_bend : trusted_ratio;
       // Next to contact 1/K has no end, though hardly anything flows there: its largest
       // value would block channels a few spacings wide until the cells are small.
-      const bool has_no_end = square.edge >= small_cell && !(range.lowest > 0);
-      if (!quadrature.rigorous &&
-          (range.highest <= trusted * range.lowest || (has_no_end && n_halvings == 0)))
+      // What rounding leaves of a gap of zero: half and double of it decide alike.
+      constexpr double rounding = 1e-9;
+      const bool       has_no_end =
+        square.edge >= small_cell && range.lowest <= rounding * range.highest;
+      if (!quadrature.rigorous && (range.highest <= trusted * range.lowest || has_no_end))
         {
           const double other = sample(part, quadrature.coarse, values);
           const double mean  = sample(part, quadrature.fine, values);
           const double error = std::abs(mean - other);
-          if (n_halvings == 0 || error * area <= tolerance * std::max(scale, mean * area))
+          if (n_halvings == 0 || has_no_end ||
+              error * area <= tolerance * std::max(scale, mean * area))
             {
               add_values(part, quadrature.fine, values, error);
               return;
@@ -226,14 +226,8 @@ namespace strait
     if (!is_open)
       sum.add_constant(part, law(0.));
     else
-      {
-        const bool touches_contact =
-          !(std::min({gap[1][1], gap[1][2], gap[2][1], gap[2][2]}) > 0);
-        sum.add(part,
-                square.edge < small_cell ? most_halvings_of_small_cells
-                : touches_contact        ? most_halvings_at_contact
-                                         : most_halvings);
-      }
+      sum.add(part,
+              square.edge < small_cell ? most_halvings_of_small_cells : most_halvings);
     return true;
   }
 } // namespace strait
