@@ -25,9 +25,8 @@ namespace strait
 
     // How often a cell is halved, and a small one, which is what is left around throats
     // and whose edge is less than this, in spacings. What is still not resolved widens
-    // the bracket: fewer halvings trade the time to prepare a gap for finer meshes. With
-    // 1 for the small ones one in ten more gaps near its threshold takes ten times the
-    // unknowns.
+    // the bracket: fewer halvings trade the time to prepare a gap for finer meshes. The
+    // larger a small one may be, the more cells beside contact are taken for closed.
     constexpr int    most_halvings = 6, most_halvings_of_small_cells = 8;
     constexpr double small_cell = .25;
 
