@@ -14,8 +14,8 @@ namespace strait
     bracket_of(const double pressure_energy, const double stream_energy)
     {
       Bracket bracket;
-      bracket.upper = bracket.safe_upper = pressure_energy;
-      bracket.lower = bracket.safe_lower = 1. / stream_energy;
+      bracket.upper = pressure_energy;
+      bracket.lower = 1. / stream_energy;
       return bracket;
     }
 
@@ -29,58 +29,6 @@ namespace strait
       const double contribution =
         pressure_energy + bracket.lower * (bracket.lower * stream_energy + 2. * mixed);
       return static_cast<float>(std::max(contribution / bracket.upper, 0.));
-    }
-
-    /** Of both problems: energies of the owned cells, of the whole, and with the finer
-     *  quadrature. */
-    struct CellEnergies
-    {
-      std::vector<double> standard, finer;
-      double              total;
-    };
-
-    /** The largest energy that the quadrature leaves possible. Collective. */
-    double
-    safe_energy(const CellEnergies &energies, MPI_Comm communicator)
-    {
-      double sum = 0;
-      for (std::size_t c = 0; c < energies.finer.size(); ++c)
-        {
-          const double change = energies.finer[c] - energies.standard[c];
-          sum += change + std::abs(change);
-        }
-      return energies.total + dealii::Utilities::MPI::sum(sum, communicator);
-    }
-
-    void
-    set_safe_bounds(Bracket            &bracket,
-                    const FlowMesh     &mesh,
-                    const CellEnergies &pressure,
-                    const CellEnergies &stream_function)
-    {
-      MPI_Comm communicator = mesh.triangulation().get_communicator();
-      bracket.safe_upper    = safe_energy(pressure, communicator);
-      bracket.safe_lower    = 1. / safe_energy(stream_function, communicator);
-      bracket.quadrature_errors.reinit(mesh.triangulation().n_active_cells());
-      std::size_t c = 0;
-      for (const auto &cell : mesh.triangulation().active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            double error = 0;
-            for (const CellEnergies *energies : {&pressure, &stream_function})
-              error +=
-                std::abs(energies->finer[c] - energies->standard[c]) / energies->total;
-            bracket.quadrature_errors(cell->active_cell_index()) =
-              static_cast<float>(error);
-            ++c;
-          }
-    }
-
-    /** Of a solution as it is. */
-    CellEnergies
-    energies_of(const PotentialProblem &problem, const GapField &gap)
-    {
-      return {problem.cell_energies(), problem.finer_energies(gap), problem.energy()};
     }
   } // namespace
 
@@ -143,29 +91,6 @@ namespace strait
                               : 0.);
           ++c;
         }
-    if (!gap.is_rigorous())
-      set_safe_bounds(bracket,
-                      mesh,
-                      CellEnergies{p.cell_energies,
-                                   correction.finer_energies(pressure, p, gap),
-                                   p.energy},
-                      CellEnergies{psi.cell_energies,
-                                   correction.finer_energies(stream_function, psi, gap),
-                                   psi.energy});
     return bracket;
-  }
-
-  void
-  allow_for_quadrature(Bracket                &bracket,
-                       const FlowMesh         &mesh,
-                       const GapField         &gap,
-                       const PotentialProblem &pressure,
-                       const PotentialProblem &stream_function)
-  {
-    if (!gap.is_rigorous())
-      set_safe_bounds(bracket,
-                      mesh,
-                      energies_of(pressure, gap),
-                      energies_of(stream_function, gap));
   }
 } // namespace strait

@@ -23,10 +23,10 @@ namespace strait
   }
 
   void
-  GridCoefficient::update(const GapField &gap, const GapField::Quadrature quadrature)
+  GridCoefficient::update(const GapField &gap)
   {
     cells   = mesh.owned_grid_cells();
-    answers = gap.ask(coefficient, cells, quadrature);
+    answers = gap.ask(coefficient, cells);
   }
 
   double
@@ -54,7 +54,7 @@ namespace strait
   }
 
   void
-  ChildCoefficient::update(const GapField &gap, const GapField::Quadrature quadrature)
+  ChildCoefficient::update(const GapField &gap)
   {
     cells = mesh.owned_grid_cells();
     std::vector<GridCell> children;
@@ -62,7 +62,7 @@ namespace strait
       for (int child = 0; child < 4; ++child)
         children.push_back(
           {parent.exponent - 1, 2 * parent.i + child % 2, 2 * parent.j + child / 2});
-    answers = gap.ask(coefficient, children, quadrature);
+    answers = gap.ask(coefficient, children);
   }
 
   double
@@ -104,24 +104,12 @@ namespace strait
   }
 
   FEValues<2> &
-  MappedCoefficient::values_for(const CellAccessor<2>     &cell,
-                                const GapField::Quadrature quadrature)
+  MappedCoefficient::values_on(const Cell &cell, const int n_parts)
   {
-    // Cells of fewer spacings are integrated more finely, as the bracket rests on them.
-    // Half of it leaves more to the refinement, double of it costs four times as much in
-    // cells that do not need it.
-    constexpr double small   = 4.;
-    const double     size    = size_in_spacings(cell, mesh.grid());
-    const double     wanted  = size < small ? 2. * size : size;
-    int              n_parts = fewest_parts;
-    while (n_parts < wanted) // about one for each grid spacing along a side
-      n_parts *= 2;
-    if (size < small && quadrature == GapField::Quadrature::finer)
-      n_parts *= 2;
     // Without a curved edge the map is bilinear, which costs less to say so.
     bool is_curved = false;
-    for (const unsigned int f : cell.face_indices())
-      is_curved = is_curved || cell.face(f)->manifold_id() != numbers::flat_manifold_id;
+    for (const unsigned int f : cell->face_indices())
+      is_curved = is_curved || cell->face(f)->manifold_id() != numbers::flat_manifold_id;
     std::unique_ptr<FEValues<2>> &entry = values[{n_parts, is_curved}];
     if (!entry)
       entry = std::make_unique<FEValues<2>>(
@@ -129,11 +117,36 @@ namespace strait
         fe,
         QIterated<2>(QGauss<1>(fe.degree / fewest_parts + 1), n_parts),
         update_quadrature_points | update_gradients | update_JxW_values);
+    entry->reinit(cell);
     return *entry;
   }
 
+  double
+  MappedCoefficient::integrate(const GapField      &gap,
+                               const GapRows       &rows,
+                               const FEValues<2>   &at,
+                               std::vector<double> &sums) const
+  {
+    double area = 0., total = 0.;
+    sums.assign(n * (n + 1) / 2, 0.);
+    for (const unsigned int q : at.quadrature_point_indices())
+      {
+        const Point<2> &x = at.quadrature_point(q);
+        const double    c = gap.coefficient_of(coefficient, rows(x[0], x[1])) * at.JxW(q);
+        area += at.JxW(q);
+        total += c;
+        if (!(c > 0))
+          continue;
+        double *entry = sums.data();
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j <= i; ++j)
+            *entry++ += c * (at.shape_grad(i, q) * at.shape_grad(j, q));
+      }
+    return total / area;
+  }
+
   void
-  MappedCoefficient::update(const GapField &gap, const GapField::Quadrature quadrature)
+  MappedCoefficient::update(const GapField &gap)
   {
     const auto &tria = mesh.triangulation();
     double      low = std::numeric_limits<double>::infinity(), high = -low;
@@ -147,29 +160,28 @@ namespace strait
     const GapRows rows = gap.rows(low, high);
     means.clear();
     entries.clear();
-    std::vector<double> sums(n * (n + 1) / 2);
+    std::vector<double> sums;
     for (const auto &cell : tria.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          FEValues<2> &at = values_for(*cell, quadrature);
-          at.reinit(cell);
-          double area = 0., total = 0.;
-          std::fill(sums.begin(), sums.end(), 0.);
-          for (const unsigned int q : at.quadrature_point_indices())
+          // Cells of fewer spacings are integrated more finely, as the bracket rests on
+          // them. Half of it leaves more to the refinement, double of it costs four times
+          // as much in cells that do not need it.
+          constexpr double small   = 4.;
+          const double     size    = size_in_spacings(*cell, mesh.grid());
+          int              n_parts = fewest_parts;
+          while (n_parts < (size < small ? 2. * size : size))
+            n_parts *= 2; // about one for each grid spacing along a side
+          double mean = integrate(gap, rows, values_on(cell, n_parts), sums);
+          if (size < small)
             {
-              const Point<2> &x = at.quadrature_point(q);
-              const double    c =
-                gap.coefficient_of(coefficient, rows(x[0], x[1])) * at.JxW(q);
-              area += at.JxW(q);
-              total += c;
-              if (!(c > 0))
-                continue;
-              double *entry = sums.data();
-              for (unsigned int i = 0; i < n; ++i)
-                for (unsigned int j = 0; j <= i; ++j)
-                  *entry++ += c * (at.shape_grad(i, q) * at.shape_grad(j, q));
+              const double coarser = mean;
+              mean = integrate(gap, rows, values_on(cell, 2 * n_parts), sums);
+              const double factor = mean > 0 ? 1. + std::abs(mean - coarser) / mean : 1.;
+              for (double &entry : sums)
+                entry *= factor;
             }
-          means.push_back(total / area);
+          means.push_back(mean);
           entries.insert(entries.end(), sums.begin(), sums.end());
         }
   }

@@ -144,7 +144,7 @@ namespace strait
                                 const unsigned int      n_steps) const
   {
     const bool is_pressure = problem.kind() == PotentialProblem::Kind::pressure;
-    const auto coefficient = make_coefficient(problem);
+    const auto coefficient = make_child_coefficient(mesh, fe, problem.coefficient_kind());
     coefficient->update(gap);
     CorrectedSolution   result;
     Vector              x(layout), r(layout), diagonal(layout);
@@ -197,25 +197,6 @@ namespace strait
     result.energy =
       Utilities::MPI::sum(result.energy, mesh.triangulation().get_communicator());
     return result;
-  }
-
-  std::unique_ptr<CellCoefficient>
-  HierarchicalCorrection::make_coefficient(const PotentialProblem &problem) const
-  {
-    return make_child_coefficient(mesh, fe, problem.coefficient_kind());
-  }
-
-  std::vector<double>
-  HierarchicalCorrection::finer_energies(const PotentialProblem  &problem,
-                                         const CorrectedSolution &solution,
-                                         const GapField          &gap) const
-  {
-    const auto finer = make_coefficient(problem);
-    finer->update(gap, GapField::Quadrature::finer);
-    std::vector<double> energies;
-    for (const Nodes &values : solution.values)
-      energies.push_back(energy_of(matrix_of(*finer, energies.size()), values));
-    return energies;
   }
 
   double

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace strait
 {
@@ -26,14 +25,8 @@ namespace strait
     , element(set)
     , fe(set.degree())
     , dofs(mesh.triangulation())
-    , coefficient(make_cell_coefficient())
+    , coefficient(make_coefficient(mesh, set, fe, coefficient_kind()))
   {
-  }
-
-  std::unique_ptr<CellCoefficient>
-  PotentialProblem::make_cell_coefficient() const
-  {
-    return make_coefficient(mesh, MomentSet(fe.degree), fe, coefficient_kind());
   }
 
   void
@@ -272,44 +265,28 @@ namespace strait
 
   double
   PotentialProblem::cell_energy(const std::size_t          owned_cell,
-                                const std::vector<double> &values,
-                                const CellCoefficient     &others) const
+                                const std::vector<double> &values) const
   {
     FullMatrix<double> local_matrix(fe.n_dofs_per_cell(), fe.n_dofs_per_cell());
-    others.stiffness(owned_cell, local_matrix);
+    coefficient->stiffness(owned_cell, local_matrix);
     return ElementMatrix::energy(local_matrix, values);
-  }
-
-  std::vector<double>
-  PotentialProblem::cell_energies(const CellCoefficient &others) const
-  {
-    std::vector<double> energies, values;
-    for (const auto &cell : dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const std::size_t c = energies.size();
-          energies.push_back(0.);
-          if (!(others.mean(c) > 0))
-            continue;
-          cell_values(cell, values);
-          energies.back() = cell_energy(c, values, others);
-        }
-    return energies;
-  }
-
-  std::vector<double>
-  PotentialProblem::finer_energies(const GapField &gap) const
-  {
-    const auto finer = make_cell_coefficient();
-    finer->update(gap, GapField::Quadrature::finer);
-    return cell_energies(*finer);
   }
 
   double
   PotentialProblem::energy() const
   {
-    const std::vector<double> energies = cell_energies();
-    return Utilities::MPI::sum(std::accumulate(energies.begin(), energies.end(), 0.),
-                               mesh.triangulation().get_communicator());
+    double              sum = 0.;
+    std::size_t         c   = 0;
+    std::vector<double> values;
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const std::size_t here = c++;
+          if (!is_active(here))
+            continue;
+          cell_values(cell, values);
+          sum += cell_energy(here, values);
+        }
+    return Utilities::MPI::sum(sum, mesh.triangulation().get_communicator());
   }
 } // namespace strait

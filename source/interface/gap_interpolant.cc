@@ -38,6 +38,46 @@ namespace strait
       double value, rise, slope_left, slope_right;
     };
 
+    /** What a number between grid lines can be. */
+    struct Interval
+    {
+      double low, high;
+    };
+
+    Interval
+    difference(const Interval &a, const Interval &b)
+    {
+      return {a.low - b.high, a.high - b.low};
+    }
+
+    Interval
+    limited_slope(const Interval &left, const Interval &right)
+    {
+      return {limited_slope(left.low, right.low), limited_slope(left.high, right.high)};
+    }
+
+    /** The control polygon, on t0 <= t <= t1, of the cubic with control polygon @p b on
+     *  0 <= t <= 1. */
+    std::array<double, 4>
+    control_polygon(const std::array<double, 4> &b, const double t0, const double t1)
+    {
+      const auto blossom = [&b](const double r, const double s, const double t) {
+        std::array<double, 4> c = b;
+        int                   n = 3;
+        for (const double at : {r, s, t})
+          {
+            for (int i = 0; i < n; ++i)
+              c[i] = (1. - at) * c[i] + at * c[i + 1];
+            --n;
+          }
+        return c[0];
+      };
+      return {{blossom(t0, t0, t0),
+               blossom(t0, t0, t1),
+               blossom(t0, t1, t1),
+               blossom(t1, t1, t1)}};
+    }
+
     /** First along the second index of gap(line, ·), then across the lines. */
     template <class Gap>
     void
@@ -126,30 +166,61 @@ namespace strait
                         const double      height) const
   {
     const double x[2] = {x0, x0 + width}, y[2] = {y0, y0 + height};
-    double       values[8];
-    unsigned int n = 0;
     if (kind == GapInterpolation::bilinear)
       {
+        double values[4];
         evaluate(gap, 2, x, y, values);
-        n = 4;
+        const auto [lowest, highest] = std::minmax_element(values, values + 4);
+        return {*lowest, *highest, false};
       }
-    else
+    const bool    along_x = direction == FlowDirection::x;
+    const double *first = along_x ? x : y, *second = along_x ? y : x;
+    const bool    is_whole = width == 1. && height == 1.;
+    double        ends[4][2];
+    for (int k = 0; k < 4; ++k)
       {
-        const bool    along_x = direction == FlowDirection::x;
-        const double *first = along_x ? x : y, *second = along_x ? y : x;
-        const auto    at = [&gap, along_x](const int line, const int i) {
-          return along_x ? gap[line][i] : gap[i][line];
+        const auto at = [&gap, along_x, k](const int i) {
+          return along_x ? gap[k][i] : gap[i][k];
         };
-        const MonotoneCubic lower(at(1, 0), at(1, 1), at(1, 2), at(1, 3));
-        const MonotoneCubic upper(at(2, 0), at(2, 1), at(2, 2), at(2, 3));
-        const double        t[2] = {second[0] * second[0], second[1] * (2. - second[1])};
-        for (int a = 0; a < 2; ++a)
-          for (int b = 0; b < 2; ++b)
-            for (const double phi : t)
-              values[n++] = (1. - phi) * lower(first[a]) + phi * upper(first[b]);
+        if (is_whole)
+          {
+            ends[k][0] = at(1);
+            ends[k][1] = at(2);
+            continue;
+          }
+        const MonotoneCubic cubic(at(0), at(1), at(2), at(3));
+        ends[k][0] = cubic(first[0]);
+        ends[k][1] = cubic(first[1]);
       }
-    const auto [lowest, highest] = std::minmax_element(values, values + n);
-    return {std::max(*lowest, 0.), std::max(*highest, 0.)};
+    Interval line[4];
+    for (int k = 0; k < 4; ++k)
+      line[k] = {std::min(ends[k][0], ends[k][1]), std::max(ends[k][0], ends[k][1])};
+    // Between the lines the gap is between those on the lines.
+    Range range{std::max(std::min(line[1].low, line[2].low), 0.),
+                std::max({line[1].high, line[2].high, 0.})};
+    for (int k = 0; k < 3; ++k)
+      range.bends |= (ends[k + 1][0] - ends[k][0]) * (ends[k + 1][1] - ends[k][1]) < 0.;
+    if (is_whole)
+      return range;
+    const Interval rise  = difference(line[2], line[1]),
+                   left  = limited_slope(difference(line[1], line[0]), rise),
+                   right = limited_slope(rise, difference(line[3], line[2]));
+    const auto lower     = control_polygon({{line[1].low,
+                                             line[1].low + left.low / 3.,
+                                             line[2].low - right.high / 3.,
+                                             line[2].low}},
+                                       second[0],
+                                       second[1]);
+    const auto upper     = control_polygon({{line[1].high,
+                                             line[1].high + left.high / 3.,
+                                             line[2].high - right.low / 3.,
+                                             line[2].high}},
+                                       second[0],
+                                       second[1]);
+    range.lowest = std::max(range.lowest, *std::min_element(lower.begin(), lower.end()));
+    range.highest =
+      std::min(range.highest, *std::max_element(upper.begin(), upper.end()));
+    return range;
   }
 
   GapRows::GapRows(const PeriodicGrid   &grid_,

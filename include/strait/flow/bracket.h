@@ -16,19 +16,6 @@ namespace strait
 
     /** Of each active cell: what it contributes to upper − lower, over upper. */
     dealii::Vector<float> contributions;
-
-    /**
-     * The bounds, further apart by what the quadrature of the coefficients may be
-     * wrong by: the energies E of the same functions become E' + Σ |E'_c − E_c| with
-     * the finer quadrature E', the sum over the cells c. A throat or a barrier that is
-     * narrower than its cells shows in these differences. Equal to the bounds until
-     * allow_for_quadrature().
-     */
-    double safe_lower = lower;
-    double safe_upper = upper;
-
-    /** Of each active cell: the differences of both energies, over the energies. */
-    dealii::Vector<float> quadrature_errors;
   };
 
   /**
@@ -50,14 +37,6 @@ namespace strait
                             const PotentialProblem &pressure,
                             const PotentialProblem &stream_function,
                             HierarchicalCorrection &correction);
-
-  /** Find safe bounds and quadrature_errors of plain_bracket(); corrected_bracket() has
-   *  them. Nothing to find where the bounds are rigorous. Collective. */
-  void allow_for_quadrature(Bracket                &bracket,
-                            const FlowMesh         &mesh,
-                            const GapField         &gap,
-                            const PotentialProblem &pressure,
-                            const PotentialProblem &stream_function);
 } // namespace strait
 
 #endif

@@ -24,9 +24,7 @@ namespace strait
     virtual ~CellCoefficient() = default;
 
     /** Take it from @p gap on all cells of the current mesh. Collective. */
-    virtual void
-    update(const GapField      &gap,
-           GapField::Quadrature quadrature = GapField::Quadrature::standard) = 0;
+    virtual void update(const GapField &gap) = 0;
 
     /** Its mean over a cell; zero where nothing flows. */
     virtual double mean(std::size_t cell) const = 0;
@@ -44,7 +42,7 @@ namespace strait
                     const MomentSet      &set,
                     GapField::Coefficient coefficient);
 
-    void   update(const GapField &gap, GapField::Quadrature quadrature) override;
+    void   update(const GapField &gap) override;
     double mean(std::size_t cell) const override;
     void   stiffness(std::size_t cell, dealii::FullMatrix<double> &matrix) const override;
 
@@ -63,7 +61,7 @@ namespace strait
   public:
     ChildCoefficient(const FlowMesh &mesh, GapField::Coefficient coefficient);
 
-    void   update(const GapField &gap, GapField::Quadrature quadrature) override;
+    void   update(const GapField &gap) override;
     double mean(std::size_t cell) const override;
     void   stiffness(std::size_t cell, dealii::FullMatrix<double> &matrix) const override;
 
@@ -81,9 +79,9 @@ namespace strait
 
   /**
    * On the cells of a seal mesh, by Gauss quadrature of the gap in parts of at most one
-   * grid spacing, or half of one in cells that are smaller than four, there a quarter for
-   * the finer quadrature. Along an edge there are at least @p fewest_parts, a power of
-   * two.
+   * grid spacing, and in cells that are smaller than four in quarters of one, enlarged by
+   * what twice as large parts find otherwise. Along an edge there are at least
+   * @p fewest_parts, a power of two.
    */
   class MappedCoefficient : public CellCoefficient
   {
@@ -93,13 +91,22 @@ namespace strait
                       GapField::Coefficient           coefficient,
                       int                             fewest_parts = 1);
 
-    void   update(const GapField &gap, GapField::Quadrature quadrature) override;
+    void   update(const GapField &gap) override;
     double mean(std::size_t cell) const override;
     void   stiffness(std::size_t cell, dealii::FullMatrix<double> &matrix) const override;
 
   private:
-    dealii::FEValues<2> &values_for(const dealii::CellAccessor<2> &cell,
-                                    GapField::Quadrature           quadrature);
+    using Cell = FlowMesh::Triangulation::active_cell_iterator;
+
+    /** Shape functions at the points of a cell, those of n_parts × n_parts parts. */
+    dealii::FEValues<2> &values_on(const Cell &cell, int n_parts);
+
+    /** Find the lower half of the matrix of a cell. Returns the mean of the coefficient.
+     */
+    double integrate(const GapField            &gap,
+                     const GapRows             &rows,
+                     const dealii::FEValues<2> &at,
+                     std::vector<double>       &sums) const;
 
     const FlowMesh                 &mesh;
     const dealii::MappingQ<2>       bilinear{1};

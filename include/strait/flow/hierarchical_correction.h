@@ -49,12 +49,6 @@ namespace strait
                             const GapField         &gap,
                             unsigned int            n_steps) const;
 
-    /** Energies of all owned cells with the coefficient that the finer quadrature
-     *  finds. Collective. */
-    std::vector<double> finer_energies(const PotentialProblem  &problem,
-                                       const CorrectedSolution &solution,
-                                       const GapField          &gap) const;
-
     /** ∫ ∇u·curl v over an owned cell of two corrected solutions. */
     double gradient_times_curl(const CorrectedSolution::Nodes &u,
                                const CorrectedSolution::Nodes &v) const;
@@ -63,8 +57,7 @@ namespace strait
     using Vector = RimSystems::Vector;
     using Nodes  = CorrectedSolution::Nodes;
 
-    void                             list_nodes();
-    std::unique_ptr<CellCoefficient> make_coefficient(const PotentialProblem &) const;
+    void list_nodes();
 
     const FlowMesh                   &mesh;
     ElementMatrix                     element;

@@ -75,21 +75,7 @@ namespace strait
     void cell_values(const Iterator &cell, std::vector<double> &values) const;
 
     /** Energy of the cell that is number @p owned_cell among the owned ones. */
-    double
-    cell_energy(const std::size_t owned_cell, const std::vector<double> &values) const
-    {
-      return cell_energy(owned_cell, values, *coefficient);
-    }
-
-    /** Energies of all owned cells. */
-    std::vector<double>
-    cell_energies() const
-    {
-      return cell_energies(*coefficient);
-    }
-
-    /** The same with the coefficient that the finer quadrature finds. Collective. */
-    std::vector<double> finer_energies(const GapField &gap) const;
+    double cell_energy(std::size_t owned_cell, const std::vector<double> &values) const;
 
     /** Mean of the coefficient over the owned cell number @p owned_cell. */
     double
@@ -156,14 +142,8 @@ namespace strait
              (mesh.seal() == nullptr || mesh.seal()->is_ring);
     }
 
-    void                             pin_one_value();
-    void                             pin_unreached_rows();
-    std::unique_ptr<CellCoefficient> make_cell_coefficient() const;
-
-    double              cell_energy(std::size_t                owned_cell,
-                                    const std::vector<double> &values,
-                                    const CellCoefficient     &others) const;
-    std::vector<double> cell_energies(const CellCoefficient &others) const;
+    void pin_one_value();
+    void pin_unreached_rows();
 
     void background(const Iterator &cell, std::vector<double> &values) const;
     void add_source(const Iterator         &cell,

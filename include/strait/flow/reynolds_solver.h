@@ -20,9 +20,9 @@ namespace strait
    * The pressure problem gives an upper, the stream-function problem on the same
    * mesh a lower bound, and the part of their difference that a cell is responsible
    * for, ∫ K |∇p + Q_lower/Δp K⁻¹ curl ψ|², marks the cells to refine: it is zero
-   * where the flux of both agrees. The bounds allow for what the quadrature of K and
-   * 1/K may be wrong by (Bracket::safe_lower), which marks cells as well; where the gap
-   * goes to zero that makes them asymptotic rather than proven.
+   * where the flux of both agrees. K and 1/K are integrated from above, so that both
+   * energies are still too large (CellQuadrature); a cell where that can be done roughly
+   * only is marked as well, as it contributes to the difference.
    */
   class ReynoldsSolver
   {

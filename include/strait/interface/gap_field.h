@@ -2,10 +2,9 @@
 #ifndef strait_interface_gap_field_h
 #define strait_interface_gap_field_h
 
-#include <strait/base/fluid_parameters.h>
+#include <strait/interface/cell_quadrature.h>
 #include <strait/interface/gap_levels.h>
 #include <strait/interface/moment_pyramid.h>
-#include <strait/interface/moment_set.h>
 #include <strait/spectral/grid_cell.h>
 
 #include <optional>
@@ -49,16 +48,12 @@ namespace strait
    *
    * The coefficient is the conductivity K = g³/(12 η), or its reciprocal
    * 1/max(K, K_floor) for the lower bound. Cells of at least two grid spacings are
-   * looked up in a pyramid of moments, where K was integrated by Gauss quadrature
-   * at the resolution of the grid; smaller ones are integrated directly. Where the gap
+   * looked up in a pyramid of moments, where K was integrated on each cell of the grid
+   * (CellQuadrature); smaller ones are integrated directly. Where the gap
    * has windows of finer points K is that of the finest level present: a cell of the grid
    * that a window replaces is the sum over the window's cells, of which each is
    * integrated once, and a smaller cell that over the parts of the levels' cells that lie
    * in it.
-   *
-   * The finer quadrature, on the quarters of such a part, tells by how much that errs.
-   * For rigorous bounds each part is divided into 4 × 4, on which K is taken to be as
-   * large, or for the reciprocal as small, as it is anywhere in it.
    *
    * Where the fluid flows on a mesh of its own there are no such cells and no pyramid;
    * the mesh's ranks take the rows of the grid that they touch, as GapRows.
@@ -73,13 +68,6 @@ namespace strait
       resistivity
     };
 
-    /** How finely moments are integrated. */
-    enum class Quadrature
-    {
-      standard,
-      finer // on cells no larger than the spacing of the finest level; others as standard
-    };
-
     GapField(SlabLayoutPtr layout, const FluidParameters &fluid);
 
     /**
@@ -90,32 +78,27 @@ namespace strait
 
     /** Moments of a coefficient on @p cells; each rank may ask for others.
      *  Collective. */
-    CellAnswers ask(Coefficient                  coefficient,
-                    const std::vector<GridCell> &cells,
-                    Quadrature                   quadrature = Quadrature::standard) const;
-
-    /** Whether the bounds hold whatever the quadrature. */
-    bool
-    is_rigorous() const
-    {
-      return rigorous;
-    }
+    CellAnswers ask(Coefficient coefficient, const std::vector<GridCell> &cells) const;
 
     /** The gap for points with @p y_low <= y <= @p y_high; each rank may ask for others.
      *  Collective. */
     GapRows
     rows(const double y_low, const double y_high) const
     {
-      return levels.rows(interpolant, y_low, y_high);
+      return levels.rows(quadrature.gap_interpolant(), y_low, y_high);
     }
 
     /** Of one @p gap. */
-    double coefficient_of(Coefficient coefficient, double gap) const;
+    double
+    coefficient_of(const Coefficient coefficient, const double gap) const
+    {
+      return law(coefficient)(gap);
+    }
 
     const MomentSet &
     moment_set() const
     {
-      return set;
+      return quadrature.moment_set();
     }
 
     /** Number of times that both grid dimensions can be halved. */
@@ -135,21 +118,13 @@ namespace strait
     double
     conductivity_of(const double gap) const
     {
-      return gap * gap * gap / (12. * viscosity);
+      return coefficient_of(Coefficient::conductivity, gap);
     }
 
     /** Bytes of this rank. */
     std::size_t memory_consumption() const;
 
   private:
-    /** The square that is asked for, in the unit coordinates of the cell of a level. */
-    struct Square
-    {
-      double x0   = 0.;
-      double y0   = 0.;
-      double edge = 1.;
-    };
-
     /** What is known of one coefficient. */
     struct Known
     {
@@ -160,46 +135,28 @@ namespace strait
     /** Find the moments of @p coefficient on the grid and on the windows. Collective. */
     void build(Coefficient coefficient, Known &known) const;
 
-    /** Coefficient at the n × n Gauss points of the rectangle at (x0, y0), as it is to be
-     *  weighted: point values, or the value that makes the bound rigorous. */
-    void sample(Coefficient       coefficient,
-                const GapStencil &gap,
-                double            x0,
-                double            y0,
-                double            width,
-                double            height,
-                double           *values) const;
+    CoefficientLaw
+    law(const Coefficient coefficient) const
+    {
+      return {conductivity_of_one, floor_value, coefficient == Coefficient::resistivity};
+    }
 
-    /** Add to the moments of @p square those of what the cell with @p gap at its corners
-     *  has of it. Returns whether there are any. */
-    bool integrate(Coefficient       coefficient,
-                   Quadrature        quadrature,
-                   const GapStencil &gap,
-                   const Square     &square,
-                   double           *moments) const;
-
-    /** The same of a cell that windows may replace. */
+    /** Add to the moments of @p square what a cell that windows may replace has of it.
+     *  Returns whether there is anything. */
     bool add_cell(Coefficient      coefficient,
-                  Quadrature       quadrature,
                   const LevelCell &cell,
                   const Square    &square,
                   const Known     &known,
                   double          *moments) const;
 
     /** Find the moments, zero so far, of a cell that this rank owns. */
-    void answer(Coefficient     coefficient,
-                Quadrature      quadrature,
-                const GridCell &cell,
-                double         *moments) const;
+    void answer(Coefficient coefficient, const GridCell &cell, double *moments) const;
 
     GapLevels            levels;
-    MomentSet            set;
-    GapInterpolant       interpolant;
-    double               viscosity;
-    bool                 rigorous;
+    CellQuadrature       quadrature;
+    double               conductivity_of_one;
     double               floor_value = 0.;
     int                  halvings    = 0;
-    std::vector<double>  gauss_points, gauss_weights;
     Known                conductivity;
     std::optional<Known> resistivity;
   };

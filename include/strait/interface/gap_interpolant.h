@@ -49,19 +49,22 @@ namespace strait
                   const double     *y,
                   double           *result) const;
 
-    /** Smallest and largest gap. */
+    /** Smallest and largest gap, and whether it bends at some line inside, where a slope
+     *  across the grid lines begins to be limited to zero. */
     struct Range
     {
       double lowest  = 0.;
       double highest = 0.;
+      bool   bends   = false;
     };
 
     /**
      * Bounds, not below zero, of the gap on the rectangle of @p width × @p height at
-     * (x0, y0) in the unit cell. Bilinear: attained at the corners. Monotone cubic:
-     * between the grid lines the gap is v1 + (v2 − v1) φ(t), where φ lies between the
-     * cubics from 0 to 1 with slopes (0, 2) and (2, 0), the steepest that harmonic means
-     * of slopes allow; exact on the whole cell.
+     * (x0, y0) in the unit cell. Bilinear: attained at the corners. Monotone cubic: on
+     * each grid line attained at the ends; across the lines the control polygon of the
+     * cubic, whose slopes grow with each of the differences that they are made of. Exact
+     * on the whole cell, and closer in proportion to the rectangle's size. That it bends
+     * is told from the differences on two edges.
      */
     Range
     range(const GapStencil &gap, double x0, double y0, double width, double height) const;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_interface_cell_quadrature_h
+#define strait_interface_cell_quadrature_h
+
+#include <strait/base/fluid_parameters.h>
+#include <strait/interface/gap_interpolant.h>
+#include <strait/interface/moment_set.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace strait
+{
+  /** The square whose moments are wanted, in the unit coordinates of a cell of a level.
+   */
+  struct Square
+  {
+    double x0   = 0.;
+    double y0   = 0.;
+    double edge = 1.;
+  };
+
+  /** The coefficient of one of the potential problems, a monotone function of the gap. */
+  struct CoefficientLaw
+  {
+    double conductivity_of_one; // K of a gap of 1, 1/(12 η)
+    double conductivity_floor;
+    bool   is_resistivity;
+
+    /** K = g³/(12 η), or 1/max(K, K_floor). */
+    double
+    operator()(const double gap) const
+    {
+      const double k = conductivity_of_one * gap * gap * gap;
+      return is_resistivity ? 1. / std::max(k, conductivity_floor) : k;
+    }
+  };
+
+  /**
+   * Moments of a coefficient on (parts of) one cell of a level, from above: each energy
+   * that is formed of them is to be at least the true one.
+   *
+   * A part is integrated by Gauss quadrature of p + 2 points along each axis, and what
+   * p + 1 points find otherwise is added as a constant. That is trusted where the gap is
+   * known to vary little in the part (GapInterpolant::range()). Other parts are halved,
+   * until the coefficient may be taken to be as large as it is anywhere in them.
+   * For rigorous bounds all parts are treated like that.
+   */
+  class CellQuadrature
+  {
+  public:
+    explicit CellQuadrature(const FluidParameters &fluid);
+
+    /**
+     * Add to the moments of @p square those of what the cell with @p gap at its corners
+     * has of it. Returns whether there are any.
+     */
+    bool integrate(const CoefficientLaw &law,
+                   const GapStencil     &gap,
+                   const Square         &square,
+                   double               *moments) const;
+
+    const MomentSet &
+    moment_set() const
+    {
+      return set;
+    }
+
+    const GapInterpolant &
+    gap_interpolant() const
+    {
+      return interpolant;
+    }
+
+  private:
+    class Sum;
+
+    struct Rule
+    {
+      std::vector<double> points;
+      std::vector<double> weights;
+    };
+
+    MomentSet      set;
+    GapInterpolant interpolant;
+    bool           rigorous;
+    Rule           coarse, fine; // of p + 1 and p + 2 Gauss points
+  };
+} // namespace strait
+
+#endif

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/interface/cell_quadrature.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    // Largest over smallest gap of a part on which quadrature is trusted, and of one in
+    // which the gap bends. With 1.6 for the first a gap takes half as long again to
+    // prepare and the bounds are the same; with 4 points might pass by a peak of 1/K that
+    // is 60 times as high as what they see. With the second
+    // no integral over a random cell is too small by more than 2e-4; with an excess of
+    // 0.2 it is 8e-4.
+    constexpr double trusted_ratio = 2.5, trusted_ratio_with_bend = 1.05;
+
+    // What a part may add to the integral over the cell without being halved, relative.
+    // It limits what quadrature adds to the width of the bracket where cells are larger
+    // than the spacing; a third of it takes no longer and changes bounds by a few 1e-5.
+    constexpr double tolerance = 1e-3;
+
+    // How often a cell is halved, and a small one, which is what is left around throats
+    // and whose edge is less than this, in spacings. What is still not resolved widens
+    // the bracket: fewer halvings trade the time to prepare a gap for finer meshes. The
+    // larger a small one may be, the more cells beside contact are taken for closed.
+    constexpr int    most_halvings = 6, most_halvings_of_small_cells = 8;
+    constexpr double small_cell = .25;
+
+    /** A rectangle of the unit cell. */
+    struct Part
+    {
+      double x0, y0, width, height;
+    };
+  } // namespace
+
+  /** The integral over one square, as it grows part by part. */
+  class CellQuadrature::Sum
+  {
+  public:
+    Sum(const CellQuadrature &quadrature_,
+        const CoefficientLaw &law_,
+        const GapStencil     &gap_,
+        const Square         &square_,
+        double               *moments_)
+      : quadrature(quadrature_)
+      , law(law_)
+      , gap(gap_)
+      , square(square_)
+      , moments(moments_)
+    {
+    }
+
+    /** Add a part on which the coefficient is taken to be constant. */
+    void
+    add_constant(const Part &part, const double value)
+    {
+      Values values;
+      values.fill(value);
+      add_values(part, quadrature.coarse, values, 0.);
+    }
+
+    /** Add a part, which may be halved @p n_halvings times. */
+    void
+    add(const Part &part, const int n_halvings)
+    {
+      const GapInterpolant::Range range =
+        quadrature.interpolant.range(gap, part.x0, part.y0, part.width, part.height);
+      const double area = part.width * part.height;
+      Values       values;
+      const double trusted = range.bends ? trusted_ratio_with_bend : trusted_ratio;
+      // Next to contact 1/K has no end, though hardly anything flows there: its largest
+      // value would block channels a few spacings wide until the cells are small.
+      // What rounding leaves of a gap of zero: half and double of it decide alike.
+      constexpr double rounding = 1e-9;
+      const bool       has_no_end =
+        square.edge >= small_cell && range.lowest <= rounding * range.highest;
+      if (!quadrature.rigorous && (range.highest <= trusted * range.lowest || has_no_end))
+        {
+          const double other = sample(part, quadrature.coarse, values);
+          const double mean  = sample(part, quadrature.fine, values);
+          const double error = std::abs(mean - other);
+          if (n_halvings == 0 || has_no_end ||
+              error * area <= tolerance * std::max(scale, mean * area))
+            {
+              add_values(part, quadrature.fine, values, error);
+              return;
+            }
+        }
+      else
+        {
+          const double at_lowest = law(range.lowest), at_highest = law(range.highest);
+          if (n_halvings > 0 && scale == 0)
+            scale = sample(part, quadrature.fine, values) * area;
+          if (n_halvings == 0 ||
+              std::abs(at_highest - at_lowest) * area <= tolerance * scale)
+            {
+              add_constant(part, std::max(at_lowest, at_highest));
+              return;
+            }
+        }
+      Part first = part, second = part;
+      if (varies_more_along_x(part))
+        {
+          first.width = second.width = .5 * part.width;
+          second.x0 += first.width;
+        }
+      else
+        {
+          first.height = second.height = .5 * part.height;
+          second.y0 += first.height;
+        }
+      add(first, n_halvings - 1);
+      add(second, n_halvings - 1);
+    }
+
+  private:
+    using Values =
+      std::array<double, GapInterpolant::max_points * GapInterpolant::max_points>;
+
+    /** The coefficient at the points of @p rule. Returns its mean. */
+    double
+    sample(const Part &part, const Rule &rule, Values &values) const
+    {
+      const int n                             = static_cast<int>(rule.points.size());
+      double    x[GapInterpolant::max_points] = {}, y[GapInterpolant::max_points] = {};
+      for (int q = 0; q < n; ++q)
+        {
+          x[q] = part.x0 + part.width * rule.points[q];
+          y[q] = part.y0 + part.height * rule.points[q];
+        }
+      quadrature.interpolant.evaluate(gap, n, x, y, values.data());
+      double mean = 0.;
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+          {
+            values[j * n + i] = law(values[j * n + i]);
+            mean += rule.weights[i] * rule.weights[j] * values[j * n + i];
+          }
+      return mean;
+    }
+
+    void
+    add_values(const Part   &part,
+               const Rule   &rule,
+               const Values &values,
+               const double  constant)
+    {
+      const int    n      = static_cast<int>(rule.points.size());
+      const double size   = 1. / square.edge; // of the unit cell, in the square's units
+      const double left   = (part.x0 - square.x0) * size;
+      const double lower  = (part.y0 - square.y0) * size;
+      const double width  = part.width * size;
+      const double height = part.height * size;
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+          quadrature.set.add_point(moments,
+                                   left + width * rule.points[i],
+                                   lower + height * rule.points[j],
+                                   width * height * rule.weights[i] * rule.weights[j] *
+                                     (values[j * n + i] + constant));
+    }
+
+    /** Whether halves beside each other are better than one above the other. */
+    bool
+    varies_more_along_x(const Part &part) const
+    {
+      const double x[2] = {part.x0, part.x0 + part.width};
+      const double y[2] = {part.y0, part.y0 + part.height};
+      double       g[4];
+      quadrature.interpolant.evaluate(gap, 2, x, y, g);
+      // Ratios, with contact a thousandth of the largest gap: half and double of it only
+      // matter where the gap closes along both axes.
+      const double least = 1e-3 * *std::max_element(g, g + 4);
+      const auto   ratio = [least](const double a, const double b) {
+        return (std::max(a, b) + least) / (std::min(a, b) + least);
+      };
+      const double along_x = std::max(ratio(g[0], g[1]), ratio(g[2], g[3]));
+      const double along_y = std::max(ratio(g[0], g[2]), ratio(g[1], g[3]));
+      return along_x > along_y || (along_x == along_y && part.width > part.height);
+    }
+
+    const CellQuadrature &quadrature;
+    const CoefficientLaw &law;
+    const GapStencil     &gap;
+    const Square         &square;
+    double               *moments;
+    double                scale = 0.; // of the integral
+  };
+
+  CellQuadrature::CellQuadrature(const FluidParameters &fluid)
+    : set(fluid.element_degree)
+    , interpolant(fluid.interpolation, fluid.direction)
+    , rigorous(fluid.bounds == FlowBounds::rigorous)
+  {
+    for (Rule *rule : {&coarse, &fine})
+      {
+        const dealii::QGauss<1> gauss(fluid.element_degree + (rule == &fine ? 2 : 1));
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          {
+            rule->points.push_back(gauss.point(q)[0]);
+            rule->weights.push_back(gauss.weight(q));
+          }
+      }
+  }
+
+  bool
+  CellQuadrature::integrate(const CoefficientLaw &law,
+                            const GapStencil     &gap,
+                            const Square         &square,
+                            double               *moments) const
+  {
+    const bool is_open = GapInterpolant::may_be_open(gap);
+    if (!is_open && !law.is_resistivity)
+      return false;
+    const double x0 = std::max(square.x0, 0.), y0 = std::max(square.y0, 0.);
+    const Part   part{x0,
+                    y0,
+                    std::min(square.x0 + square.edge, 1.) - x0,
+                    std::min(square.y0 + square.edge, 1.) - y0};
+    Sum          sum(*this, law, gap, square, moments);
+    if (!is_open)
+      sum.add_constant(part, law(0.));
+    else
+      sum.add(part,
+              square.edge < small_cell ? most_halvings_of_small_cells : most_halvings);
+    return true;
+  }
+} // namespace strait
