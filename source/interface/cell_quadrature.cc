@@ -180,7 +180,11 @@ namespace strait
       };
       const double along_x = std::max(ratio(g[0], g[1]), ratio(g[2], g[3]));
       const double along_y = std::max(ratio(g[0], g[2]), ratio(g[1], g[3]));
-      return along_x > along_y || (along_x == along_y && part.width > part.height);
+      // Both are equal where the gap is open at one corner only: rounding is not to
+      // decide.
+      const double rounding = 1e-6 * along_y;
+      return along_x > along_y + rounding ||
+             (along_x >= along_y - rounding && part.width > part.height);
     }
 
     const CellQuadrature &quadrature;
