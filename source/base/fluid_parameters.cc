@@ -187,11 +187,11 @@ namespace strait
       bounds,
       Names<FlowBounds>(
         {{FlowBounds::asymptotic, "asymptotic"}, {FlowBounds::rigorous, "rigorous"}}),
-      "The leak rate's bounds. asymptotic: the conductivity is integrated by Gauss "
-      "quadrature, which is accurate, but where the gap closes proves nothing; rigorous: "
-      "its largest and smallest value in each quarter of a grid spacing take its place, so "
-      "that the true value for the interpolated gap lies between the bounds, which cannot "
-      "come as close.");
+      "The leak rate's bounds, by integrals of the conductivity and its reciprocal from "
+      "above. asymptotic: by Gauss quadrature where the gap is known to vary little, which "
+      "is close but proves nothing; rigorous: their largest values in parts of each cell "
+      "take its place, so that the true value for the interpolated gap lies between the "
+      "bounds, which cannot come as close.");
     feedback.bind(section.subsection("Wall feedback"));
   }
 
