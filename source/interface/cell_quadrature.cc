@@ -48,7 +48,7 @@ namespace strait
         double               *moments_)
       : quadrature(quadrature_)
       , law(law_)
-      , gap(gap_)
+      , gap(quadrature.interpolant, gap_)
       , square(square_)
       , moments(moments_)
     {
@@ -67,10 +67,9 @@ namespace strait
     void
     add(const Part &part, const int n_halvings)
     {
-      const GapInterpolant::Range range =
-        quadrature.interpolant.range(gap, part.x0, part.y0, part.width, part.height);
-      const double area = part.width * part.height;
-      Values       values;
+      const CellGap::Range range = gap.range(part.x0, part.y0, part.width, part.height);
+      const double         area  = part.width * part.height;
+      Values               values;
       const double trusted = range.bends ? trusted_ratio_with_bend : trusted_ratio;
       // Next to contact 1/K has no end, though hardly anything flows there: its largest
       // value would block channels a few spacings wide until the cells are small.
@@ -118,21 +117,20 @@ namespace strait
     }
 
   private:
-    using Values =
-      std::array<double, GapInterpolant::max_points * GapInterpolant::max_points>;
+    using Values = std::array<double, max_points * max_points>;
 
     /** The coefficient at the points of @p rule. Returns its mean. */
     double
     sample(const Part &part, const Rule &rule, Values &values) const
     {
-      const int n                             = static_cast<int>(rule.points.size());
-      double    x[GapInterpolant::max_points] = {}, y[GapInterpolant::max_points] = {};
+      const int n             = static_cast<int>(rule.points.size());
+      double    x[max_points] = {}, y[max_points] = {};
       for (int q = 0; q < n; ++q)
         {
           x[q] = part.x0 + part.width * rule.points[q];
           y[q] = part.y0 + part.height * rule.points[q];
         }
-      quadrature.interpolant.evaluate(gap, n, x, y, values.data());
+      gap.evaluate(n, x, y, values.data());
       double mean = 0.;
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)
@@ -149,19 +147,19 @@ namespace strait
                const Values &values,
                const double  constant)
     {
-      const int    n      = static_cast<int>(rule.points.size());
-      const double size   = 1. / square.edge; // of the unit cell, in the square's units
-      const double left   = (part.x0 - square.x0) * size;
-      const double lower  = (part.y0 - square.y0) * size;
-      const double width  = part.width * size;
-      const double height = part.height * size;
+      const int    n    = static_cast<int>(rule.points.size());
+      const double size = 1. / square.edge; // of the unit cell, in the square's units
+      const double area = part.width * part.height * size * size;
+      double       x[max_points], y[max_points], weighted[max_points * max_points];
       for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i)
-          quadrature.set.add_point(moments,
-                                   left + width * rule.points[i],
-                                   lower + height * rule.points[j],
-                                   width * height * rule.weights[i] * rule.weights[j] *
-                                     (values[j * n + i] + constant));
+        {
+          x[j] = (part.x0 + part.width * rule.points[j] - square.x0) * size;
+          y[j] = (part.y0 + part.height * rule.points[j] - square.y0) * size;
+          for (int i = 0; i < n; ++i)
+            weighted[j * n + i] =
+              area * rule.weights[i] * rule.weights[j] * (values[j * n + i] + constant);
+        }
+      quadrature.set.add_points(moments, n, x, y, weighted);
     }
 
     /** Whether halves beside each other are better than one above the other. */
@@ -171,7 +169,7 @@ namespace strait
       const double x[2] = {part.x0, part.x0 + part.width};
       const double y[2] = {part.y0, part.y0 + part.height};
       double       g[4];
-      quadrature.interpolant.evaluate(gap, 2, x, y, g);
+      gap.evaluate(2, x, y, g);
       // Ratios, with contact a thousandth of the largest gap: half and double of it only
       // matter where the gap closes along both axes.
       const double least = 1e-3 * *std::max_element(g, g + 4);
@@ -189,7 +187,7 @@ namespace strait
 
     const CellQuadrature &quadrature;
     const CoefficientLaw &law;
-    const GapStencil     &gap;
+    const CellGap         gap;
     const Square         &square;
     double               *moments;
     double                scale = 0.; // of the integral

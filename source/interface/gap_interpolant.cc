@@ -16,28 +16,6 @@ namespace strait
       return product > 0 ? 2. * product / (left + right) : 0.;
     }
 
-    /** Cubic on the interval between the inner two of four values. */
-    struct MonotoneCubic
-    {
-      MonotoneCubic(const double v0, const double v1, const double v2, const double v3)
-        : value(v1)
-        , rise(v2 - v1)
-        , slope_left(limited_slope(v1 - v0, rise))
-        , slope_right(limited_slope(rise, v3 - v2))
-      {
-      }
-
-      double
-      operator()(const double t) const
-      {
-        return value +
-               t * (slope_left + t * (3. * rise - 2. * slope_left - slope_right +
-                                      t * (slope_left + slope_right - 2. * rise)));
-      }
-
-      double value, rise, slope_left, slope_right;
-    };
-
     /** What a number between grid lines can be. */
     struct Interval
     {
@@ -77,38 +55,6 @@ namespace strait
                blossom(t0, t1, t1),
                blossom(t1, t1, t1)}};
     }
-
-    /** First along the second index of gap(line, ·), then across the lines. */
-    template <class Gap>
-    void
-    interpolate_cubic(const Gap    &gap,
-                      const int     n,
-                      const double *first,
-                      const double *second,
-                      double       *result,
-                      const int     first_stride,
-                      const int     second_stride)
-    {
-      double on_line[4][GapInterpolant::max_points];
-      for (int line = 0; line < 4; ++line)
-        {
-          const MonotoneCubic cubic(gap(line, 0),
-                                    gap(line, 1),
-                                    gap(line, 2),
-                                    gap(line, 3));
-          for (int i = 0; i < n; ++i)
-            on_line[line][i] = cubic(first[i]);
-        }
-      for (int i = 0; i < n; ++i)
-        {
-          const MonotoneCubic cubic(on_line[0][i],
-                                    on_line[1][i],
-                                    on_line[2][i],
-                                    on_line[3][i]);
-          for (int j = 0; j < n; ++j)
-            result[i * first_stride + j * second_stride] = std::max(cubic(second[j]), 0.);
-        }
-    }
   } // namespace
 
   bool
@@ -122,76 +68,65 @@ namespace strait
     return n_open > 0;
   }
 
-  void
-  GapInterpolant::evaluate(const GapStencil &gap,
-                           const int         n,
-                           const double     *x,
-                           const double     *y,
-                           double           *result) const
+  GapInterpolant::Cubic
+  GapInterpolant::between(const double v0,
+                          const double v1,
+                          const double v2,
+                          const double v3) const
   {
+    const double rise = v2 - v1;
     if (kind == GapInterpolation::bilinear)
-      {
-        for (int j = 0; j < n; ++j)
-          for (int i = 0; i < n; ++i)
-            {
-              const double lower = (1 - x[i]) * gap[1][1] + x[i] * gap[1][2];
-              const double upper = (1 - x[i]) * gap[2][1] + x[i] * gap[2][2];
-              result[j * n + i]  = std::max((1 - y[j]) * lower + y[j] * upper, 0.);
-            }
-        return;
-      }
-    if (direction == FlowDirection::x)
-      interpolate_cubic([&gap](const int line, const int i) { return gap[line][i]; },
-                        n,
-                        x,
-                        y,
-                        result,
-                        1,
-                        n);
-    else
-      interpolate_cubic([&gap](const int line, const int i) { return gap[i][line]; },
-                        n,
-                        y,
-                        x,
-                        result,
-                        n,
-                        1);
+      return {v1, rise, 0., 0.};
+    const double left  = limited_slope(v1 - v0, rise),
+                 right = limited_slope(rise, v3 - v2);
+    return {v1, left, 3. * rise - 2. * left - right, left + right - 2. * rise};
   }
 
-  GapInterpolant::Range
-  GapInterpolant::range(const GapStencil &gap,
-                        const double      x0,
-                        const double      y0,
-                        const double      width,
-                        const double      height) const
+  CellGap::CellGap(const GapInterpolant &interpolant_, const GapStencil &gap)
+    : interpolant(interpolant_)
+    , along_x(interpolant.direction == FlowDirection::x)
+  {
+    for (int k = 0; k < 4; ++k)
+      lines[k] = along_x
+                   ? interpolant.between(gap[k][0], gap[k][1], gap[k][2], gap[k][3])
+                   : interpolant.between(gap[0][k], gap[1][k], gap[2][k], gap[3][k]);
+  }
+
+  void
+  CellGap::evaluate(const int n, const double *x, const double *y, double *result) const
+  {
+    const double *first = along_x ? x : y, *second = along_x ? y : x;
+    const int     first_stride = along_x ? 1 : n, second_stride = along_x ? n : 1;
+    for (int i = 0; i < n; ++i)
+      {
+        const double                t = first[i];
+        const GapInterpolant::Cubic cubic =
+          interpolant.between(lines[0](t), lines[1](t), lines[2](t), lines[3](t));
+        for (int j = 0; j < n; ++j)
+          result[i * first_stride + j * second_stride] = std::max(cubic(second[j]), 0.);
+      }
+  }
+
+  CellGap::Range
+  CellGap::range(const double x0,
+                 const double y0,
+                 const double width,
+                 const double height) const
   {
     const double x[2] = {x0, x0 + width}, y[2] = {y0, y0 + height};
-    if (kind == GapInterpolation::bilinear)
+    if (interpolant.kind == GapInterpolation::bilinear)
       {
         double values[4];
-        evaluate(gap, 2, x, y, values);
+        evaluate(2, x, y, values);
         const auto [lowest, highest] = std::minmax_element(values, values + 4);
         return {*lowest, *highest, false};
       }
-    const bool    along_x = direction == FlowDirection::x;
     const double *first = along_x ? x : y, *second = along_x ? y : x;
     const bool    is_whole = width == 1. && height == 1.;
     double        ends[4][2];
     for (int k = 0; k < 4; ++k)
-      {
-        const auto at = [&gap, along_x, k](const int i) {
-          return along_x ? gap[k][i] : gap[i][k];
-        };
-        if (is_whole)
-          {
-            ends[k][0] = at(1);
-            ends[k][1] = at(2);
-            continue;
-          }
-        const MonotoneCubic cubic(at(0), at(1), at(2), at(3));
-        ends[k][0] = cubic(first[0]);
-        ends[k][1] = cubic(first[1]);
-      }
+      for (int end = 0; end < 2; ++end)
+        ends[k][end] = lines[k](first[end]);
     Interval line[4];
     for (int k = 0; k < 4; ++k)
       line[k] = {std::min(ends[k][0], ends[k][1]), std::max(ends[k][0], ends[k][1])};
@@ -259,7 +194,7 @@ namespace strait
     const double in_x   = std::clamp(s - ix, 0., 1.);
     const double in_y   = std::clamp(t - (first_row + row), 0., 1.);
     double       result = 0.;
-    interpolant.evaluate(gap, 1, &in_x, &in_y, &result);
+    CellGap(interpolant, gap).evaluate(1, &in_x, &in_y, &result);
     return result;
   }
 } // namespace strait

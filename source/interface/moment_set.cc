@@ -78,18 +78,29 @@ namespace strait
   }
 
   void
-  MomentSet::add_point(double      *moments,
-                       const double x,
-                       const double y,
-                       const double weight) const
+  MomentSet::add_points(double       *moments,
+                        const int     n,
+                        const double *x,
+                        const double *y,
+                        const double *weights) const
   {
-    std::array<double, 5> x_power{{1.}}, y_power{{1.}};
-    for (unsigned int k = 1; k <= 2 * element_degree; ++k)
+    const int highest = 2 * static_cast<int>(element_degree);
+    for (int j = 0; j < n; ++j)
       {
-        x_power[k] = x_power[k - 1] * x;
-        y_power[k] = y_power[k - 1] * y;
+        double in_row[5] = {}; // of x^a, times y^b
+        for (int i = 0; i < n; ++i)
+          {
+            double value = weights[j * n + i];
+            for (int a = 0; a <= highest; ++a, value *= x[i])
+              in_row[a] += value;
+          }
+        for (int b = 0; b <= highest; ++b)
+          for (int a = 0; a <= highest; ++a)
+            {
+              if (positions[a][b] >= 0)
+                moments[positions[a][b]] += in_row[a];
+              in_row[a] *= y[j];
+            }
       }
-    for (int k = 0; k < size(); ++k)
-      moments[k] += weight * x_power[exponents[k].a] * y_power[exponents[k].b];
   }
 } // namespace strait

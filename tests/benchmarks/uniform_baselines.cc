@@ -51,7 +51,7 @@ namespace
           const double s = x - ix, t = y - iy;
           double       g = 0.;
           if (GapInterpolant::may_be_open(stencil))
-            interpolant.evaluate(stencil, 1, &s, &t, &g);
+            CellGap(interpolant, stencil).evaluate(1, &s, &t, &g);
           result[static_cast<std::size_t>(j) * m + i] = g * g * g / 12.;
         }
     return result;

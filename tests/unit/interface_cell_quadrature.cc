@@ -57,15 +57,16 @@ namespace strait
           double           edge = 1., widest = 0.;
           for (int halving = 0; halving < 8; ++halving, edge *= .5)
             {
-              const double x0 = number(0., 1. - edge), y0 = number(0., 1. - edge);
-              const auto   range = interpolant.range(gap, x0, y0, edge, edge);
-              double       x[3], y[3], values[9];
+              const double  x0 = number(0., 1. - edge), y0 = number(0., 1. - edge);
+              const CellGap cell(interpolant, gap);
+              const auto    range = cell.range(x0, y0, edge, edge);
+              double        x[3], y[3], values[9];
               for (int i = 0; i < 3; ++i)
                 {
                   x[i] = x0 + edge * (i == 0 ? 0. : i == 1 ? number(0., 1.) : 1.);
                   y[i] = y0 + edge * (i == 0 ? 0. : i == 1 ? number(0., 1.) : 1.);
                 }
-              interpolant.evaluate(gap, 3, x, y, values);
+              cell.evaluate(3, x, y, values);
               const auto [lowest, highest] = std::minmax_element(values, values + 9);
               EXPECT_LE(range.lowest, *lowest * (1 + 1e-12));
               EXPECT_GE(range.highest, *highest * (1 - 1e-12));
@@ -90,14 +91,15 @@ namespace strait
           const CoefficientLaw law{1., 1e-12, k % 2 == 0};
           std::vector<double>  moments(quadrature.moment_set().size());
           ASSERT_TRUE(quadrature.integrate(law, gap, part, moments.data()));
-          double expected = 0.;
+          const CellGap cell(interpolant, gap);
+          double        expected = 0.;
           for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i)
               {
                 const double x = part.x0 + part.edge * (i + .5) / n;
                 const double y = part.y0 + part.edge * (j + .5) / n;
                 double       value;
-                interpolant.evaluate(gap, 1, &x, &y, &value);
+                cell.evaluate(1, &x, &y, &value);
                 expected += law(value) / (n * n);
               }
           // Points may agree by chance, though on nothing worse than this.

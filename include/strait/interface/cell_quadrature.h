@@ -42,7 +42,7 @@ namespace strait
    *
    * A part is integrated by Gauss quadrature of p + 2 points along each axis, and what
    * p + 1 points find otherwise is added as a constant. That is trusted where the gap is
-   * known to vary little in the part (GapInterpolant::range()). Other parts are halved,
+   * known to vary little in the part (CellGap::range()). Other parts are halved,
    * until the coefficient may be taken to be as large as it is anywhere in them.
    * For rigorous bounds all parts are treated like that.
    */
@@ -74,6 +74,8 @@ namespace strait
 
   private:
     class Sum;
+
+    static constexpr int max_points = 4; // of a rule for degree 2
 
     struct Rule
     {

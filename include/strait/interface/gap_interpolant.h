@@ -27,9 +27,6 @@ namespace strait
   class GapInterpolant
   {
   public:
-    /** The largest n that evaluate() takes. */
-    static constexpr int max_points = 4;
-
     GapInterpolant(GapInterpolation kind_, FlowDirection direction_)
       : kind(kind_)
       , direction(direction_)
@@ -39,15 +36,39 @@ namespace strait
     /** False where the gap vanishes on the whole cell. */
     static bool may_be_open(const GapStencil &gap);
 
+    /** A polynomial of degree 3 between two grid points, at 0 and 1. */
+    struct Cubic
+    {
+      double
+      operator()(const double t) const
+      {
+        return value + t * (slope + t * (square + t * cube));
+      }
+
+      double value, slope, square, cube;
+    };
+
+    /** Between the inner two of four values. */
+    Cubic between(double v0, double v1, double v2, double v3) const;
+
+  private:
+    friend class CellGap;
+
+    GapInterpolation kind;
+    FlowDirection    direction;
+  };
+
+  /** The gap on one cell, which may_be_open(). */
+  class CellGap
+  {
+  public:
+    CellGap(const GapInterpolant &interpolant, const GapStencil &gap);
+
     /**
-     * The gap, not below zero, at the n × n points (x[i], x[j]) of the unit cell,
-     * 0 <= x <= 1; result[j·n + i]. Call only where may_be_open().
+     * The gap, not below zero, at the n × n points (x[i], y[j]) of the unit cell,
+     * 0 <= x, y <= 1; result[j·n + i].
      */
-    void evaluate(const GapStencil &gap,
-                  int               n,
-                  const double     *x,
-                  const double     *y,
-                  double           *result) const;
+    void evaluate(int n, const double *x, const double *y, double *result) const;
 
     /** Smallest and largest gap, and whether it bends at some line inside, where a slope
      *  across the grid lines begins to be limited to zero. */
@@ -66,12 +87,12 @@ namespace strait
      * on the whole cell, and closer in proportion to the rectangle's size. That it bends
      * is told from the differences on two edges.
      */
-    Range
-    range(const GapStencil &gap, double x0, double y0, double width, double height) const;
+    Range range(double x0, double y0, double width, double height) const;
 
   private:
-    GapInterpolation kind;
-    FlowDirection    direction;
+    const GapInterpolant                &interpolant;
+    const bool                           along_x;
+    std::array<GapInterpolant::Cubic, 4> lines; // along the flow
   };
 
   /** The gap between some rows of the grid, for cells that are not the grid's own. */

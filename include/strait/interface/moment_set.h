@@ -38,8 +38,13 @@ namespace strait
       return positions[a][b];
     }
 
-    /** Add weight·x^a y^b for all (a, b) to @p moments. */
-    void add_point(double *moments, double x, double y, double weight) const;
+    /** Add weight·x^a y^b for all (a, b) to @p moments, of each of the n × n points
+     *  (x[i], y[j]) with weights[j·n + i]. */
+    void add_points(double       *moments,
+                    int           n,
+                    const double *x,
+                    const double *y,
+                    const double *weights) const;
 
     /**
      * Add to the moments of a cell those of its child in quadrant
