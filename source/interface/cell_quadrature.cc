@@ -132,12 +132,11 @@ namespace strait
         }
       gap.evaluate(n, x, y, values.data());
       double mean = 0.;
-      for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i)
-          {
-            values[j * n + i] = law(values[j * n + i]);
-            mean += rule.weights[i] * rule.weights[j] * values[j * n + i];
-          }
+      for (int k = 0; k < n * n; ++k)
+        {
+          values[k] = law(values[k]);
+          mean += rule.weights[k] * values[k];
+        }
       return mean;
     }
 
@@ -151,14 +150,13 @@ namespace strait
       const double size = 1. / square.edge; // of the unit cell, in the square's units
       const double area = part.width * part.height * size * size;
       double       x[max_points], y[max_points], weighted[max_points * max_points];
-      for (int j = 0; j < n; ++j)
+      for (int q = 0; q < n; ++q)
         {
-          x[j] = (part.x0 + part.width * rule.points[j] - square.x0) * size;
-          y[j] = (part.y0 + part.height * rule.points[j] - square.y0) * size;
-          for (int i = 0; i < n; ++i)
-            weighted[j * n + i] =
-              area * rule.weights[i] * rule.weights[j] * (values[j * n + i] + constant);
+          x[q] = (part.x0 + part.width * rule.points[q] - square.x0) * size;
+          y[q] = (part.y0 + part.height * rule.points[q] - square.y0) * size;
         }
+      for (int k = 0; k < n * n; ++k)
+        weighted[k] = area * rule.weights[k] * (values[k] + constant);
       quadrature.set.add_points(moments, n, x, y, weighted);
     }
 
@@ -201,10 +199,11 @@ namespace strait
     for (Rule *rule : {&coarse, &fine})
       {
         const dealii::QGauss<1> gauss(fluid.element_degree + (rule == &fine ? 2 : 1));
-        for (unsigned int q = 0; q < gauss.size(); ++q)
+        for (unsigned int j = 0; j < gauss.size(); ++j)
           {
-            rule->points.push_back(gauss.point(q)[0]);
-            rule->weights.push_back(gauss.weight(q));
+            rule->points.push_back(gauss.point(j)[0]);
+            for (unsigned int i = 0; i < gauss.size(); ++i)
+              rule->weights.push_back(gauss.weight(i) * gauss.weight(j));
           }
       }
   }

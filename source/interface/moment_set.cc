@@ -87,20 +87,18 @@ namespace strait
     const int highest = 2 * static_cast<int>(element_degree);
     for (int j = 0; j < n; ++j)
       {
-        double in_row[5] = {}; // of x^a, times y^b
+        double in_row[5] = {}; // of x^a
         for (int i = 0; i < n; ++i)
           {
             double value = weights[j * n + i];
             for (int a = 0; a <= highest; ++a, value *= x[i])
               in_row[a] += value;
           }
-        for (int b = 0; b <= highest; ++b)
-          for (int a = 0; a <= highest; ++a)
-            {
-              if (positions[a][b] >= 0)
-                moments[positions[a][b]] += in_row[a];
-              in_row[a] *= y[j];
-            }
+        double y_power[5] = {1.};
+        for (int b = 1; b <= highest; ++b)
+          y_power[b] = y_power[b - 1] * y[j];
+        for (int k = 0; k < size(); ++k)
+          moments[k] += in_row[exponents[k].a] * y_power[exponents[k].b];
       }
   }
 } // namespace strait

@@ -79,8 +79,8 @@ namespace strait
 
     struct Rule
     {
-      std::vector<double> points;
-      std::vector<double> weights;
+      std::vector<double> points;  // along each axis
+      std::vector<double> weights; // of their pairs
     };
 
     MomentSet      set;
