@@ -110,10 +110,6 @@ AMBIGUOUS = {
                                 for row in MICRONS), "--decimal comma or --decimal point", None),
     "volts.txt": (TWICE.replace("units: µm", "units: V") + rows(" "), "'V', which is no length",
                   ["--unit", "um"]),
-    "wyko.txt": ("Wyko ASCII Data File Format 0 0 1\nX Size\t12\nY Size\t10\n" + rows("\t"),
-                 "--size.*--unit", None),
-    "nova.txt": ("File Format = ASCII\nNX = 12\nNY = 10\nScale X = 2\nScale Y = 1\n"
-                 "Start of Data :\n" + rows("\t"), "--size.*--unit", None),
 }
 
 # Texts that are no maps, or damaged.
@@ -247,6 +243,21 @@ def packed():
             "crlf.txt": text.replace(b"\n", b"\r\n")}
 
 
+def wyko(mult=1):
+    """Text of Wyko's Vision: a line for each x, from the top, in waves of 500 nm."""
+    header = ("Wyko ASCII Data File Format 0\t0\t1\nX Size\t12\nY Size\t10\n"
+              "Block Name\tType\tLength\tValue\nWavelength\t7\t4\t500\nAspect\t7\t4\t0.5\n"
+              f"Pixel_size\t7\t4\t0.002\nMult\t7\t4\t{mult}\nRAW_DATA\t3\t480\t\n")
+    return header + "".join("\t".join(f"{2 * value:.1f}" for value in column) + "\t\n"
+                            for column in MICRONS[::-1].T)
+
+
+NOVA = ("File Format = ASCII\r\nCreated by Nova\r\nFile: scan.mdt\r\nNX = 12\r\nNY = 10\r\n"
+        "Scale X = 2\r\nScale Y = 1\r\nScale Data = 1\r\nBias X = 0\r\nBias Y = 0\r\n"
+        "Bias Data = 0\r\nUnit X = um\r\nUnit Y = um\r\nUnit Data = um\r\n"
+        "DataScaleNeeded = no\r\nStart of Data :\r\n")
+
 # What Gwyddion reads: name, content.
 THROUGH_GWYDDION = {"map.x3p": x3p(), "folder.x3p": x3p("scan/"), "ascii.sdf": sdf(),
-                    "utf16.bcrf": bcr(), "plain.bcrf": bcr("latin-1")}
+                    "utf16.bcrf": bcr(), "plain.bcrf": bcr("latin-1"),
+                    "wyko.asc": wyko(), "nova.txt": NOVA + rows("\t")}

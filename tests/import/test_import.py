@@ -117,6 +117,7 @@ class Text(Case):
         for name, (text, words) in files.REFUSED.items():
             with self.subTest(name):
                 self.check_refusal(self.write(name, text), words)
+        self.check_refusal(self.write("wyko.asc", files.wyko(mult=2)), "multiply .* divide")
 
     def test_packed(self):
         for name, content in files.packed().items():

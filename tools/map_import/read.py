@@ -4,6 +4,7 @@ import bz2
 import gzip
 import lzma
 import os
+import re
 import zipfile
 import zlib
 
@@ -43,6 +44,11 @@ def _read_zip(path, options, scratch):
 
 def _read_text(content, path, options, scratch):
     """Gwyddion where the header does not say it all: it knows some vendors' text."""
+    factor = re.match(r"Wyko ASCII Data File Format\s+\d+\s+0\b.*?^Mult\s[^\n]*?([^\s]+)\s*$",
+                      content, re.S | re.M)
+    if factor and float(factor[1]) != 1:
+        raise Refused(f"is Wyko's text of waves with Mult {factor[1]}, by which some programs "
+                      "multiply heights and others divide: export it in real units")
     channels, refusal = [], None
     try:
         channels = text.read_text(content, options)
