@@ -6,7 +6,6 @@
 #include <strait/surface/map_processing.h>
 #include <strait/surface/scene_text.h>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdlib>

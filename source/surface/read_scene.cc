@@ -35,11 +35,10 @@ namespace strait
             const std::string      &section,
             const std::string      &name)
     {
-      entries.erase(std::remove_if(entries.begin(),
-                                   entries.end(),
-                                   [&](const auto &entry) {
-                                     return is_entry(entry, section, name);
-                                   }),
+      const auto is_named = [&](const SceneEntry &entry) {
+        return is_entry(entry, section, name);
+      };
+      entries.erase(std::remove_if(entries.begin(), entries.end(), is_named),
                     entries.end());
       return entries;
     }
@@ -55,12 +54,13 @@ namespace strait
     {
       Frame frame;
       run_on_root(MPI_COMM_WORLD, [&]() {
-        Remarks   ignored;
         HeightMap map = read_height_map(surface.map.file);
-        process_map(map, surface.map, surface.map.file, ignored);
-        frame.grid_points = scene_pair(surface, map.nx, map.ny);
+        convert_to_scene_units(map, surface.map, surface.map.file);
+        // Nothing else that is done to a map changes its frame.
+        const int n       = surface.map.make_periodic == MakePeriodic::mirror ? 2 : 1;
+        frame.grid_points = scene_pair(surface, n * map.nx, n * map.ny);
         if (map.size)
-          frame.size = scene_pair(surface, (*map.size)[0], (*map.size)[1]);
+          frame.size = scene_pair(surface, n * (*map.size)[0], n * (*map.size)[1]);
         // Lengths of a map with units are converted to metres.
         if (map.lateral_unit.metres && surface.map.lateral_unit.empty())
           frame.unit = "m";

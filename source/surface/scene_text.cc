@@ -2,6 +2,8 @@
 #include <strait/base/text.h>
 #include <strait/surface/scene_text.h>
 
+#include <utility>
+
 namespace strait
 {
   std::string
@@ -11,12 +13,10 @@ namespace strait
   }
 
   std::string
-  scene_pair(const SurfaceParameters &parameters,
-             const double             along_x,
-             const double             along_y)
+  scene_pair(const SurfaceParameters &parameters, double along_x, double along_y)
   {
-    const double first  = parameters.rotate ? along_y : along_x;
-    const double second = parameters.rotate ? along_x : along_y;
-    return scene_number(first) + ", " + scene_number(second);
+    if (parameters.rotate)
+      std::swap(along_x, along_y);
+    return scene_number(along_x) + ", " + scene_number(along_y);
   }
 } // namespace strait
