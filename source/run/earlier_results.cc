@@ -89,14 +89,12 @@ namespace strait
     std::string
     foreign_scene(const fs::path &file, const Scene &scene)
     {
-      std::ifstream      in(file);
-      std::ostringstream text;
-      text << in.rdbuf();
       try
         {
           // An earlier version may have had fewer parameters.
-          const Scene then =
-            make_scene(lex_scene(text.str(), file.string(), file.parent_path().string()));
+          const Scene       then = make_scene(lex_scene(text_of(file.string()),
+                                                  file.string(),
+                                                  file.parent_path().string()));
           const std::string difference =
             difference_of_scenes(then.resolved, scene.resolved);
           return difference.empty() ? "" : "which had " + difference;
@@ -107,6 +105,16 @@ namespace strait
         }
     }
   } // namespace
+
+  std::string
+  text_of(const std::string &path)
+  {
+    std::ifstream      file(path, std::ios::binary);
+    std::ostringstream text;
+    if (file.peek() != std::ifstream::traits_type::eof())
+      text << file.rdbuf();
+    return text.str();
+  }
 
   std::string
   difference_of_scenes(const std::string &then, const std::string &now)

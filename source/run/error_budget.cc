@@ -3,6 +3,7 @@
 #include <strait/contact/grid_transfer.h>
 #include <strait/contact/zoom_in.h>
 #include <strait/run/error_budget.h>
+#include <strait/run/exponent_fit.h>
 #include <strait/seal/dry_seal.h>
 #include <strait/seal/flow_stage.h>
 #include <strait/seal/zoom_placement.h>
@@ -118,9 +119,8 @@ namespace strait
         coarser_thresholds = search.find_critical_loads(counted_from->lower);
         coarser_state      = search.take_state();
       }
-    for (const Transition &threshold : coarser_thresholds)
-      if (threshold.slip_length == counted_from->slip_length)
-        control.target = (1. - *step.reduced_load) * threshold.middle();
+    const Transition *own = threshold_of(coarser_thresholds, counted_from->slip_length);
+    control.target        = (1. - *step.reduced_load) * own->middle();
     return control;
   }
 
@@ -172,9 +172,6 @@ namespace strait
   StepErrors
   ErrorBudget::assess(const Step &step, SealModel &seal, const Transition *counted_from)
   {
-    // What it costs to be wrong about the distance from the critical load.
-    constexpr double leak_exponent = 69. / 20;
-
     StepErrors     errors;
     const Leakage &leakage = step.flow->leakage;
     const double   by_wall = step.state.fluid ? step.state.fluid->mesh_error : 0.;
@@ -198,7 +195,7 @@ namespace strait
     if (counted_from != nullptr)
       errors.items.push_back(
         {"critical load",
-         leak_exponent * .5 * counted_from->relative_width() / *step.reduced_load,
+         leak_rate_exponent * .5 * counted_from->relative_width() / *step.reduced_load,
          "Load programme/Threshold tolerance"});
     if (scene.contact.zoom.enabled)
       add_zoom(step, seal, counted_from, errors);

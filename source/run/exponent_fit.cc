@@ -76,7 +76,6 @@ namespace strait
   double
   crossover_reduced_load(const std::vector<ScalingPoint> &points)
   {
-    constexpr double    exponent = 69. / 20; // of the law near the threshold
     std::vector<double> x, y;
     for (const auto &[epsilon, value, status] : points)
       if (exponential_decay.contains(epsilon))
@@ -84,6 +83,6 @@ namespace strait
           x.push_back(epsilon);
           y.push_back(std::log(value));
         }
-    return x.size() < 2 ? std::nan("") : exponent / fit_line(x, y).slope;
+    return x.size() < 2 ? std::nan("") : leak_rate_exponent / fit_line(x, y).slope;
   }
 } // namespace strait

@@ -102,15 +102,6 @@ namespace strait
     return search->find_blow_outs();
   }
 
-  const Transition *
-  LoadSweep::threshold_of(const double slip_length) const
-  {
-    for (const Transition &threshold : thresholds)
-      if (threshold.slip_length == slip_length)
-        return &threshold;
-    return nullptr;
-  }
-
   bool
   LoadSweep::run(const Consumer &consume)
   {
@@ -208,7 +199,7 @@ namespace strait
     compare_with_threshold(step);
     compare_with_theory(step);
     const Transition *counted_from =
-      stop.is_reduced ? threshold_of(stop.slip_length) : nullptr;
+      stop.is_reduced ? threshold_of(thresholds, stop.slip_length) : nullptr;
     step.errors = step.flow && step.flow->solution
                     ? error_budget->assess(step, *seal, counted_from)
                     : StepErrors();
@@ -222,7 +213,8 @@ namespace strait
   LoadSweep::compare_with_threshold(Step &step) const
   {
     step.doubts.clear();
-    const Transition *threshold = threshold_of(step.state.control.slip_length);
+    const Transition *threshold =
+      threshold_of(thresholds, step.state.control.slip_length);
     if (threshold == nullptr)
       return;
     const double reduced =
@@ -246,7 +238,7 @@ namespace strait
       theory->predict(step.state.contact ? step.state.contact->nominal_pressure : 0.,
                       slip,
                       &step.state.gap(),
-                      threshold_of(slip));
+                      threshold_of(thresholds, slip));
   }
 
   void

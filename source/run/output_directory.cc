@@ -20,17 +20,6 @@ namespace strait
 {
   namespace
   {
-    /** What is in a file; nothing if there is none. */
-    std::string
-    text_of(const std::string &path)
-    {
-      std::ifstream      file(path, std::ios::binary);
-      std::ostringstream text;
-      if (file.peek() != std::ifstream::traits_type::eof())
-        text << file.rdbuf();
-      return text.str();
-    }
-
     /** The quantities whose unit the plotting scripts ask for. */
     Json
     units_of_plots(const UnitParameters &units)

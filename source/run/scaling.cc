@@ -41,18 +41,14 @@ namespace strait
   void
   Scaling::transfer(StateArchive &archive)
   {
-    auto n_samples = static_cast<long>(samples.size());
-    archive.value(n_samples);
-    samples.resize(n_samples);
-    for (Sample &sample : samples)
-      {
-        archive.value(sample.slip_length);
-        archive.value(sample.reduced_load);
-        archive.value(sample.status);
-        archive.value(sample.is_coarse);
-        for (double &value : sample.values)
-          archive.value(value);
-      }
+    transfer_all(archive, samples, [&](Sample &sample) {
+      archive.value(sample.slip_length);
+      archive.value(sample.reduced_load);
+      archive.value(sample.status);
+      archive.value(sample.is_coarse);
+      for (double &value : sample.values)
+        archive.value(value);
+    });
   }
 
   bool

@@ -45,6 +45,15 @@ namespace strait
     transfer_all(archive, transitions, [&](Transition &t) { transfer(archive, t); });
   }
 
+  const Transition *
+  threshold_of(const std::vector<Transition> &thresholds, const double slip_length)
+  {
+    for (const Transition &threshold : thresholds)
+      if (threshold.slip_length == slip_length)
+        return &threshold;
+    return nullptr;
+  }
+
   SealSearch::SealSearch(const Scene         &scene_,
                          SealModel           &model_,
                          const SlabLayoutPtr &layout_,

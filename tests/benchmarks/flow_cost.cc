@@ -33,6 +33,8 @@
 #include <utility>
 #include <vector>
 
+#include "../verification/flow_fixture.h"
+
 namespace
 {
   using namespace strait;
@@ -67,24 +69,6 @@ namespace
     double  solver  = 0.; // without the preparation of the gap
   };
 
-  /** A gap of the contact, prepared for the flow. */
-  struct PreparedGap
-  {
-    PreparedGap(const SlabField &gap, const FluidParameters &fluid)
-      : channel(make_channel(gap, 0., fluid.direction, 3))
-      , cells(find_critical_cells(channel))
-      , field(gap.layout_pointer(), fluid)
-    {
-      if (channel.percolates())
-        field.update(channel.gap,
-                     1e-8 * field.conductivity_of(channel.paths.front().bottleneck_gap));
-    }
-
-    Channel               channel;
-    std::vector<GridCell> cells;
-    GapField              field;
-  };
-
   Cost
   bracket(const SlabField &gap,
           FluidParameters  fluid,
@@ -95,7 +79,7 @@ namespace
     fluid.target_accuracy = accuracy;
     Cost                cost;
     const dealii::Timer timer;
-    const PreparedGap   prepared(gap, fluid);
+    const GivenGap      prepared(gap, fluid);
     if (!prepared.channel.percolates())
       return cost;
     const double   ready = timer.wall_time();
@@ -140,7 +124,7 @@ namespace
   {
     Cost                cost;
     const dealii::Timer timer;
-    const PreparedGap   prepared(gap, fluid);
+    const GivenGap      prepared(gap, fluid);
     if (!prepared.channel.percolates())
       return cost;
     const double ready = timer.wall_time();

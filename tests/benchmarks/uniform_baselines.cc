@@ -12,6 +12,7 @@
 #include <strait/flow/critical_cells.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/channel.h>
+#include <strait/seal/flow_stage.h>
 #include <strait/surface/make_surface.h>
 
 #include <deal.II/base/mpi.h>
@@ -244,8 +245,9 @@ namespace
     fluid.refinement       = refinement;
     fluid.target_accuracy  = accuracy;
     fluid.maximum_unknowns = 1500000;
-    const Channel channel  = make_channel(gap, 0., fluid.direction, 3);
-    GapField      field(gap.layout_pointer(), fluid);
+    const Channel channel =
+      make_channel(gap, 0., fluid.direction, FlowStage::n_paths_wanted);
+    GapField field(gap.layout_pointer(), fluid);
     field.update(channel.gap,
                  1e-8 * field.conductivity_of(channel.paths.front().bottleneck_gap));
     ReynoldsSolver solver(fluid, field, find_critical_cells(channel));

@@ -12,7 +12,7 @@
 namespace
 {
   using namespace strait;
-  using test::error_of, test::expect_in, test::scene_of;
+  using test::error_of, test::expect_in, test::scene_of, test::operator+;
 
   const Overrides steel = {"Units/Length=mm",
                            "Units/Pressure=GPa",
@@ -24,18 +24,11 @@ namespace
                            "Fluid/Inlet pressure=1e-3",
                            "Load programme/Pressures=0.1"};
 
-  Overrides
-  with(Overrides all, const Overrides &more)
-  {
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-
   /** The only warning, or the error, of a scene. */
   std::string
   finding(const Overrides &more)
   {
-    const Scene scene = scene_of("", with(steel, more));
+    const Scene scene = scene_of("", steel + more);
     try
       {
         const auto warnings = implausible_numbers(scene);
@@ -122,7 +115,7 @@ namespace
     Scene
     scene(const Overrides &more) const
     {
-      return scene_of("", with({"Output/Directory=" + folder.path()}, more));
+      return scene_of("", Overrides{"Output/Directory=" + folder.path()} + more);
     }
 
     void

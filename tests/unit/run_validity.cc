@@ -12,7 +12,7 @@
 namespace
 {
   using namespace strait;
-  using test::error_of, test::expect_in, test::scene_of;
+  using test::error_of, test::expect_in, test::scene_of, test::operator+;
 
   const Overrides in_si  = {"Units/Length=m",
                             "Units/Pressure=Pa",
@@ -20,13 +20,6 @@ namespace
                             "Surface/Size=1e-4",
                             "Surface/Kind=flat"};
   const Overrides helium = {"Fluid/State=gas", "Fluid/Gas=helium"};
-
-  Overrides
-  operator+(Overrides all, const Overrides &more)
-  {
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
 
   /** A step of a contact with a path of one gap throughout. */
   Step

@@ -40,6 +40,14 @@ namespace strait::test
     return read_scene(file.path, overrides);
   }
 
+  /** All of the first, then all of the second. */
+  inline Overrides
+  operator+(Overrides all, const Overrides &more)
+  {
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
   /** The message of the error, without the folder of the file. */
   inline std::string
   error_of(const std::string &text, const Overrides &overrides = {})

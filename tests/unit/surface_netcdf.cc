@@ -35,19 +35,6 @@ namespace
     return broadcast(MPI_COMM_WORLD, content);
   }
 
-  HeightMap
-  read(const std::string &content)
-  {
-    return read_height_map(TemporaryFile(content).path);
-  }
-
-  std::string
-  complaint(const std::string &content)
-  {
-    const TemporaryFile file(content);
-    return input_error([&]() { read_height_map(file.path); });
-  }
-
   /** With each @p before, which must occur, replaced by @p after of the same length. */
   std::string
   replaced(std::string content, const std::string &before, const std::string &after)
@@ -62,7 +49,7 @@ namespace
 
   TEST(NetcdfReader, LayoutOfContactEngineering)
   {
-    const auto map = read(canonical_map());
+    const auto map = read_map(canonical_map());
     EXPECT_EQ(map.nx, 3);
     EXPECT_EQ(map.ny, 2);
     EXPECT_EQ(map.values, (std::vector<double>{1, 2, 3, 4, 5, 6}));
@@ -73,7 +60,7 @@ namespace
     EXPECT_DOUBLE_EQ(map.height_unit.metres.value(), 1e-9);
     EXPECT_TRUE(map.is_periodic);
     EXPECT_EQ(map.format, "NetCDF");
-    EXPECT_FALSE(read(canonical_map("")).height_unit.is_stated());
+    EXPECT_FALSE(read_map(canonical_map("")).height_unit.is_stated());
   }
 
   TEST(NetcdfReader, OtherNames)
@@ -81,27 +68,28 @@ namespace
     // Without a dimension called x the last one runs along x, and nothing states a size.
     const std::string name(std::string("\0\0\0\1x\0\0\0", 8));
     const auto        map =
-      read(replaced(canonical_map(), name, std::string("\0\0\0\1r\0\0\0", 8)));
+      read_map(replaced(canonical_map(), name, std::string("\0\0\0\1r\0\0\0", 8)));
     EXPECT_EQ(map.nx, 2);
     EXPECT_EQ(map.values[1], 4.);
-    EXPECT_TRUE(mentions(complaint(replaced(canonical_map(), "heights", "voltage")),
-                         "no two-dimensional variable 'heights': type \""));
-    EXPECT_FALSE(read(replaced(canonical_map(), "length", "widths")).size);
-    EXPECT_FALSE(read(replaced(canonical_map(), "nm", "qm")).height_unit.metres);
+    EXPECT_TRUE(
+      mentions(complaint_of_map(replaced(canonical_map(), "heights", "voltage")),
+               "no two-dimensional variable 'heights': type \""));
+    EXPECT_FALSE(read_map(replaced(canonical_map(), "length", "widths")).size);
+    EXPECT_FALSE(read_map(replaced(canonical_map(), "nm", "qm")).height_unit.metres);
   }
 
   TEST(NetcdfReader, DamagedFiles)
   {
     const std::string whole = canonical_map();
     for (std::size_t length = 1; length < whole.size(); ++length)
-      EXPECT_FALSE(complaint(whole.substr(0, length)).empty()) << length;
+      EXPECT_FALSE(complaint_of_map(whole.substr(0, length)).empty()) << length;
     // The extents that a damaged header claims, 2^30 in place of 3.
     std::string       claims = whole;
     const std::size_t at     = claims.find(std::string("\0\0\0\1x\0\0\0", 8)) + 8;
     claims[at]               = '\x40';
-    EXPECT_TRUE(mentions(complaint(claims), "must lie between 1 and"));
+    EXPECT_TRUE(mentions(complaint_of_map(claims), "must lie between 1 and"));
     claims[at]     = '\0';
     claims[at + 2] = '\x40';
-    EXPECT_TRUE(mentions(complaint(claims), "too short"));
+    EXPECT_TRUE(mentions(complaint_of_map(claims), "too short"));
   }
 } // namespace

@@ -12,22 +12,12 @@
 namespace
 {
   using namespace strait;
+  using test::complaint_of_map;
+  using test::input_error;
   using test::input_error;
   using test::mentions;
+  using test::read_map;
   using test::TemporaryFile;
-
-  HeightMap
-  read(const std::string &content)
-  {
-    return read_height_map(TemporaryFile(content).path);
-  }
-
-  std::string
-  complaint(const std::string &content)
-  {
-    const TemporaryFile file(content);
-    return input_error([&]() { read_height_map(file.path); });
-  }
 
   void
   expect_map(const HeightMap           &map,
@@ -79,19 +69,22 @@ namespace
   TEST(NpyReader, VersionsAndOrders)
   {
     for (const int version : {1, 2, 3})
-      expect_map(read(npy(dictionary("<f8", "(2, 3)"), bytes(six), version)), 3, 2, six);
-    expect_map(read(npy(dictionary("<f8", "(2, 3)", "True"), bytes(six))),
+      expect_map(read_map(npy(dictionary("<f8", "(2, 3)"), bytes(six), version)),
+                 3,
+                 2,
+                 six);
+    expect_map(read_map(npy(dictionary("<f8", "(2, 3)", "True"), bytes(six))),
                3,
                2,
                {1.5, 3e-7, 5, -2, 4, 6});
-    EXPECT_FALSE(read(npy(dictionary("<f8", "(2, 3)"), bytes(six))).size);
+    EXPECT_FALSE(read_map(npy(dictionary("<f8", "(2, 3)"), bytes(six))).size);
   }
 
   TEST(NpyReader, Types)
   {
     const std::vector<double> expected = {-1, 2, -300, 4};
     const auto read_as = [](const std::string &type, const std::string &data) {
-      return read(npy(dictionary(type, "(2, 2)"), data));
+      return read_map(npy(dictionary(type, "(2, 2)"), data));
     };
     expect_map(read_as("<f4", bytes<float>({-1, 2, -300, 4})), 2, 2, expected);
     expect_map(read_as("<i2", bytes<std::int16_t>({-1, 2, -300, 4})), 2, 2, expected);
@@ -102,35 +95,38 @@ namespace
   TEST(NpyReader, BadFiles)
   {
     const std::string data = bytes(six);
-    EXPECT_TRUE(mentions(complaint(npy(dictionary(">f8", "(2, 3)"), data)), "'>f8'"));
-    EXPECT_TRUE(mentions(complaint(npy(dictionary("<c16", "(1, 3)"), data)), "'<c16'"));
     EXPECT_TRUE(
-      mentions(complaint(npy("{'descr': [('h', '<f8')], 'shape': (2, 3), }", data)),
-               "no single data type"));
+      mentions(complaint_of_map(npy(dictionary(">f8", "(2, 3)"), data)), "'>f8'"));
     EXPECT_TRUE(
-      mentions(complaint(npy(dictionary("<f8", "(6,)"), data)), "two-dimensional"));
+      mentions(complaint_of_map(npy(dictionary("<c16", "(1, 3)"), data)), "'<c16'"));
+    EXPECT_TRUE(mentions(complaint_of_map(
+                           npy("{'descr': [('h', '<f8')], 'shape': (2, 3), }", data)),
+                         "no single data type"));
+    EXPECT_TRUE(mentions(complaint_of_map(npy(dictionary("<f8", "(6,)"), data)),
+                         "two-dimensional"));
+    EXPECT_TRUE(mentions(complaint_of_map(npy(dictionary("<f8", "(1, 2, 3)"), data)),
+                         "two-dimensional"));
+    EXPECT_TRUE(mentions(complaint_of_map(npy(dictionary("<f8", "(0, 3)"), "")),
+                         "must lie between"));
     EXPECT_TRUE(
-      mentions(complaint(npy(dictionary("<f8", "(1, 2, 3)"), data)), "two-dimensional"));
+      mentions(complaint_of_map(npy(dictionary("<f8", "(2, 3)"), data.substr(8))),
+               "promises 3 x 2 points and is too short"));
+    EXPECT_TRUE(mentions(complaint_of_map(npy(dictionary("<f8", "(2, 3)"), data + data)),
+                         "holds more"));
     EXPECT_TRUE(
-      mentions(complaint(npy(dictionary("<f8", "(0, 3)"), "")), "must lie between"));
-    EXPECT_TRUE(mentions(complaint(npy(dictionary("<f8", "(2, 3)"), data.substr(8))),
-                         "promises 3 x 2 points and is too short"));
-    EXPECT_TRUE(
-      mentions(complaint(npy(dictionary("<f8", "(2, 3)"), data + data)), "holds more"));
-    EXPECT_TRUE(
-      mentions(complaint(npy(dictionary("<f8", "(2000000000, 2000000000)"), data)),
+      mentions(complaint_of_map(npy(dictionary("<f8", "(2000000000, 2000000000)"), data)),
                "must lie between"));
-    EXPECT_TRUE(
-      mentions(complaint(npy(dictionary("<f8", "(99999999999999999999, 3)"), data)),
-               "must lie between"));
+    EXPECT_TRUE(mentions(complaint_of_map(
+                           npy(dictionary("<f8", "(99999999999999999999, 3)"), data)),
+                         "must lie between"));
     const std::string whole = npy(dictionary("<f8", "(2, 3)"), data);
-    EXPECT_TRUE(mentions(complaint(whole.substr(0, 40)), "within its header"));
-    EXPECT_TRUE(mentions(complaint(whole.substr(0, 9)), "within its header"));
+    EXPECT_TRUE(mentions(complaint_of_map(whole.substr(0, 40)), "within its header"));
+    EXPECT_TRUE(mentions(complaint_of_map(whole.substr(0, 9)), "within its header"));
     EXPECT_TRUE(
-      mentions(complaint(npy(dictionary("<f8", "(2, 3)"), data, 7)), "version"));
+      mentions(complaint_of_map(npy(dictionary("<f8", "(2, 3)"), data, 7)), "version"));
     // Where a regular expression would run out of stack.
     EXPECT_TRUE(
-      mentions(complaint(npy("{'descr': '" + std::string(400000, '<'), data, 2)),
+      mentions(complaint_of_map(npy("{'descr': '" + std::string(400000, '<'), data, 2)),
                "too long a header"));
   }
 
@@ -138,13 +134,15 @@ namespace
   {
     auto values = six;
     values[4]   = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(read(npy(dictionary("<f8", "(2, 3)"), bytes(values))).n_missing(), 1U);
+    EXPECT_EQ(read_map(npy(dictionary("<f8", "(2, 3)"), bytes(values))).n_missing(), 1U);
     values[4] = std::numeric_limits<double>::infinity();
-    EXPECT_TRUE(mentions(complaint(npy(dictionary("<f8", "(2, 3)"), bytes(values))),
-                         "row 1, column 1"));
+    EXPECT_TRUE(
+      mentions(complaint_of_map(npy(dictionary("<f8", "(2, 3)"), bytes(values))),
+               "row 1, column 1"));
     values.assign(6, std::numeric_limits<double>::quiet_NaN());
-    EXPECT_TRUE(mentions(complaint(npy(dictionary("<f8", "(2, 3)"), bytes(values))),
-                         "no valid point"));
+    EXPECT_TRUE(
+      mentions(complaint_of_map(npy(dictionary("<f8", "(2, 3)"), bytes(values))),
+               "no valid point"));
   }
 
   const std::string header = "# Width: 3\n# Height: 2\n";
@@ -155,17 +153,17 @@ namespace
     for (const std::string text : {"1 -2.5 3e-7\n4 5 6\n",
                                    "  1\t-2.5  3E-07 \r\n 4 +5 6",
                                    "# by hand\n\n1 -2.5 .3e-6\n4 5 6.\n\n\n"})
-      expect_map(read(header + text), 3, 2, expected);
-    EXPECT_EQ(read(header + "1 nan\nNaN 4\n").n_missing(), 2U);
+      expect_map(read_map(header + text), 3, 2, expected);
+    EXPECT_EQ(read_map(header + "1 nan\nNaN 4\n").n_missing(), 2U);
   }
 
   TEST(MatrixTextReader, Units)
   {
     for (const std::string micro : {"\xc2\xb5", "\xb5", "\xce\xbc", "u"})
       {
-        const auto map =
-          read("# Channel: Topography\n# Width: 12.34 " + micro +
-               "m\n# Height: 5678.9 nm\n# Value units: " + micro + "m\n1 1.5\n-2 0\n");
+        const auto map = read_map("# Channel: Topography\n# Width: 12.34 " + micro +
+                                  "m\n# Height: 5678.9 nm\n# Value units: " + micro +
+                                  "m\n1 1.5\n-2 0\n");
         expect_map(map, 2, 2, {1, 1.5, -2, 0});
         EXPECT_DOUBLE_EQ(map.height_unit.metres.value(), 1e-6);
         EXPECT_DOUBLE_EQ(map.lateral_unit.metres.value(), 1.);
@@ -173,11 +171,12 @@ namespace
         EXPECT_DOUBLE_EQ((*map.size)[0], 12.34e-6);
         EXPECT_DOUBLE_EQ((*map.size)[1], 5678.9e-9);
       }
-    const auto plain = read(header + "1 2\n3 4\n");
+    const auto plain = read_map(header + "1 2\n3 4\n");
     EXPECT_FALSE(plain.lateral_unit.is_stated());
     EXPECT_FALSE(plain.height_unit.is_stated());
     EXPECT_EQ((*plain.size)[0], 3.);
-    EXPECT_EQ(read(header + "# Value units: rad\n1 2\n3 4\n").height_unit.name, "rad");
+    EXPECT_EQ(read_map(header + "# Value units: rad\n1 2\n3 4\n").height_unit.name,
+              "rad");
   }
 
   TEST(MatrixTextReader, WhatElseIsTextIsImported)
@@ -200,16 +199,19 @@ namespace
            "# Width: 3,5 m\n# Height: 2 m\n1 2\n",
            "# Width: wide\n# Height: 2 m\n1 2\n",
            std::string(100000, 'x')})
-      EXPECT_TRUE(mentions(complaint(text), "strait_import")) << text.substr(0, 100);
+      EXPECT_TRUE(mentions(complaint_of_map(text), "strait_import"))
+        << text.substr(0, 100);
   }
 
   TEST(MatrixTextReader, BadFiles)
   {
-    EXPECT_TRUE(mentions(complaint(header + "1 2 3\n4 5\n"), "2 values in line 4 and 3"));
-    EXPECT_TRUE(mentions(complaint(header + "1 2\n4 5 6\n"), "3 values in line 4 and 2"));
-    EXPECT_TRUE(mentions(complaint(header + "1 2\n-inf 4\n"), "row 1, column 0"));
-    EXPECT_TRUE(mentions(complaint(header), "holds no numbers"));
-    EXPECT_TRUE(mentions(complaint(""), "is empty"));
+    EXPECT_TRUE(
+      mentions(complaint_of_map(header + "1 2 3\n4 5\n"), "2 values in line 4 and 3"));
+    EXPECT_TRUE(
+      mentions(complaint_of_map(header + "1 2\n4 5 6\n"), "3 values in line 4 and 2"));
+    EXPECT_TRUE(mentions(complaint_of_map(header + "1 2\n-inf 4\n"), "row 1, column 0"));
+    EXPECT_TRUE(mentions(complaint_of_map(header), "holds no numbers"));
+    EXPECT_TRUE(mentions(complaint_of_map(""), "is empty"));
   }
 
   TEST(HeightMap, FilesOfOtherKinds)
@@ -219,7 +221,7 @@ namespace
                                   std::string("PK\x03\x04\0", 5),
                                   std::string("CDF\x05\0", 5),
                                   std::string("MZ\0\1", 4)})
-      EXPECT_TRUE(mentions(complaint(start), "strait_import"));
+      EXPECT_TRUE(mentions(complaint_of_map(start), "strait_import"));
     EXPECT_TRUE(
       mentions(input_error([]() { read_height_map(""); }), "Surface/File is empty"));
     EXPECT_TRUE(mentions(input_error([]() { read_height_map("/no/such.npy"); }),

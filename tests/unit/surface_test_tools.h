@@ -5,6 +5,7 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/surface/make_surface.h>
+#include <strait/surface/readers/height_map.h>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -81,6 +82,21 @@ namespace strait::test
 
     std::string path;
   };
+
+  /** The map in a file with that content. */
+  inline HeightMap
+  read_map(const std::string &content)
+  {
+    return read_height_map(TemporaryFile(content).path);
+  }
+
+  /** Why such a file is refused. */
+  inline std::string
+  complaint_of_map(const std::string &content)
+  {
+    const TemporaryFile file(content);
+    return input_error([&file]() { read_height_map(file.path); });
+  }
 } // namespace strait::test
 
 #endif

@@ -6,6 +6,7 @@
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/bottleneck.h>
 #include <strait/percolation/channel.h>
+#include <strait/seal/flow_stage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +53,7 @@ namespace strait
     }
 
     GivenGap(const SlabField &gap, const FluidParameters &fluid, const FlowDomain &domain)
-      : channel(make_channel(gap, 0., domain, 3))
+      : channel(make_channel(gap, 0., domain, FlowStage::n_paths_wanted))
       , cells(find_critical_cells(channel))
       , field(gap.layout_pointer(), fluid)
     {

@@ -134,6 +134,7 @@ namespace strait
   private:
     void number_unknowns();
     void make_constraints();
+
     /** Whether a constant may be added to the potential. */
     bool
     is_free() const

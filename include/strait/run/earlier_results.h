@@ -10,6 +10,9 @@
 
 namespace strait
 {
+  /** What is in a file; nothing if there is none. */
+  std::string text_of(const std::string &path);
+
   /**
    * In what two resolved scenes differ, "Contact/Grid points = 512 where the scene now
    * has 64"; empty if in nothing that a number of the results depends on.

@@ -37,10 +37,10 @@ namespace strait
    *   as if the error fell with the spacing, which is divided by three;
    * - contact grid: what the same step on every second point changes, with windows of its
    *   own that resolve the throats as well. A load that was named by its distance from
-   * the critical load is as far from that of every second point: most of what a grid does
-   * is to shift both;
-   * - critical load: what half of its bracket's width changes at such a load, by the
-   *   exponent 69/20.
+   *   the critical load is as far from that of every second point: most of what a grid
+   *   does is to shift both;
+   * - critical load: what half of its bracket's width changes at such a load, by
+   *   leak_rate_exponent.
    */
   class ErrorBudget
   {

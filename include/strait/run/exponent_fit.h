@@ -17,6 +17,9 @@ namespace strait
     std::string status = "ok"; // of the step that it is from
   };
 
+  /** Of the leak rate near the threshold, as the paper has it. */
+  inline constexpr double leak_rate_exponent = 69. / 20;
+
   /** A range of reduced loads. */
   struct LoadWindow
   {
@@ -34,7 +37,7 @@ namespace strait
 
   /** Where the leak rate falls exponentially with the load. Half of its nearest end takes
    *  loads in at which the power law has begun, a larger farthest one those at which
-   * there is hardly any contact. */
+   *  there is hardly any contact. */
   inline constexpr LoadWindow exponential_decay{.3, .7};
 
   /** The exponent β of value ∝ ε^β over a window of ε. */
@@ -70,8 +73,8 @@ namespace strait
   /**
    * The reduced load ε_x at which the exponential decay far from the threshold turns
    * into the power law ε^β near it. Far away value ∝ exp(s ε) with s from least
-   * squares over exponential_decay; the local exponent s ε reaches β = 69/20 at
-   * ε_x = β/s. Not a number with fewer than two points in that range.
+   * squares over exponential_decay; the local exponent s ε reaches leak_rate_exponent,
+   * β, at ε_x = β/s. Not a number with fewer than two points in that range.
    */
   double crossover_reduced_load(const std::vector<ScalingPoint> &points);
 } // namespace strait

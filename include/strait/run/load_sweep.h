@@ -110,12 +110,11 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    bool              press(Step &step, const LoadStop &stop);
-    void              leak(Step &step);
-    void              judge(Step &step, const LoadStop &stop);
-    void              compare_with_threshold(Step &step) const;
-    void              compare_with_theory(Step &step);
-    const Transition *threshold_of(double slip_length) const;
+    bool press(Step &step, const LoadStop &stop);
+    void leak(Step &step);
+    void judge(Step &step, const LoadStop &stop);
+    void compare_with_threshold(Step &step) const;
+    void compare_with_theory(Step &step);
 
     const Scene                      &scene;
     Log                              &log;

@@ -41,6 +41,10 @@ namespace strait
     }
   };
 
+  /** The critical load of a slip length; null if there is none. */
+  const Transition *threshold_of(const std::vector<Transition> &thresholds,
+                                 double                         slip_length);
+
   /** All of them, in either direction. Collective. */
   void transfer(StateArchive &archive, std::vector<Transition> &transitions);
 
