@@ -131,24 +131,15 @@ namespace strait
   }
 
   void
-  FlowMesh::refine_initially(const int                    largest_exponent,
-                             const std::vector<GridCell> &critical)
+  FlowMesh::refine_to_start()
   {
-    refine_uniformly(largest_exponent);
-    if (seal_mesh != nullptr)
-      {
-        refine_critical(tria, periodic_grid, critical);
-        return;
-      }
-    const int last = critical.empty() ? root_exponent + 1 : critical.front().exponent;
-    for (int exponent = std::min(largest_exponent, root_exponent); exponent >= last;
-         --exponent)
-      {
-        for (const auto &cell : tria.active_cell_iterators())
-          if (cell->is_locally_owned() && exponent_of_level(cell->level()) == exponent &&
-              std::binary_search(critical.begin(), critical.end(), grid_cell(*cell)))
-            cell->set_refine_flag();
-        tria.execute_coarsening_and_refinement();
-      }
+    // Coarser cells, or fewer across the box, cost a mesh more, which is a small one;
+    // finer ones and more of them are a burden where nothing flows.
+    constexpr int largest_exponent = 6, fewest_cells = 8;
+    int           exponent = std::min(periodic_grid.n_halvings(), largest_exponent);
+    while (exponent > 0 &&
+           std::min(periodic_grid.nx, periodic_grid.ny) >> exponent < fewest_cells)
+      --exponent;
+    refine_uniformly(exponent);
   }
 } // namespace strait

@@ -256,8 +256,9 @@ namespace strait
         result.error_energy = next;
         ++result.iterations;
       }
-    // Written such that NaN is no success.
-    result.converged = result.error_energy <= goal;
+    // Written such that NaN is no success, nor is a negative one, by which rounding tells
+    // that the coefficients differ too much.
+    result.converged = std::abs(result.error_energy) <= goal;
     return result;
   }
 } // namespace strait

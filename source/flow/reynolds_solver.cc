@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/flow/critical_cells.h>
+#include <strait/flow/hidden_flow.h>
 #include <strait/flow/reynolds_solver.h>
 
 #include <deal.II/distributed/grid_refinement.h>
@@ -35,20 +35,29 @@ namespace strait
      */
     bool
     mark(FlowMesh::Triangulation     &tria,
-         const dealii::Vector<float> &contributions,
+         const Bracket               &bracket,
+         const dealii::Vector<float> &hidden,
          const double                 affordable)
     {
       // A cell is refined if it contributes more to the width of the bracket than this
       // fraction of the mean. Half of it refines more cells on each mesh and ends with
       // more unknowns than it takes; double of it takes more meshes.
       constexpr double marking_level = .7;
+      // … or if so much of the width may come from what it hides. A third of it refines
+      // up to three times as many cells near the threshold for a mesh less; three times
+      // as much misses a channel that a few cells side by side block.
+      constexpr double hiding_level = .1;
       using dealii::Utilities::MPI::sum;
       MPI_Comm     comm    = tria.get_communicator();
       const auto   n_cells = static_cast<double>(tria.n_global_active_cells());
-      const double level   = marking_level * sum(contributions.l1_norm(), comm) / n_cells;
+      const double contribution =
+        marking_level * sum(bracket.contributions.l1_norm(), comm) / n_cells;
+      const double hidden_flow    = hiding_level * (1. - bracket.lower / bracket.upper);
       unsigned long long n_marked = 0;
       for (const auto &cell : tria.active_cell_iterators())
-        if (cell->is_locally_owned() && contributions(cell->active_cell_index()) > level)
+        if (cell->is_locally_owned() &&
+            (bracket.contributions(cell->active_cell_index()) > contribution ||
+             hidden(cell->active_cell_index()) > hidden_flow))
           {
             cell->set_refine_flag();
             ++n_marked;
@@ -65,7 +74,7 @@ namespace strait
           for (const auto &cell : tria.active_cell_iterators())
             cell->clear_refine_flag();
           dealii::parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
-            tria, contributions, affordable, 0.);
+            tria, bracket.contributions, affordable, 0.);
           // Of cells that contribute alike it may mark none.
           n_marked = 0;
           for (const auto &cell : tria.active_cell_iterators())
@@ -76,10 +85,9 @@ namespace strait
     }
   } // namespace
 
-  ReynoldsSolver::ReynoldsSolver(const FluidParameters       &fluid,
-                                 const GapField              &gap,
-                                 const std::vector<GridCell> &critical_cells,
-                                 const SealMesh              *seal)
+  ReynoldsSolver::ReynoldsSolver(const FluidParameters &fluid,
+                                 const GapField        &gap,
+                                 const SealMesh        *seal)
     : parameters(fluid)
     , gap_field(gap)
     , pressure_drop(fluid.inlet_pressure - fluid.outlet_pressure)
@@ -89,13 +97,12 @@ namespace strait
   {
     if (fluid.element_degree == 1)
       correction = std::make_unique<HierarchicalCorrection>(flow_mesh);
-    const bool is_adaptive = fluid.refinement == Refinement::adaptive;
-    flow_mesh.refine_initially(largest_start_exponent(flow_mesh.grid()),
-                               is_adaptive ? critical_cells : std::vector<GridCell>());
+    flow_mesh.refine_to_start();
   }
 
   Leakage
-  ReynoldsSolver::run(const Observer          &observer,
+  ReynoldsSolver::run(const Channel           &channel,
+                      const Observer          &observer,
                       const double             tolerance_factor,
                       const unsigned long long most_unknowns)
   {
@@ -121,7 +128,7 @@ namespace strait
             leakage.unknowns > most_unknowns)
           return leakage;
         std::string reason = obstacle(leakage);
-        if (reason.empty() && !refine(leakage))
+        if (reason.empty() && !refine(leakage, channel))
           reason = "it takes more than Fluid/Maximum unknowns";
         if (!reason.empty())
           {
@@ -210,7 +217,7 @@ namespace strait
   std::string
   ReynoldsSolver::obstacle(const Leakage &leakage)
   {
-    widths.push_back(leakage.relative_width());
+    widths.push_back(std::log(leakage.upper / leakage.lower));
     if (!flow_mesh.can_be_refined())
       return "the smallest cells cannot be divided any further";
     // Below this the next meshes cost next to nothing, and may yet find the channel: half
@@ -224,7 +231,7 @@ namespace strait
   }
 
   bool
-  ReynoldsSolver::refine(const Leakage &leakage)
+  ReynoldsSolver::refine(const Leakage &leakage, const Channel &channel)
   {
     // Each marked cell adds three; a few more come from balancing the mesh.
     const double affordable =
@@ -233,7 +240,12 @@ namespace strait
     if (parameters.refinement == Refinement::uniform && affordable >= 1.)
       tria.set_all_refine_flags();
     else if (parameters.refinement == Refinement::uniform ||
-             !mark(tria, plain.contributions, affordable))
+             !mark(
+               tria,
+               plain,
+               hidden_flows(
+                 flow_mesh, gap_field, plain, pressure_problem, stream_problem, channel),
+               affordable))
       return false;
     tria.prepare_coarsening_and_refinement();
     pressure_problem.prepare_for_refinement();

@@ -80,48 +80,4 @@ namespace strait
     if (n > 0)
       tria.refine_global(n);
   }
-
-  void
-  refine_critical(SealTriangulation           &tria,
-                  const PeriodicGrid          &grid,
-                  const std::vector<GridCell> &critical)
-  {
-    const auto is_critical = [&](const CellAccessor<2> &cell) {
-      const double size     = size_in_spacings(cell, grid);
-      const int    exponent = static_cast<int>(std::lround(std::log2(size)));
-      if (exponent < 1)
-        return false;
-      Point<2> low = cell.vertex(0), high = low;
-      for (const unsigned int v : cell.vertex_indices())
-        for (unsigned int d = 0; d < 2; ++d)
-          {
-            low[d]  = std::min(low[d], cell.vertex(v)[d]);
-            high[d] = std::max(high[d], cell.vertex(v)[d]);
-          }
-      const double wx = std::ldexp(grid.dx(), exponent);
-      const double wy = std::ldexp(grid.dy(), exponent);
-      for (int j = static_cast<int>(low[1] / wy); j <= static_cast<int>(high[1] / wy);
-           ++j)
-        for (int i = static_cast<int>(low[0] / wx); i <= static_cast<int>(high[0] / wx);
-             ++i)
-          if (std::binary_search(critical.begin(),
-                                 critical.end(),
-                                 GridCell{exponent, i, j}))
-            return true;
-      return false;
-    };
-    bool goes_on = !critical.empty();
-    while (goes_on)
-      {
-        unsigned int n_marked = 0;
-        for (const auto &cell : tria.active_cell_iterators())
-          if (cell->is_locally_owned() && is_critical(*cell))
-            {
-              cell->set_refine_flag();
-              ++n_marked;
-            }
-        goes_on = Utilities::MPI::sum(n_marked, tria.get_communicator()) > 0;
-        tria.execute_coarsening_and_refinement();
-      }
-  }
 } // namespace strait

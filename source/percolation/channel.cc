@@ -189,20 +189,11 @@ namespace strait
         channel.gap = SlabField();
         return channel;
       }
-    channel.gap = percolating_gap(std::move(channel.gap), channel.clusters, domain);
-    find_paths(channel, n_paths);
+    channel.gap   = percolating_gap(std::move(channel.gap), channel.clusters, domain);
+    channel.paths = find_flow_paths(channel.gap, domain, n_paths);
     if (!channel.paths.empty())
       channel.throat = measure_throat(gap, slip_length, channel.paths.front().bottleneck);
     return channel;
-  }
-
-  void
-  find_paths(Channel &channel, const unsigned int n_paths)
-  {
-    if (!channel.percolates() || n_paths <= channel.n_paths_sought)
-      return;
-    channel.paths          = find_flow_paths(channel.gap, channel.domain, n_paths);
-    channel.n_paths_sought = n_paths;
   }
 
   std::vector<Constriction>

@@ -195,30 +195,6 @@ namespace strait
       MPI_Bcast(&path.bottleneck, 3, MPI_INT, 0, comm);
       MPI_Bcast(&path.bottleneck_gap, 1, MPI_DOUBLE, 0, comm);
     }
-
-    /** Logarithm of a gap, 50 steps to the octave, counted such that the largest gap
-     *  is at the last place. Half as many places no longer tell gaps apart that are 20
-     *  octaves below the largest, twice as many tell more apart than there ever are. */
-    class GapScale
-    {
-    public:
-      static constexpr int n_places = 2048;
-
-      explicit GapScale(const FlowLattice &gap)
-      {
-        for (std::size_t k = 0; k < gap.size(); ++k)
-          largest = std::max(largest, gap[k]);
-      }
-
-      int
-      place(const double g) const
-      {
-        return std::max(n_places - 1 + static_cast<int>(50. * std::log2(g / largest)), 0);
-      }
-
-    private:
-      double largest = 0.;
-    };
   } // namespace
 
   std::vector<FlowPath>
@@ -253,36 +229,5 @@ namespace strait
     for (FlowPath &path : paths)
       broadcast_path(path, comm);
     return paths;
-  }
-
-  std::vector<float>
-  estimate_pressure(const FlowLattice &gap, const FlowPath &path)
-  {
-    constexpr float                       unknown = -1.F;
-    const GapScale                        scale(gap);
-    std::vector<float>                    pressure(gap.size(), unknown);
-    std::vector<std::vector<std::size_t>> waiting(GapScale::n_places);
-    for (std::size_t p = 0; p < path.points.size(); ++p)
-      {
-        const std::size_t k = gap.index_of(path.points[p]);
-        if (pressure[k] != unknown) // the copy of a window's point at the outlet
-          continue;
-        pressure[k] = static_cast<float>(1. - path.resistances[p] / path.resistance());
-        waiting.back().push_back(k);
-      }
-    for (int place = GapScale::n_places - 1; place >= 0; --place)
-      while (!waiting[place].empty())
-        {
-          const std::size_t k = waiting[place].back();
-          waiting[place].pop_back();
-          gap.for_each_step(k, 4, [&](const FlowLattice::Step &step) {
-            const std::size_t to = step.point;
-            if (!(gap[to] > 0) || pressure[to] != unknown)
-              return;
-            pressure[to] = pressure[k];
-            waiting[std::min(place, scale.place(gap[to]))].push_back(to);
-          });
-        }
-    return pressure;
   }
 } // namespace strait

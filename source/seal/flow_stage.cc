@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/text.h>
-#include <strait/flow/critical_cells.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/seal/flow_stage.h>
 
@@ -91,7 +90,7 @@ namespace strait
     fluid.outlet_pressure = 0.;
     GapField uniform(layout, fluid);
     uniform.update(SlabField(layout, 1.), floor_fraction * uniform.conductivity_of(1.));
-    const Leakage leakage      = ReynoldsSolver(fluid, uniform, {}, seal.get()).run();
+    const Leakage leakage      = ReynoldsSolver(fluid, uniform, seal.get()).run({});
     const double  shape_factor = leakage.rate / uniform.conductivity_of(1.);
     aspect                     = 1. / shape_factor;
     if (!leakage.reason.empty())
@@ -113,7 +112,7 @@ namespace strait
                    const double     tolerance_factor)
   {
     StepFlow flow;
-    find_channel(flow, gap, slip_length, n_paths_wanted);
+    find_channel(flow, gap, slip_length);
     if (!flow.channel.paths.empty())
       mesh_and_bracket(flow, tolerance_factor, ReynoldsSolver::unlimited);
     return flow;
@@ -125,8 +124,7 @@ namespace strait
                     const double     slip_length,
                     const double     tolerance_factor)
   {
-    const unsigned int n_paths = flow.solution ? 1 : n_paths_wanted;
-    find_channel(flow, gap, slip_length, n_paths);
+    find_channel(flow, gap, slip_length);
     const Channel &channel = flow.channel;
     if (channel.paths.empty())
       {
@@ -161,16 +159,13 @@ namespace strait
       }
   }
 
-  /** With paths only where reservoirs differ in pressure. */
+  /** With a path only where reservoirs differ in pressure. */
   void
-  FlowStage::find_channel(StepFlow          &flow,
-                          const SlabField   &gap,
-                          const double       slip_length,
-                          const unsigned int n_paths)
+  FlowStage::find_channel(StepFlow &flow, const SlabField &gap, const double slip_length)
   {
     const auto scope = timers.scope("channel");
     flow.seal        = seal.get();
-    flow.channel = make_channel(gap, slip_length, flow_domain, has_drive() ? n_paths : 0);
+    flow.channel     = make_channel(gap, slip_length, flow_domain, has_drive() ? 1 : 0);
   }
 
   void
@@ -178,18 +173,11 @@ namespace strait
                               const double             tolerance_factor,
                               const unsigned long long most_unknowns)
   {
-    std::vector<GridCell> critical;
-    {
-      const auto scope = timers.scope("channel");
-      find_paths(flow.channel, n_paths_wanted);
-      critical = find_critical_cells(flow.channel);
-    }
     update_bridge(flow.channel, true);
     {
       const auto scope = timers.scope("mesh and solver");
       flow.solution.reset();
-      flow.solution =
-        std::make_shared<ReynoldsSolver>(parameters, gap_field, critical, seal.get());
+      flow.solution = std::make_shared<ReynoldsSolver>(parameters, gap_field, seal.get());
     }
     bracket(flow, tolerance_factor, most_unknowns);
     meshed_bottleneck = flow.channel.paths.front().bottleneck;
@@ -211,10 +199,11 @@ namespace strait
                      const unsigned long long most_unknowns)
   {
     const auto scope = timers.scope("mesh and solver");
-    flow.leakage =
-      flow.solution->run([this](const Leakage &now) { report_flow(now, log); },
-                         tolerance_factor,
-                         most_unknowns);
+    flow.leakage     = flow.solution->run(
+      flow.channel,
+      [this](const Leakage &now) { report_flow(now, log); },
+      tolerance_factor,
+      most_unknowns);
     flow.leakage.aspect = aspect;
     if (watches_constrictions)
       flow.constrictions = report_constrictions(flow.channel, *flow.solution);

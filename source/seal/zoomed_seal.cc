@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/contact/zoom_in.h>
-#include <strait/seal/flow_stage.h>
 #include <strait/seal/zoom_placement.h>
 #include <strait/seal/zoomed_seal.h>
 
@@ -13,6 +12,11 @@ namespace strait
 {
   namespace
   {
+    // Windows lie around the throats of so many paths. With half as many the throat of a
+    // channel that carries a tenth of the flow of a rough contact stayed coarse; twice as
+    // many cost a search each, where there are as many.
+    constexpr unsigned int n_paths_wanted = 6;
+
     /** The throat that most of the pressure drops at. */
     ThroatOnPath
     narrowest(const std::vector<ThroatOnPath> &throats)
@@ -59,7 +63,7 @@ namespace strait
   ZoomedSeal::windows_for(const SealState &state, const Aim aim, bool &is_trimmed) const
   {
     const SlabLayout  &layout  = state.gap().layout();
-    const unsigned int n_paths = aim == Aim::verdict ? 1 : FlowStage::n_paths_wanted;
+    const unsigned int n_paths = aim == Aim::verdict ? 1 : n_paths_wanted;
     const Channel      channel =
       make_channel(state.gap(), state.control.slip_length, direction, n_paths);
     std::vector<ThroatOnPath> narrow = throats(channel);

@@ -17,7 +17,6 @@
 // `seconds` are from the contact's gap, `solver` those of meshes, matrices and solves
 // alone: preparing the gap costs the same for all.
 #include <strait/contact/contact_solver.h>
-#include <strait/flow/critical_cells.h>
 #include <strait/flow/hierarchical_correction.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/channel.h>
@@ -83,8 +82,8 @@ namespace
     if (!prepared.channel.percolates())
       return cost;
     const double   ready = timer.wall_time();
-    ReynoldsSolver solver(fluid, prepared.field, prepared.cells);
-    cost.flow    = solver.run();
+    ReynoldsSolver solver(fluid, prepared.field);
+    cost.flow    = solver.run(prepared.channel);
     cost.seconds = timer.wall_time();
     cost.solver  = cost.seconds - ready;
     return cost;
@@ -129,7 +128,7 @@ namespace
       return cost;
     const double ready = timer.wall_time();
     FlowMesh     mesh(prepared.field, fluid.direction);
-    mesh.refine_initially(largest_start_exponent(mesh.grid()), prepared.cells);
+    mesh.refine_to_start();
     PotentialProblem       pressure(PotentialProblem::Kind::pressure,
                               mesh,
                               prepared.field.moment_set());

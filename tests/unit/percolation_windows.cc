@@ -452,22 +452,6 @@ namespace strait
             EXPECT_NEAR(found.front().points,
                         throats(reference).front().points,
                         .02 * found.front().points);
-
-            // The pressure is 1 at the inlet, 0 at the outlet, 1/2 in the neck.
-            const std::vector<double> whole = gather_on_root(channel.gap);
-            run_on_root(MPI_COMM_WORLD, [&]() {
-              const FlowLattice        lattice(whole, channel.gap, direction);
-              const std::vector<float> pressure = estimate_pressure(lattice, path);
-              EXPECT_FLOAT_EQ(pressure[lattice.index_of(path.points.front())], 1.F);
-              EXPECT_FLOAT_EQ(pressure[lattice.index_of(path.points.back())], 0.F);
-              EXPECT_NEAR(pressure[lattice.index_of(path.bottleneck)], .5, .01);
-              // All open points to which steps lead have a pressure.
-              for (std::size_t k = 0; k < lattice.size(); ++k)
-                if (pressure[k] >= 0.F)
-                  lattice.for_each_step(k, 8, [&](const FlowLattice::Step &step) {
-                    EXPECT_EQ(pressure[step.point] >= 0.F, lattice[step.point] > 0);
-                  });
-            });
           }
     }
 

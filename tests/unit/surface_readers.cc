@@ -14,7 +14,6 @@ namespace
   using namespace strait;
   using test::complaint_of_map;
   using test::input_error;
-  using test::input_error;
   using test::mentions;
   using test::read_map;
   using test::TemporaryFile;

@@ -2,11 +2,9 @@
 #ifndef strait_tests_flow_fixture_h
 #define strait_tests_flow_fixture_h
 
-#include <strait/flow/critical_cells.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/bottleneck.h>
 #include <strait/percolation/channel.h>
-#include <strait/seal/flow_stage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +51,7 @@ namespace strait
     }
 
     GivenGap(const SlabField &gap, const FluidParameters &fluid, const FlowDomain &domain)
-      : channel(make_channel(gap, 0., domain, FlowStage::n_paths_wanted))
-      , cells(find_critical_cells(channel))
+      : channel(make_channel(gap, 0., domain, 1))
       , field(gap.layout_pointer(), fluid)
     {
       if (channel.percolates())
@@ -62,9 +59,8 @@ namespace strait
                      1e-8 * field.conductivity_of(channel.paths.front().bottleneck_gap));
     }
 
-    Channel               channel;
-    std::vector<GridCell> cells;
-    GapField              field;
+    Channel  channel;
+    GapField field;
   };
 
   inline Leakage
@@ -73,8 +69,8 @@ namespace strait
        const ReynoldsSolver::Observer &observer = {})
   {
     const GivenGap given(gap, fluid);
-    ReynoldsSolver solver(fluid, given.field, given.cells);
-    return solver.run(observer);
+    ReynoldsSolver solver(fluid, given.field);
+    return solver.run(given.channel, observer);
   }
 } // namespace strait
 

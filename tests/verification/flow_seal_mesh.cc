@@ -237,8 +237,9 @@ namespace strait
       EXPECT_GT(find_bottleneck(notched, open.domain).value, 0.);
       EXPECT_LT(find_bottleneck(wall_with_notch(0.), closed.domain).value, 0.);
       std::vector<Leakage> meshes;
-      ReynoldsSolver       solver(fluid, open.field, open.cells, &open.seal);
-      const Leakage flow = solver.run([&](const Leakage &now) { meshes.push_back(now); });
+      ReynoldsSolver       solver(fluid, open.field, &open.seal);
+      const Leakage        flow =
+        solver.run(open.channel, [&](const Leakage &now) { meshes.push_back(now); });
       EXPECT_EQ(flow.status, "ok");
       // Every bracket contains the last one's value.
       for (const Leakage &now : meshes)

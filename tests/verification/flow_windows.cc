@@ -21,11 +21,11 @@ namespace strait
     {
       Solved(const SlabField &gap, const FluidParameters &fluid)
         : given(gap, fluid)
-        , solver(fluid, given.field, given.cells)
+        , solver(fluid, given.field)
       {
         const dealii::Timer timer;
         const auto n_start = solver.mesh().triangulation().n_global_active_cells();
-        flow               = solver.run();
+        flow               = solver.run(given.channel);
         if (gap.layout().rank() == 0)
           std::printf(
             "%4d² points, %zu windows: %.5g … %.5g, %u meshes, %llu … %llu cells, "
@@ -130,26 +130,27 @@ namespace strait
       const Solved          two(sample(nested(256, 2, 60, 128), saddle(1e-3)), fluid);
       const Solved          six(sample(nested(256, 6, 60, 128), saddle(1e-7)), fluid);
       EXPECT_EQ(six.flow.status, "ok");
-      EXPECT_LE(six.flow.refinements, 3U);
+      EXPECT_LT(six.flow.cells, 10000U);
       EXPECT_LT(six.flow.relative_width(), 1e-2);
       EXPECT_NEAR(six.flow.rate / two.flow.rate / 1e-12, 1., 1e-2);
     }
 
     // Across the flow a window may cross the seam, and a shift changes nothing, though
     // 1/K differs by 1e15 over the box and the stream function is free but for one value.
-    // On the first mesh, since of symmetric cells rounding decides which one is refined.
+    // On uniform meshes, since of symmetric cells rounding decides which one is refined.
     TEST(FlowWindows, MayCrossTheSeamParallel)
     {
-      const FluidParameters fluid = plain_fluid(.2);
-      const Solved          middle(sample(nested(64, 2, 20, 32), saddle(4e-3)), fluid);
-      const double          of_middle =
+      FluidParameters fluid = plain_fluid(.2);
+      fluid.refinement      = Refinement::uniform;
+      const Solved middle(sample(nested(64, 2, 20, 32), saddle(4e-3)), fluid);
+      const double of_middle =
         report_constrictions(middle.given.channel, middle.solver).fraction_at_worst;
-      EXPECT_EQ(middle.flow.refinements, 0U);
       for (const int row : {0, 8})
         {
           const Solved moved(sample(nested(64, 2, 20, row), saddle(4e-3, row / 64. - .5)),
                              fluid);
           EXPECT_EQ(moved.given.field.layout().windows().front().y, (row + 54) % 64);
+          EXPECT_EQ(moved.flow.refinements, middle.flow.refinements);
           EXPECT_NEAR(moved.flow.upper / middle.flow.upper, 1., 1e-7);
           EXPECT_NEAR(moved.flow.lower / middle.flow.lower, 1., 1e-7);
           EXPECT_NEAR(

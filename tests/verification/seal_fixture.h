@@ -55,8 +55,8 @@ namespace strait
                const ReynoldsSolver::Observer &observer = {})
   {
     const GapInSeal given(gap, fluid, mesh);
-    ReynoldsSolver  solver(fluid, given.field, given.cells, &given.seal);
-    return solver.run(observer);
+    ReynoldsSolver  solver(fluid, given.field, &given.seal);
+    return solver.run(given.channel, observer);
   }
 } // namespace strait
 

@@ -109,13 +109,9 @@ namespace strait
       return std::ldexp(periodic_grid.dy(), cell.exponent);
     }
 
-    /**
-     * Refine to a mesh from which an adaptive cycle finds the leak rate: cells of
-     * 2^@p largest_exponent spacings, and the sorted @p critical ones refined, unless
-     * what they lie in is not. A residual alone does not find a barrier or a channel that
-     * is thinner than the cells it starts from.
-     */
-    void refine_initially(int largest_exponent, const std::vector<GridCell> &critical);
+    /** Refine to the coarse mesh that an adaptive cycle starts from: cells of 64
+     * spacings, unless that makes too few of them. */
+    void refine_to_start();
 
     /** Refine every cell until it has 2^exponent grid spacings or, of a seal mesh, at
      *  most that. */

@@ -5,6 +5,7 @@
 #include <strait/flow/bracket.h>
 #include <strait/flow/leakage.h>
 #include <strait/flow/potential_problem.h>
+#include <strait/percolation/channel.h>
 
 #include <functional>
 #include <limits>
@@ -20,9 +21,11 @@ namespace strait
    * The pressure problem gives an upper, the stream-function problem on the same
    * mesh a lower bound, and the part of their difference that a cell is responsible
    * for, ∫ K |∇p + Q_lower/Δp K⁻¹ curl ψ|², marks the cells to refine: it is zero
-   * where the flux of both agrees. K and 1/K are integrated from above, so that both
-   * energies are still too large (CellQuadrature); a cell where that can be done roughly
-   * only is marked as well, as it contributes to the difference.
+   * where the flux of both agrees. A coarse cell may let the pressure through a barrier
+   * or bar the stream function's way, whose effect is elsewhere: the flow on which the
+   * two disagree marks it (hidden_flows()). K and 1/K are integrated from above, so that
+   * both energies are still too large (CellQuadrature); a cell where that can be done
+   * roughly only is marked as well, as it contributes to the difference.
    */
   class ReynoldsSolver
   {
@@ -33,21 +36,21 @@ namespace strait
     /** Called after each mesh with what is known so far. */
     using Observer = std::function<void(const Leakage &)>;
 
-    /** In the box or in @p seal, from a mesh that is refined at @p critical_cells
-     *  (find_critical_cells()). @p gap, @p fluid and @p seal must outlive the solver. */
-    ReynoldsSolver(const FluidParameters       &fluid,
-                   const GapField              &gap,
-                   const std::vector<GridCell> &critical_cells,
-                   const SealMesh              *seal = nullptr);
+    /** In the box or in @p seal, from a coarse mesh. @p gap, @p fluid and @p seal must
+     *  outlive the solver. */
+    ReynoldsSolver(const FluidParameters &fluid,
+                   const GapField        &gap,
+                   const SealMesh        *seal = nullptr);
 
     /**
-     * Run the adaptive cycle, from the mesh and the solution that are there if it ran
-     * before, to @p tolerance_factor times the target accuracy, but with at most some ten
-     * times the unknowns that the target itself needs; to miss only what is beyond the
-     * target is no failure. A mesh of more than @p most_unknowns is not refined.
-     * Collective.
+     * Run the adaptive cycle for the gap of @p channel, from the mesh and the solution
+     * that are there if it ran before, to @p tolerance_factor times the target accuracy,
+     * but with at most some ten times the unknowns that the target itself needs; to miss
+     * only what is beyond the target is no failure. A mesh of more than @p most_unknowns
+     * is not refined. Collective.
      */
-    Leakage run(const Observer    &observer         = {},
+    Leakage run(const Channel     &channel,
+                const Observer    &observer         = {},
                 double             tolerance_factor = 1.,
                 unsigned long long most_unknowns    = unlimited);
 
@@ -89,7 +92,7 @@ namespace strait
     std::string obstacle(const Leakage &leakage);
 
     /** @return false, without refining, if another mesh would not pay or not fit. */
-    bool refine(const Leakage &leakage);
+    bool refine(const Leakage &leakage, const Channel &channel);
 
     const FluidParameters                  &parameters;
     const GapField                         &gap_field;
@@ -98,7 +101,7 @@ namespace strait
     PotentialProblem                        pressure_problem;
     PotentialProblem                        stream_problem;
     std::unique_ptr<HierarchicalCorrection> correction; // of solutions of degree 1
-    std::vector<double>                     widths;     // of the bracket, on all meshes
+    std::vector<double>                     widths;     // log(upper/lower) on all meshes
     Bracket            plain;               // without correction; says where to refine
     unsigned long long unknowns_needed = 0; // for the target accuracy; 0: not known
   };

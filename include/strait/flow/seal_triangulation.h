@@ -3,7 +3,6 @@
 #define strait_flow_seal_triangulation_h
 
 #include <strait/flow/seal_shape.h>
-#include <strait/spectral/grid_cell.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -25,12 +24,6 @@ namespace strait
 
   /** Refine all cells until none is larger than @p largest spacings. Collective. */
   void refine_to_size(SealTriangulation &tria, const PeriodicGrid &grid, double largest);
-
-  /** Refine cells, of the sizes of 2 spacings and more, that touch a cell of their size
-   *  among the sorted @p critical ones. Collective. */
-  void refine_critical(SealTriangulation           &tria,
-                       const PeriodicGrid          &grid,
-                       const std::vector<GridCell> &critical);
 } // namespace strait
 
 #endif

@@ -27,12 +27,19 @@ namespace strait
     double conductivity_floor;
     bool   is_resistivity;
 
-    /** K = g³/(12 η), or 1/max(K, K_floor). */
+    /**
+     * K = g³/(12 η), or 1/K with K between the floor and 10¹⁴ times that. Beyond,
+     * rounding would spoil the solution: with ten times as much it still holds, with 10⁵
+     * times it was lost on a throat of 10⁻⁵ of the widest gap. Whatever is added where
+     * the gap is wide makes the energy larger by less than 10⁻⁵ of that of the throat.
+     */
     double
     operator()(const double gap) const
     {
       const double k = conductivity_of_one * gap * gap * gap;
-      return is_resistivity ? 1. / std::max(k, conductivity_floor) : k;
+      return is_resistivity
+               ? 1. / std::clamp(k, conductivity_floor, 1e14 * conductivity_floor)
+               : k;
     }
   };
 

@@ -26,9 +26,8 @@ namespace strait
     SlabField gap;
 
     /** Ways from inlet to outlet, that of least resistance first; no more than were
-     *  sought, and none where nothing percolates. */
+     *  asked for, and none where nothing percolates. */
     std::vector<FlowPath> paths;
-    unsigned int          n_paths_sought = 0;
 
     /** At the bottleneck of the first path, if there is one. */
     Throat throat;
@@ -43,15 +42,12 @@ namespace strait
 
   /**
    * The channel of @p gap as the contact leaves it, in @p domain, with at most @p n_paths
-   * paths; 0 if only the verdict and the clusters are wanted. Collective.
+   * paths: 1 tells the bottleneck, 0 only the verdict and the clusters. Collective.
    */
   Channel make_channel(const SlabField  &gap,
                        double            slip_length,
                        const FlowDomain &domain,
                        unsigned int      n_paths);
-
-  /** Find up to @p n_paths paths, unless as many were sought before. Collective. */
-  void find_paths(Channel &channel, unsigned int n_paths);
 
   /** A stretch of a path with one narrowest point. */
   struct Constriction

@@ -41,15 +41,6 @@ namespace strait
    */
   std::vector<FlowPath>
   find_flow_paths(const SlabField &gap, const FlowDomain &domain, unsigned int n_paths);
-
-  /**
-   * Estimate of the fluid's pressure, 1 at the inlet and 0 at the outlet, at the open
-   * points of the lattice: 1 − r/R on @p path, elsewhere that of the point of the path
-   * from which the widest way comes; −1 at closed points, and at those that a window
-   * covers (FlowLattice::finest()). r is ∫ ds/g³ from the inlet, R that of the whole
-   * path.
-   */
-  std::vector<float> estimate_pressure(const FlowLattice &gap, const FlowPath &path);
 } // namespace strait
 
 #endif

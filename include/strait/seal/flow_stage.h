@@ -17,16 +17,6 @@ namespace strait
   class FlowStage
   {
   public:
-    /**
-     * The mesh starts fine at the throats of so many paths, and the contact's windows lie
-     * around them. Refinement does not find a channel that coarse cells block where it is
-     * wide, since nothing there tells of the flow that it would let through elsewhere:
-     * with half as many one of a rough contact that carries a tenth of the flow was
-     * missed, and the bracket stayed 9 % wide; twice as many cost a search each, where
-     * there are as many.
-     */
-    static constexpr unsigned int n_paths_wanted = 6;
-
     /** @p log and @p timers must outlive this object. */
     FlowStage(const FluidParameters &fluid,
               const SlabLayoutPtr   &layout,
@@ -105,10 +95,7 @@ namespace strait
 
   private:
     void read_mesh(const SlabLayoutPtr &layout);
-    void find_channel(StepFlow        &flow,
-                      const SlabField &gap,
-                      double           slip_length,
-                      unsigned int     n_paths);
+    void find_channel(StepFlow &flow, const SlabField &gap, double slip_length);
     void update_bridge(const Channel &channel, bool with_bounds);
     void mesh_and_bracket(StepFlow          &flow,
                           double             tolerance_factor,
