@@ -214,12 +214,15 @@ namespace strait
       PathSearch        search(lattice);
       while (paths.size() < n_paths)
         {
-          const double most =
-            paths.empty() ? infinity : largest_ratio * paths.front().resistance();
+          double most = infinity;
+          if (!paths.empty())
+            {
+              most = largest_ratio * paths.front().resistance();
+              search.block_throats(paths.back());
+            }
           FlowPath path = search.run(most);
           if (path.points.empty())
             break;
-          search.block_throats(path);
           paths.push_back(std::move(path));
         }
     });

@@ -77,7 +77,7 @@ namespace strait
                  (scene.contact.zoom.enabled || scene.output.error_budget)})
         .add([](const Step &step) { return step.errors.sum(); },
              "leak_rate_error [1]: relative error of the leak rate: mesh, contact grid, "
-             "zoom levels, gap interpolation and tolerances together, see "
+             "gap interpolation and tolerances together, see "
              "[run.json](#runjson); `nan` if nothing percolates");
       table.when({"with `Output/Leak rate units`", scene.fluid.enabled});
       for (const std::string &name : scene.output.leak_rate_units)

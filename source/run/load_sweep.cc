@@ -49,7 +49,8 @@ namespace strait
         flow = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
         if (scene.programme.find_threshold)
           flow->watch_constrictions();
-        error_budget = std::make_unique<ErrorBudget>(scene, contact, heights);
+        coarser      = std::make_unique<CoarserSeals>(scene, contact, heights, log);
+        error_budget = std::make_unique<ErrorBudget>(scene, heights, *coarser);
       }
     if (scene.theory.enabled)
       theory = std::make_unique<TheoryPrediction>(scene, &heights);
@@ -75,6 +76,8 @@ namespace strait
   LoadSweep::end_searches()
   {
     search.reset();
+    if (coarser && !error_budget->compares_grids())
+      coarser->clear();
   }
 
   const std::vector<Transition> &
@@ -84,8 +87,8 @@ namespace strait
     // saddle at 0.229: start a little to the side that the scene names.
     const double factor = scene.programme.path == LoadPath::unloading ? .28 : .2;
     const auto   scope  = timers.scope("threshold");
-    thresholds =
-      search->find_critical_loads(factor * contact.effective_modulus * rms_slope);
+    thresholds          = search->find_critical_loads(
+      coarser->find_critical_loads({factor * contact.effective_modulus * rms_slope}));
     // A channel that a fluid has opened is not closed again before the first step, and
     // the throat is seen on the points that it was lost on; a path on which contacts
     // alone remember begins without a past.
@@ -143,15 +146,18 @@ namespace strait
         step.state.contact_seconds = 0.;
         return true;
       }
-    const auto start_time = Timers::Clock::now();
+    // Windows shift the critical load a little: steps that are counted from it keep those
+    // that it was found with.
+    const bool has_its_points = scene.contact.zoom.enabled && stop.is_reduced;
+    const auto start_time     = Timers::Clock::now();
     const auto scope =
       timers.scope(scene.fluid.feedback.enabled ? "coupling" : "contact");
     step.flow.reset(); // its mesh was made for another gap
     Arrival arrival = follow(*seal,
                              control,
-                             !is_first ? &step.state
-                             : start   ? &*start
-                                       : nullptr,
+                             is_first && !start           ? nullptr
+                             : is_first || has_its_points ? &*start
+                                                          : &step.state,
                              flow ? Aim::leak_rate : Aim::verdict,
                              jump_search(scene));
     for (const Jump &jump : arrival.jumps)
@@ -165,7 +171,8 @@ namespace strait
     step.state = std::move(*arrival.state);
     // Where the fluid presses on the walls most of its flow is solved on the way.
     step.flow_seconds = Timers::seconds_since(start_time) - step.state.contact_seconds;
-    start.reset();
+    if (!scene.contact.zoom.enabled)
+      start.reset();
     return true;
   }
 
@@ -200,9 +207,10 @@ namespace strait
     compare_with_theory(step);
     const Transition *counted_from =
       stop.is_reduced ? threshold_of(thresholds, stop.slip_length) : nullptr;
-    step.errors = step.flow && step.flow->solution
-                    ? error_budget->assess(step, *seal, counted_from)
-                    : StepErrors();
+    const auto scope = timers.scope("errors");
+    step.errors      = step.flow && step.flow->solution
+                         ? error_budget->assess(step, counted_from)
+                         : StepErrors();
     if (scene.contact.zoom.enabled && step.errors.sum() > scene.fluid.target_accuracy)
       step.doubts.emplace_back("inaccurate");
     judge_validity(step, scene, rms_slope, log);
@@ -260,8 +268,8 @@ namespace strait
       search->transfer(archive);
     if (transfer_presence(archive, start))
       strait::transfer(archive, *start, layout);
-    if (error_budget)
-      error_budget->transfer(archive);
+    if (coarser)
+      coarser->transfer(archive);
     if (next_stop > 0 && scene.contact.enabled)
       strait::transfer(archive, step.state, layout);
   }

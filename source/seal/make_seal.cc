@@ -98,10 +98,10 @@ namespace strait
     if (!scene.fluid.feedback.enabled)
       {
         auto dry = std::make_unique<DrySeal>(std::move(model));
-        if (!scene.contact.zoom.enabled)
+        if (!contact.zoom.enabled)
           return dry;
         return std::make_unique<ZoomedSeal>(std::move(dry),
-                                            scene.contact.zoom,
+                                            contact.zoom,
                                             scene.fluid.direction,
                                             log);
       }

@@ -68,7 +68,7 @@ namespace strait
   }
 
   std::vector<Transition>
-  SealSearch::find_critical_loads(const double first_guess)
+  SealSearch::find_critical_loads(const SearchStart &first)
   {
     std::vector<Transition> result;
     double                  slip_length = 0.;
@@ -83,7 +83,7 @@ namespace strait
         // A dry contact, once probed, serves all slip lengths.
         if (!search || !model.are_alike({1., 0., 0.}, {1., 0., slip_length}))
           search.emplace(ask_load, tolerance);
-        result.push_back(critical_load(*search, first_guess, slip_length));
+        result.push_back(critical_load(*search, first, slip_length));
         const Transition &found = result.back();
         log.line(
           format("threshold%s: critical load between %.10g and %.10g, contact "
@@ -101,9 +101,9 @@ namespace strait
   }
 
   Transition
-  SealSearch::critical_load(TransitionSearch &search,
-                            const double      first,
-                            const double      slip_length)
+  SealSearch::critical_load(TransitionSearch  &search,
+                            const SearchStart &first,
+                            const double       slip_length)
   {
     const int    n_before     = search.n_asked();
     const long   pairs_before = search.n_fft_pairs();
@@ -293,12 +293,8 @@ namespace strait
     const PeriodicGrid &grid = layout->grid();
     const double        softness =
       std::max(grid.dx(), grid.dy()) / scene.contact.effective_modulus;
-    SlabField signed_gap = state.gap();
-    for (std::size_t k = 0; k < signed_gap.size(); ++k)
-      if (state.contact->pressure[k] > 0)
-        signed_gap[k] = -softness * state.contact->pressure[k];
-    const Bottleneck bottleneck = find_bottleneck(signed_gap, domain);
-    place                       = position_of(signed_gap.layout(), bottleneck.point);
+    const Bottleneck bottleneck = find_bottleneck(signed_gap(state, softness), domain);
+    place                       = position_of(state.gap().layout(), bottleneck.point);
     return bottleneck.value;
   }
 

@@ -3,6 +3,16 @@
 
 namespace strait
 {
+  SlabField
+  signed_gap(const SealState &state, const double softness)
+  {
+    SlabField result = state.gap();
+    for (std::size_t k = 0; k < result.size(); ++k)
+      if (state.contact->pressure[k] > 0)
+        result[k] = -softness * state.contact->pressure[k];
+    return result;
+  }
+
   void
   transfer(StateArchive &archive, SealState &state, const SlabLayoutPtr &layout)
   {

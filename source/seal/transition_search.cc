@@ -57,14 +57,16 @@ namespace strait
   }
 
   double
-  TransitionSearch::value_outside(const Known &known, const double first) const
+  TransitionSearch::value_outside(const Known &known, const SearchStart &first)
   {
     // Factors. Steps half as long ask more often until the transition is between two
     // values, steps twice as long leave a wider bracket, and the contact problems at its
     // far end start from less similar ones.
-    constexpr double smallest_step = 1.02, first_step = 1.2, largest_step = 1.6;
+    const double     first_step    = 1. + first.step;
+    const double     smallest_step = 1. + .1 * first.step;
+    constexpr double largest_step  = 1.6;
     if (known.open.empty() && known.sealed.empty())
-      return first;
+      return first.value;
     const bool                upwards = known.sealed.empty();
     const std::vector<Point> &side    = upwards ? known.open : known.sealed;
     const Point              &edge    = side.back();
@@ -143,7 +145,7 @@ namespace strait
   }
 
   Passage
-  TransitionSearch::enclose(const double first, const double level)
+  TransitionSearch::enclose(const SearchStart first, const double level)
   {
     bool  bisect = false;
     Known known  = known_at(level);
@@ -154,7 +156,7 @@ namespace strait
         const double width      = is_between ? known.width() : 0.;
         const double value =
           is_between ? value_between(known, bisect) : value_outside(known, first);
-        if (!(value < widest_range * first && value * widest_range > first))
+        if (!(value < widest_range * first.value && value * widest_range > first.value))
           throw ComputationError(
             std::string("The threshold was not found: the contact ") +
             (known.sealed.empty() ? "still leaks" : "is still sealed") +
@@ -168,7 +170,7 @@ namespace strait
   }
 
   Passage
-  TransitionSearch::enclose_surely(const double first, const double level)
+  TransitionSearch::enclose_surely(const SearchStart first, const double level)
   {
     while (true)
       {

@@ -10,11 +10,6 @@ namespace strait
 {
   namespace
   {
-    // Of the pressure drop, and of the flow: half of it opens windows at throats that
-    // move the leak rate by half a percent of their own error, double of it leaves some
-    // unresolved that move it by two.
-    constexpr double negligible_fraction = .01;
-
     // Points of its parent that a window covers each way. Half of it cuts through the
     // contact that shapes the throat, double of it costs four times as much; the critical
     // load depends on neither by more than 1e-6.
@@ -29,7 +24,7 @@ namespace strait
       int                level;
       Place              first;
       std::array<int, 2> n;
-      bool               is_used; // a throat that matters lies in it
+      bool               is_used; // a throat needs it
 
       /** The same on the lattice of its own points. */
       Placed
@@ -247,6 +242,36 @@ namespace strait
       std::vector<Placed> placed;
     };
 
+    /** What a throat needs along it: its error falls at least with the square of the
+     *  spacing, and counts by its fraction of the pressure drop. */
+    double
+    points_wanted(const ThroatOnPath &throat, const ZoomParameters &zoom)
+    {
+      return std::sqrt(throat.fraction) * zoom.points_along_throat;
+    }
+
+    /** Which windows of @p layout the throats need, and one level more of each, as the
+     *  next state may need it. */
+    std::vector<bool>
+    find_needed(const SlabLayout                &layout,
+                const std::vector<ThroatOnPath> &throats,
+                const ZoomParameters            &zoom)
+    {
+      const std::vector<ZoomWindow> &windows = layout.windows();
+      std::vector<bool>              is_needed(windows.size(), false);
+      for (const ThroatOnPath &throat : throats)
+        {
+          const double wanted = points_wanted(throat, zoom);
+          double       points = throat.points / 9.;
+          int          w      = throat.point.window;
+          for (; w >= 0 && points >= wanted; points /= 3.)
+            w = windows[w].parent;
+          for (; w >= 0 && !is_needed[w]; w = windows[w].parent)
+            is_needed[w] = true;
+        }
+      return is_needed;
+    }
+
     /** Those of the windows of @p layout that @p is_kept, with their parents. */
     std::vector<ZoomWindow>
     kept_windows(const SlabLayout &layout, const std::vector<bool> &is_kept)
@@ -270,19 +295,7 @@ namespace strait
                  const std::vector<ThroatOnPath> &throats,
                  const ZoomParameters            &zoom)
   {
-    const std::vector<ZoomWindow> &windows = layout.windows();
-    std::vector<bool>              is_needed(windows.size(), false);
-    for (const ThroatOnPath &throat : throats)
-      {
-        // A level more than is asked for stays: the next state may need it.
-        double points = throat.points / 9.;
-        int    w      = throat.point.window;
-        for (; w >= 0 && points >= zoom.points_along_throat; points /= 3.)
-          w = windows[w].parent;
-        for (; w >= 0 && !is_needed[w]; w = windows[w].parent)
-          is_needed[w] = true;
-      }
-    return kept_windows(layout, is_needed);
+    return kept_windows(layout, find_needed(layout, throats, zoom));
   }
 
   std::vector<ZoomWindow>
@@ -290,12 +303,7 @@ namespace strait
                 const std::vector<ThroatOnPath> &throats,
                 const ZoomParameters            &zoom)
   {
-    std::vector<bool> is_used(layout.windows().size(), false);
-    for (const ThroatOnPath &throat : throats)
-      if (throat.fraction >= negligible_fraction)
-        for (int w = throat.point.window; w >= 0; w = layout.windows()[w].parent)
-          is_used[w] = true;
-    Placement                 placement(layout, is_used);
+    Placement                 placement(layout, find_needed(layout, throats, zoom));
     bool                      is_enough = true;
     std::vector<ThroatOnPath> by_weight = throats;
     std::stable_sort(by_weight.begin(),
@@ -305,16 +313,15 @@ namespace strait
                      });
     for (const ThroatOnPath &throat : by_weight)
       {
-        if (throat.fraction < negligible_fraction)
-          break;
-        const GridPoint &point = throat.point;
+        const double     wanted = points_wanted(throat, zoom);
+        const GridPoint &point  = throat.point;
         const int   level = point.window < 0 ? 0 : layout.windows()[point.window].level;
         const Place here  = placement.place_of(point);
-        if (throat.points < zoom.points_along_throat && level < zoom.maximum_levels)
+        if (throat.points < wanted && level < zoom.maximum_levels)
           {
             is_enough = !placement.open(level + 1, here) && is_enough;
           }
-        else if (level > 0 && throat.points < 3. * zoom.points_along_throat &&
+        else if (level > 0 && throat.points < 3. * wanted &&
                  placement.points_to_rim(point) < throat.points)
           {
             is_enough =
@@ -322,15 +329,5 @@ namespace strait
           }
       }
     return is_enough ? layout.windows() : placement.windows();
-  }
-
-  std::vector<ZoomWindow>
-  without_finest(const SlabLayout &layout)
-  {
-    std::vector<bool> is_parent(layout.windows().size(), false);
-    for (const ZoomWindow &window : layout.windows())
-      if (window.parent >= 0)
-        is_parent[window.parent] = true;
-    return kept_windows(layout, is_parent);
   }
 } // namespace strait

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/contact/zoom_in.h>
+#include <strait/percolation/bottleneck.h>
 #include <strait/seal/zoom_placement.h>
 #include <strait/seal/zoomed_seal.h>
 
@@ -16,6 +17,17 @@ namespace strait
     // channel that carries a tenth of the flow of a rough contact stayed coarse; twice as
     // many cost a search each, where there are as many.
     constexpr unsigned int n_paths_wanted = 6;
+
+    /** Where a contact that seals would leak first, as if it were a throat: from its
+     * middle to where the barrier ends. */
+    ThroatOnPath
+    weakest_barrier(const SealState &state, const FlowDirection direction)
+    {
+      const Bottleneck barrier =
+        find_bottleneck(open_gap(signed_gap(state, 1.), state.control.slip_length),
+                        direction);
+      return {barrier.point, 1., static_cast<double>(barrier.reach)};
+    }
 
     /** The throat that most of the pressure drops at. */
     ThroatOnPath
@@ -35,7 +47,7 @@ namespace strait
     SealState state      = seal->solve(control, from, aim);
     bool      is_trimmed = aim != Aim::leak_rate; // once is enough
     std::vector<std::vector<ZoomWindow>> tried;
-    while (aim != Aim::comparison)
+    while (true)
       {
         const std::vector<ZoomWindow> &present = state.gap().layout().windows();
         std::vector<ZoomWindow>        windows = windows_for(state, aim, is_trimmed);
@@ -67,6 +79,8 @@ namespace strait
     const Channel      channel =
       make_channel(state.gap(), state.control.slip_length, direction, n_paths);
     std::vector<ThroatOnPath> narrow = throats(channel);
+    if (aim == Aim::leak_rate && !channel.percolates())
+      narrow = {weakest_barrier(state, direction)}; // which may open on finer points
     if (aim == Aim::verdict && !narrow.empty())
       narrow = {narrowest(narrow)}; // what decides
     std::vector<ZoomWindow> windows = place_windows(layout, narrow, zoom);

@@ -99,5 +99,22 @@ namespace strait
         }
       EXPECT_DOUBLE_EQ(find_bottleneck(field(0.), FlowDirection::y).value, -1.);
     }
+
+    TEST(Bottleneck, ReachesToTheEndOfABarrier)
+    {
+      // A barrier across, most firmly closed in its middle, 2 n − 1 points thick.
+      for (const int n : {1, 4})
+        {
+          const Bottleneck found =
+            find_bottleneck(sample(32,
+                                   [n](const double x, double) {
+                                     const double d = std::abs(x - .5) * 32 - n + .5;
+                                     return d < 0 ? d : 1.;
+                                   }),
+                            FlowDirection::x);
+          EXPECT_EQ(found.point.ix, 16);
+          EXPECT_EQ(found.reach, n);
+        }
+    }
   } // namespace
 } // namespace strait

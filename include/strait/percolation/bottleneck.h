@@ -14,6 +14,7 @@ namespace strait
   {
     GridPoint point;
     double    value = 0.;
+    int       reach = 0; // steps to the nearest point whose value has the other sign
   };
 
   /**

@@ -4,12 +4,9 @@
 
 #include <strait/base/json.h>
 #include <strait/base/scene.h>
-#include <strait/contact/contact_solver.h>
+#include <strait/run/coarser_seals.h>
 #include <strait/run/step.h>
-#include <strait/seal/seal_search.h>
-#include <strait/seal/zoomed_seal.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,66 +21,52 @@ namespace strait
    * - contact tolerance: the gap is known to the residual times the rms height, the
    *   leak rate to three times that over the narrowest gap.
    *
-   * With `Output/Error budget` two more contact and three more flow problems are
-   * solved for each step, which about doubles its time:
+   * With `Output/Error budget`, and where the contact is solved in windows of finer
+   * points:
    * - contact grid: the same step on every second and every fourth point. Where both
    *   leak and the differences shrink, the observed order extrapolates to a spacing
-   *   of zero, and the distance to there is the error; else it is the difference;
+   *   of zero, and the distance to there is the error; else it is the difference. Where
+   *   throats have windows every second point is enough, with windows of its own and a
+   *   third of the points along throats, so that this is the error of the windows' points
+   *   as well, and the difference counts twice. A load that was named by its distance from
+   *   the critical load is as far from that of the coarser grid: most of what a grid does
+   *   is to shift both;
    * - gap interpolation: bilinear in place of monotone cubic, or the reverse.
    *
-   * Where the contact is solved in windows of finer points that is done in any case, but
-   * for the contact grid:
-   * - zoom levels: half of what it changes to take the finest window from every throat,
-   *   as if the error fell with the spacing, which is divided by three;
-   * - contact grid: what the same step on every second point changes, with windows of its
-   *   own that resolve the throats as well. A load that was named by its distance from
-   *   the critical load is as far from that of every second point: most of what a grid
-   *   does is to shift both;
+   * Near a critical load:
    * - critical load: what half of its bracket's width changes at such a load, by
    *   leak_rate_exponent.
    */
   class ErrorBudget
   {
   public:
-    /** @p heights on the grid of the contact, which @p contact describes. Collective.
-     *  @p scene must outlive this object. */
-    ErrorBudget(const Scene             &scene,
-                const ContactParameters &contact,
-                const SlabField         &heights);
+    /** @p heights on the grid of the contact. @p scene and @p coarser must outlive this
+     *  object. Collective. */
+    ErrorBudget(const Scene &scene, const SlabField &heights, CoarserSeals &coarser);
 
-    /** The errors of a step that leaks, whose state @p seal has made. Where its load was
-     *  named by the distance from the critical load @p counted_from, or null, the leak
-     *  rate at that distance is what is sought. Collective. */
-    StepErrors assess(const Step &step, SealModel &seal, const Transition *counted_from);
+    /** The errors of a step that leaks. Where its load was named by the distance from the
+     * critical load @p counted_from, or null, the leak rate at that distance is what is
+     * sought. Collective. */
+    StepErrors assess(const Step &step, const Transition *counted_from);
 
-    /** What the next assessment begins with. Collective. */
-    void transfer(StateArchive &archive);
+    /** Whether steps are compared with those on coarser grids. */
+    bool
+    compares_grids() const
+    {
+      return scene.contact.zoom.enabled || scene.output.error_budget;
+    }
 
   private:
-    /** The leak rate of the step on a coarser grid; 0 if that seals. */
-    double leak_on(int halvings, const Step &step);
+    /** The leak rates of the step on every second and every fourth point as far as there
+     *  are such grids, 0 if it seals there. */
+    std::vector<double> leaks_on_coarser_grids(const Step &step, bool by_reduced_load);
 
-    void add_contact_grid(const Step &step, StepErrors &errors);
-    void add_zoom(const Step       &step,
-                  SealModel        &seal,
-                  const Transition *counted_from,
-                  StepErrors       &errors);
-
-    /** The control on the coarser grid that is that of @p step. Collective. */
-    Control coarser_control(const Step &step, const Transition *counted_from);
-
+    void add_contact_grid(const Step &step, bool by_reduced_load, StepErrors &errors);
     void add_interpolation(const Step &step, StepErrors &errors) const;
 
-    const Scene                                &scene;
-    double                                      rms_height;
-    std::vector<std::unique_ptr<ContactSolver>> coarser; // N/2, N/4
-
-    // With windows: N/2, the last state there, and the critical loads if one was needed.
-    Log                         silent;
-    std::unique_ptr<ZoomedSeal> coarser_zoomed;
-    SlabLayoutPtr               coarser_layout;
-    std::optional<SealState>    coarser_state;
-    std::vector<Transition>     coarser_thresholds;
+    const Scene  &scene;
+    double        rms_height;
+    CoarserSeals &coarser;
   };
 
   /** The errors for run.json. */

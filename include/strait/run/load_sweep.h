@@ -124,7 +124,8 @@ namespace strait
     ContactParameters                 contact;
     std::unique_ptr<FlowStage>        flow; // unless the fluid is off
     std::unique_ptr<TheoryPrediction> theory;
-    std::unique_ptr<ErrorBudget>      error_budget; // if there is a fluid
+    std::unique_ptr<CoarserSeals>     coarser;      // if there is a fluid
+    std::unique_ptr<ErrorBudget>      error_budget; // likewise
     std::unique_ptr<SealModel>        seal;
     std::unique_ptr<SealSearch>       search; // as long as there is one to make
     std::optional<SealState>          start;  // of a path where a fluid presses

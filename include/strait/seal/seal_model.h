@@ -11,9 +11,8 @@ namespace strait
   /** What a state is wanted for. */
   enum class Aim
   {
-    verdict,   // whether a channel percolates
-    leak_rate, // how much leaks, to the accuracy that the scene asks for
-    comparison // the same on the points that the state before has, and no others
+    verdict,  // whether a channel percolates
+    leak_rate // how much leaks, to the accuracy that the scene asks for
   };
 
   /**

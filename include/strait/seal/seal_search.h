@@ -86,9 +86,8 @@ namespace strait
     }
 
     /** The critical load of every slip length: the largest at which a channel percolates,
-     *  sought from @p first_guess on. Collective. Throws ComputationError if there is
-     *  none. */
-    std::vector<Transition> find_critical_loads(double first_guess);
+     *  sought from @p first on. Collective. Throws ComputationError if there is none. */
+    std::vector<Transition> find_critical_loads(const SearchStart &first);
 
     /** The blow-out pressure of every load of the programme, and the re-sealing pressure
      *  if the scene asks for it. Collective. */
@@ -120,7 +119,8 @@ namespace strait
       sealed
     };
 
-    Transition critical_load(TransitionSearch &search, double first, double slip_length);
+    Transition
+    critical_load(TransitionSearch &search, const SearchStart &first, double slip_length);
     BlowOut    blow_out(double load);
     Transition re_sealing(TransitionSearch             &search,
                           double                        leaking,

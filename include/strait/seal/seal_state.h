@@ -65,6 +65,10 @@ namespace strait
     }
   };
 
+  /** The gap of a contact [length], less than zero where it touches: minus the pressure
+   *  times @p softness. */
+  SlabField signed_gap(const SealState &state, double softness);
+
   /** Put @p state in an archive, or take it out; a given gap is left out. Collective. */
   void transfer(StateArchive &archive, SealState &state, const SlabLayoutPtr &layout);
 } // namespace strait

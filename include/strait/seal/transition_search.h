@@ -30,6 +30,19 @@ namespace strait
     double beyond;
   };
 
+  /** Where a search begins. */
+  struct SearchStart
+  {
+    SearchStart(const double value_, const double step_ = .2)
+      : value(value_)
+      , step(step_)
+    {
+    }
+
+    double value;
+    double step; // to the next value if both are on one side, relative to the first
+  };
+
   /**
    * Encloses the value at which a seal that is asked for one value after the other begins
    * or ceases to leak. Knows nothing of what varies.
@@ -62,14 +75,14 @@ namespace strait
      * @p first. Throws ComputationError if no value within a factor of 10⁶ of the first
      * brackets it. Collective if asking is.
      */
-    Passage enclose(double first, double level);
+    Passage enclose(SearchStart first, double level);
 
     /**
      * The same where the openness is known the better the nearer to the transition it is
      * asked for: both ends are asked again until they keep their sides. Answers that
      * contradict a later one are forgotten.
      */
-    Passage enclose_surely(double first, double level);
+    Passage enclose_surely(SearchStart first, double level);
 
     /**
      * Enclose where the state that is there at `known.before` is lost on the way to
@@ -130,10 +143,10 @@ namespace strait
       }
     };
 
-    Known       known_at(double level) const;
-    double      value_outside(const Known &known, double first) const;
-    double      value_between(const Known &known, bool bisect) const;
-    static bool is_linear(const Known &known);
+    Known         known_at(double level) const;
+    static double value_outside(const Known &known, const SearchStart &first);
+    double        value_between(const Known &known, bool bisect) const;
+    static bool   is_linear(const Known &known);
     std::optional<Passage>
     lose_slowly(Passage at, double first_step, const Kept &is_kept);
 

@@ -13,9 +13,9 @@ namespace strait
   /**
    * The windows that a gap needs so that its throats have as many points along the flow
    * as the scene wants: those that @p layout has, and what the @p throats of a channel
-   * lack, one level more for each at a time. A throat that matters less than
-   * a hundredth of the pressure drop gets none. Returns those of @p layout where nothing
-   * is lacking.
+   * lack, one level more for each at a time. A throat at which a fraction f of the
+   * pressure drops needs √f of those points, for its error counts by that fraction.
+   * Returns those of @p layout where nothing is lacking.
    *
    * A new window that would touch another one of its level is joined with it or, where
    * that would be too large, left out, unless no throat lies in the other; throats that
@@ -30,9 +30,6 @@ namespace strait
   std::vector<ZoomWindow> needed_windows(const SlabLayout                &layout,
                                          const std::vector<ThroatOnPath> &throats,
                                          const ZoomParameters            &zoom);
-
-  /** Those of @p layout without the finest around each throat. */
-  std::vector<ZoomWindow> without_finest(const SlabLayout &layout);
 } // namespace strait
 
 #endif

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
+#include <strait/contact/grid_transfer.h>
+#include <strait/run/coarser_seals.h>
+#include <strait/seal/make_seal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace strait
+{
+  namespace
+  {
+    // A search begins on as few points as that each way: half of them know less of the
+    // critical load than the surface's slope does, double of them cost four times as
+    // much.
+    constexpr int fewest_points = 256;
+
+    // How far the critical load of every second point may be off, relative, where no two
+    // coarser grids tell. Half or double of it take a solve or two more where wrong.
+    constexpr double first_step = .05;
+  } // namespace
+
+  CoarserSeals::CoarserSeals(const Scene             &scene_,
+                             const ContactParameters &contact,
+                             const SlabField         &heights,
+                             Log                     &log_)
+    : scene(scene_)
+    , log(log_)
+    , silent(heights.layout().communicator(), true)
+  {
+    if (!scene.contact.enabled || scene.contact.adhesion.enabled ||
+        scene.fluid.feedback.enabled)
+      return;
+    const bool searches = scene.programme.find_threshold && scene.fluid.mesh_file.empty();
+    const int  n_compared = scene.contact.zoom.enabled  ? 1
+                            : scene.output.error_budget ? 2
+                                                        : 0;
+    // Without the last level of windows, whose points are compared as well.
+    ContactParameters coarser = contact;
+    coarser.zoom.points_along_throat /= 3.;
+    SlabField coarse = heights;
+    while (can_be_coarsened(coarse.grid()) &&
+           (size() < n_compared ||
+            (searches && std::min(coarse.grid().nx, coarse.grid().ny) > fewest_points)))
+      {
+        coarse = restrict_by_injection(coarse);
+        seals.push_back({coarse.layout_pointer(),
+                         make_seal(scene, coarser, coarse, nullptr, silent),
+                         {},
+                         {}});
+      }
+  }
+
+  SearchStart
+  CoarserSeals::find_critical_loads(SearchStart first)
+  {
+    for (auto seal = seals.rbegin(); seal != seals.rend(); ++seal)
+      {
+        if (seal->thresholds.empty())
+          {
+            SealSearch search(
+              scene, *seal->model, seal->layout, scene.fluid.direction, silent);
+            seal->thresholds = search.find_critical_loads(first);
+            seal->state      = search.take_state();
+          }
+        const double load = seal->thresholds.front().middle();
+        log.progress(format("  critical load on %d × %d points: %.8g",
+                            seal->layout->grid().nx,
+                            seal->layout->grid().ny,
+                            load));
+        // Nearer than to the grid before.
+        const double step = seal == seals.rbegin()
+                              ? first_step
+                              : std::clamp(std::abs(load / first.value - 1.),
+                                           2. * scene.programme.threshold_tolerance,
+                                           first_step);
+        first             = {load, step};
+      }
+    return first;
+  }
+
+  SlabField
+  CoarserSeals::gap(const int                    halvings,
+                    Control                      control,
+                    const std::optional<double> &reduced_load)
+  {
+    CoarserSeal &seal = seals[halvings - 1];
+    if (const Transition *own = threshold_of(seal.thresholds, control.slip_length);
+        own != nullptr && reduced_load)
+      {
+        // In the windows that it was found with.
+        control.target = (1. - *reduced_load) * own->middle();
+        return seal.model->solve(control, &*seal.state, Aim::leak_rate).gap();
+      }
+    seal.state =
+      seal.model->solve(control, seal.state ? &*seal.state : nullptr, Aim::leak_rate);
+    return seal.state->gap();
+  }
+
+  void
+  CoarserSeals::transfer(StateArchive &archive)
+  {
+    for (CoarserSeal &seal : seals)
+      {
+        strait::transfer(archive, seal.thresholds);
+        if (transfer_presence(archive, seal.state))
+          strait::transfer(archive, *seal.state, seal.layout);
+      }
+  }
+} // namespace strait
