@@ -207,10 +207,12 @@ namespace strait
     compare_with_theory(step);
     const Transition *counted_from =
       stop.is_reduced ? threshold_of(thresholds, stop.slip_length) : nullptr;
-    const auto scope = timers.scope("errors");
-    step.errors      = step.flow && step.flow->solution
-                         ? error_budget->assess(step, counted_from)
-                         : StepErrors();
+    step.errors = StepErrors();
+    if (step.flow && step.flow->solution)
+      {
+        const auto scope = timers.scope("errors");
+        step.errors      = error_budget->assess(step, counted_from);
+      }
     if (scene.contact.zoom.enabled && step.errors.sum() > scene.fluid.target_accuracy)
       step.doubts.emplace_back("inaccurate");
     judge_validity(step, scene, rms_slope, log);
