@@ -280,8 +280,10 @@ namespace strait
            "standard_deviation [of the quantity]: over the realisations; `nan` of one")
       .add(&ScatterRow::n_samples,
            "samples [1]: realisations for which the quantity is known")
-      .add(&ScatterRow::n_missing,
-           "missing [1]: those for which it is not; `status` in ensemble.csv tells why");
+      .add(
+        &ScatterRow::n_missing,
+        "missing [1]: those for which it is not; `status` in ensemble.csv tells why, or "
+        "`Reduced loads` has too few steps for it");
     return table;
   }
 

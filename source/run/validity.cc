@@ -16,12 +16,12 @@ namespace strait
     // otherwise.
 
     // What the fluid may carry of the load. It raises the critical load of a square
-    // saddle by 6 % at this ratio, by 3 % at half of it and 12 % at double.
+    // saddle by 6 % at this ratio, by 3 % at half of it and 13 % at double.
     constexpr double most_fluid_pressure = .1;
 
     // Elastic contact pressures p have the density ∝ p exp(−p²/2s²) at small loads, with
     // the mean s √(π/2): of the contact, exp(−π/4 (H/mean)²) = 4 % lies above the
-    // hardness H at this ratio of the mean to H; 6e-6 at half of it, 46 % at double.
+    // hardness H at this ratio of the mean to H; 3e-6 at half of it, 46 % at double.
     constexpr double most_of_hardness = .5;
 
     // Mean contact pressure over E*, where no hardness is known: few solids bear strains
