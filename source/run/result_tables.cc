@@ -253,7 +253,8 @@ namespace strait
            "exponent_error [1]: standard error of its fit")
       .when({"with `Theory/Enabled`", scene.theory.enabled})
       .add(&RealisationRow::theory_crossover_load,
-           "theory_crossover_load [pressure]: that of the theory's leak rate")
+           "theory_crossover_load [pressure]: that of the theory's leak rate at the same "
+           "steps")
       .when()
       .add(&RealisationRow::status,
            "status: `ok`, `failed`, or the words of `status` of all its rows of "
