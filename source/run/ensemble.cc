@@ -218,7 +218,8 @@ namespace strait
       if (row.n_missing > 0)
         log.warn(
           format("%s is known of %zu of %zu realisations; the column status of "
-                 "ensemble.csv tells why",
+                 "ensemble.csv tells why, or Load programme/Reduced loads has too few "
+                 "steps for it",
                  row.quantity.c_str(),
                  row.n_samples,
                  rows.size()));

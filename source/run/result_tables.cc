@@ -253,7 +253,8 @@ namespace strait
            "exponent_error [1]: standard error of its fit")
       .when({"with `Theory/Enabled`", scene.theory.enabled})
       .add(&RealisationRow::theory_crossover_load,
-           "theory_crossover_load [pressure]: that of the theory's leak rate")
+           "theory_crossover_load [pressure]: that of the theory's leak rate at the same "
+           "steps")
       .when()
       .add(&RealisationRow::status,
            "status: `ok`, `failed`, or the words of `status` of all its rows of "
@@ -280,8 +281,10 @@ namespace strait
            "standard_deviation [of the quantity]: over the realisations; `nan` of one")
       .add(&ScatterRow::n_samples,
            "samples [1]: realisations for which the quantity is known")
-      .add(&ScatterRow::n_missing,
-           "missing [1]: those for which it is not; `status` in ensemble.csv tells why");
+      .add(
+        &ScatterRow::n_missing,
+        "missing [1]: those for which it is not; `status` in ensemble.csv tells why, or "
+        "`Reduced loads` has too few steps for it");
     return table;
   }
 

@@ -151,7 +151,7 @@ namespace strait
   Scaling::theory_crossover() const
   {
     return crossover_reduced_load(
-      series(theory_leak_rate, smallest_slip(theory_leak_rate), Trust::all));
+      series(theory_leak_rate, smallest_slip(theory_leak_rate), Trust::resolved));
   }
 
   namespace

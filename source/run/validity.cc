@@ -11,17 +11,16 @@ namespace strait
 {
   namespace
   {
-    // Each limit, with its source, stands in doc/validity.md as well. Half and double of
-    // a limit warn of half and double the error that its comment names, unless it says
-    // otherwise.
+    // Each limit, with its source and what half and double of it do, stands in
+    // doc/validity.md as well.
 
     // What the fluid may carry of the load. It raises the critical load of a square
-    // saddle by 6 % at this ratio, by 3 % at half of it and 12 % at double.
+    // saddle by 6 % at this ratio, by 3 % at half of it and 13 % at double.
     constexpr double most_fluid_pressure = .1;
 
     // Elastic contact pressures p have the density ∝ p exp(−p²/2s²) at small loads, with
     // the mean s √(π/2): of the contact, exp(−π/4 (H/mean)²) = 4 % lies above the
-    // hardness H at this ratio of the mean to H; 6e-6 at half of it, 46 % at double.
+    // hardness H at this ratio of the mean to H; 3e-6 at half of it, 46 % at double.
     constexpr double most_of_hardness = .5;
 
     // Mean contact pressure over E*, where no hardness is known: few solids bear strains
@@ -43,8 +42,8 @@ namespace strait
     // change by several times as much.
     constexpr double most_trapped_load = .01;
 
-    // The contact grid's error of the leak rate of prm/quickstart.prm is 0.8 % with 3.9
-    // points along the throat and 9 % with 2.4.
+    // Contact grid and interpolation change the leak rate of prm/quickstart.prm by 2 %
+    // with 2.9 points along the throat; by 10 to 27 % with 1.4 to 2.3, by 0.5 % with 6.
     constexpr double least_points_along_throat = 3.;
 
     /** The checks of one step, one function for each mechanism that is left out. */

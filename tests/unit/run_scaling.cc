@@ -20,6 +20,8 @@ namespace strait
       step.flow.emplace();
       step.flow->leakage.rate = rate;
       step.flow->constrictions.emplace();
+      step.theory.emplace();
+      step.theory->leak_rate = rate * rate;
       if (!doubt.empty())
         step.doubts.push_back(doubt);
       return step;
@@ -93,7 +95,7 @@ namespace strait
     }
 
     // exp(s ε) has its crossover at 69/(20 s); a coarse throat must not spoil it, and one
-    // that exponents cannot be told from does not.
+    // that exponents cannot be told from does not. The theory's is from the same steps.
     TEST(Scaling, CrossoverOfResolvedSteps)
     {
       Scaling scaling(.02);
@@ -101,6 +103,7 @@ namespace strait
         scaling.collect(step_at(epsilon, std::exp(10. * epsilon), "unresolved-throat"));
       scaling.collect(coarse(step_at(.3, 1e-9)));
       EXPECT_NEAR(scaling.crossover(), .345, 1e-12);
+      EXPECT_NEAR(scaling.theory_crossover(), .1725, 1e-12);
       EXPECT_EQ(scaling.missing(), "ok");
     }
 

@@ -164,6 +164,7 @@ namespace
     EXPECT_EQ(mirrored.ny, 4);
     EXPECT_EQ((*mirrored.size)[0], 2.);
     EXPECT_EQ(mirrored.values[0], mirrored.values[5]);
+    EXPECT_TRUE(mentions(remarks.warnings[1], "as before"));
     EXPECT_EQ(mirrored.values[1], mirrored.values[3 * 6 + 4]);
 
     parameters.make_periodic = MakePeriodic::window;

@@ -150,6 +150,11 @@ namespace strait
       const auto rows = lines_of(folder + "/all/ensemble.csv");
       ASSERT_EQ(rows.size(), 5U);
       EXPECT_EQ(rows[4].substr(0, 13), "4,4,inverted,");
+      // With a throat too coarse at one of its two steps it has no crossover, and says
+      // so.
+      EXPECT_NE(rows[4].find("nan,nan,nan,unresolved-throat+no-crossover,coarse-throat"),
+                std::string::npos)
+        << rows[4];
       EXPECT_EQ(lines_of(folder + "/all/ensemble_summary.csv").front(),
                 "quantity,mean,standard_deviation,samples,missing");
 

@@ -100,7 +100,7 @@ class _Reader:
         if letter == "o":
             return self.object(position, depth + 1)
         if letter.lower() not in self._NUMBERS and letter not in "SO":
-            raise Refused(f"has a component of the unknown type '{letter}'")
+            raise Refused(f"has a component of the unknown type {letter!r}")
         if letter.islower():
             kind = np.dtype(self._NUMBERS[letter])
             raw, position = self.take(position, kind.itemsize)
