@@ -104,31 +104,21 @@ namespace strait
             : std::min(bracket.upper - bracket.lower,
                    gap.conductivity_of(channel.paths.front().bottleneck_gap));
     dealii::Vector<float> result(mesh.triangulation().n_active_cells());
-    std::vector<double>   p, psi;
-    std::size_t           c           = 0;
-    auto                  cell_of_psi = stream_function.dof_handler().begin_active();
-    for (const auto &cell : pressure.dof_handler().active_cell_iterators())
-      {
-        if (cell->is_locally_owned())
-          {
-            pressure.cell_values(cell, p);
-            stream_function.cell_values(cell_of_psi, psi);
-            const double conductivity = pressure.mean_coefficient(c);
-            const double resistivity  = stream_function.mean_coefficient(c);
-            // Where the gap is wide, rounding alone makes currents larger than the leak.
-            const double flow =
-              std::min(disagreement(*cell, p, conductivity, psi, bracket.lower),
-                       bracket.upper - bracket.lower);
-            double hidden = flow / bracket.upper * std::min(flow * resistivity, 1.);
-            // A cell without contact takes as much of the drop however small it is.
-            const double excess = resistivity - 1. / conductivity;
-            if (path.touches(*cell))
-              hidden = std::max(hidden, width * std::min(through_path * excess, 1.));
-            result(cell->active_cell_index()) = static_cast<float>(hidden);
-            ++c;
-          }
-        ++cell_of_psi;
-      }
+    for_each_owned_cell(pressure, stream_function, [&](const CellSolutions &here) {
+      const auto &[cell, c, p, psi] = here;
+      const double conductivity     = pressure.mean_coefficient(c);
+      const double resistivity      = stream_function.mean_coefficient(c);
+      // Where the gap is wide, rounding alone makes currents larger than the leak.
+      const double flow =
+        std::min(disagreement(*cell, p, conductivity, psi, bracket.lower),
+                 bracket.upper - bracket.lower);
+      double hidden = flow / bracket.upper * std::min(flow * resistivity, 1.);
+      // A cell without contact takes as much of the drop however small it is.
+      const double excess = resistivity - 1. / conductivity;
+      if (path.touches(*cell))
+        hidden = std::max(hidden, width * std::min(through_path * excess, 1.));
+      result(cell->active_cell_index()) = static_cast<float>(hidden);
+    });
     return result;
   }
 } // namespace strait
