@@ -40,7 +40,6 @@ namespace strait
     area.fraction = sums[0] / n_points;
     area.corrected_fraction =
       reference::corrected_contact_area(sums[0], sums[1], 1.) / n_points;
-    area.n_boundary_edges = static_cast<std::int64_t>(sums[1]);
     return area;
   }
 } // namespace strait

@@ -4,7 +4,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace strait
 {

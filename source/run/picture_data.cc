@@ -9,7 +9,6 @@
 #include <deal.II/base/hdf5.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

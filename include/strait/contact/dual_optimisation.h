@@ -2,10 +2,7 @@
 #ifndef strait_contact_dual_optimisation_h
 #define strait_contact_dual_optimisation_h
 
-#include <strait/base/contact_parameters.h>
 #include <strait/contact/contact_problem.h>
-
-#include <memory>
 
 namespace strait
 {
