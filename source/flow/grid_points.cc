@@ -100,20 +100,17 @@ namespace strait
     const double     spacing[2]  = {grid.dx() * rows.step, grid.dy() * rows.step};
     const double     origin[2]   = {grid.dx() * rows.x0, grid.dy() * rows.y0};
     const int        n_points[2] = {rows.nx, rows.ny};
+    const auto       box         = cell.bounding_box();
     int              first[2], last[2];
     for (unsigned int d = 0; d < 2; ++d)
       {
-        double low = cell.vertex(0)[d], high = low;
-        for (const unsigned int v : cell.vertex_indices())
-          {
-            low  = std::min(low, cell.vertex(v)[d]);
-            high = std::max(high, cell.vertex(v)[d]);
-          }
-        const double margin = slack * (high - low);
+        const double margin = slack * box.side_length(d);
         const auto   index = [&](const double x) { return (x - origin[d]) / spacing[d]; };
-        first[d] = std::max(static_cast<int>(std::ceil(index(low - margin))), 0);
+        first[d] =
+          std::max(static_cast<int>(std::ceil(index(box.lower_bound(d) - margin))), 0);
         last[d] =
-          std::min(static_cast<int>(std::floor(index(high + margin))), n_points[d] - 1);
+          std::min(static_cast<int>(std::floor(index(box.upper_bound(d) + margin))),
+                   n_points[d] - 1);
       }
     for (int j = first[1]; j <= last[1]; ++j)
       for (int i = first[0]; i <= last[0]; ++i)
