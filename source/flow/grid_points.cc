@@ -89,14 +89,11 @@ namespace strait
               mesh.grid_cell(cell), i * grid.nx, j * grid.ny, rows, points);
         return points;
       }
-    // In units of the cell: a point so near to an edge lies on it. Half and double of it
-    // decide alike, unless a point happens to lie as near as that.
-    constexpr double rounding = 1e-9;
     // In units of the cell: so far beside a cell at the outline, whose edge may be curved
     // away from them, points are taken for its own. Half of it leaves points out beside
     // coarse cells on arcs, double of it looks at more points for nothing.
     constexpr double beside      = 1. / 3;
-    const double     slack       = cell.at_boundary() ? beside : rounding;
+    const double     slack       = cell.at_boundary() ? beside : precision_of_meshes;
     const double     spacing[2]  = {grid.dx() * rows.step, grid.dy() * rows.step};
     const double     origin[2]   = {grid.dx() * rows.x0, grid.dy() * rows.y0};
     const int        n_points[2] = {rows.nx, rows.ny};
@@ -122,8 +119,11 @@ namespace strait
             return s >= -d && s <= 1 + d && t >= -d && t <= 1 + d;
           };
           if (within(slack))
-            points.push_back(
-              {i, j, std::clamp(s, 0., 1.), std::clamp(t, 0., 1.), within(rounding)});
+            points.push_back({i,
+                              j,
+                              std::clamp(s, 0., 1.),
+                              std::clamp(t, 0., 1.),
+                              within(precision_of_meshes)});
         }
     return points;
   }
