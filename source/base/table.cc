@@ -4,7 +4,6 @@
 #include <strait/base/text.h>
 #include <strait/base/units.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <ostream>
 #include <system_error>

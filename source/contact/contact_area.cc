@@ -2,6 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/contact/contact_area.h>
 #include <strait/reference/wavy_contact.h>
+#include <strait/spectral/rows_around.h>
 
 namespace strait
 {
@@ -11,17 +12,13 @@ namespace strait
     const SlabLayout &layout = pressure.layout();
     const int         nx = layout.grid().nx, n_rows = layout.n_rows();
 
-    // The row below the last one belongs to another rank (or is the first one).
-    std::vector<int> wanted;
-    if (n_rows > 0)
-      wanted.push_back(layout.first_row() + n_rows);
-    const std::vector<double> row_below = fetch_rows(pressure, wanted);
+    // The row after the last one belongs to another rank (or is the first one).
+    const RowsAround rows(pressure);
 
     double n_contact = 0, n_edges = 0;
     for (int row = 0; row < n_rows; ++row)
       {
-        const double *here  = pressure.data() + static_cast<std::size_t>(row) * nx;
-        const double *below = row + 1 < n_rows ? here + nx : row_below.data();
+        const double *here = rows[row], *below = rows[row + 1];
         for (int ix = 0; ix < nx; ++ix)
           {
             const bool touches = here[ix] > 0;
@@ -40,7 +37,6 @@ namespace strait
     area.fraction = sums[0] / n_points;
     area.corrected_fraction =
       reference::corrected_contact_area(sums[0], sums[1], 1.) / n_points;
-    area.n_boundary_edges = static_cast<std::int64_t>(sums[1]);
     return area;
   }
 } // namespace strait

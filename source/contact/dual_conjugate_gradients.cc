@@ -7,18 +7,6 @@
 
 namespace strait
 {
-  DualConjugateGradients::DualConjugateGradients(DualProblem             &problem,
-                                                 const ContactConstraint &constraint,
-                                                 const ContactTolerance  &tolerance)
-    : problem(problem)
-    , constraint(constraint)
-    , tolerance(tolerance)
-    , direction(problem.size(), 0.)
-    , response(problem.size(), 0.)
-    , in_contact(problem.size(), 0)
-  {
-  }
-
   ContactSolution
   DualConjugateGradients::solve(double *pressures, double *gaps)
   {

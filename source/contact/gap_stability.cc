@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/contact/gap_stability.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

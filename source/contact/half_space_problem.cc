@@ -2,7 +2,6 @@
 #include <strait/contact/half_space_problem.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace strait
 {

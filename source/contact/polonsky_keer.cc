@@ -6,17 +6,6 @@
 
 namespace strait
 {
-  PolonskyKeer::PolonskyKeer(DualProblem             &problem,
-                             const ContactConstraint &constraint,
-                             const ContactTolerance  &tolerance)
-    : problem(problem)
-    , constraint(constraint)
-    , tolerance(tolerance)
-    , t(problem.size(), 0.)
-    , r(problem.size(), 0.)
-  {
-  }
-
   ContactSolution
   PolonskyKeer::solve(double *pressure, double *gap)
   {

@@ -4,7 +4,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace strait
 {
@@ -32,6 +31,27 @@ namespace strait
     }
   } // namespace
 
+  void
+  for_each_owned_cell(const PotentialProblem                           &pressure,
+                      const PotentialProblem                           &stream_function,
+                      const std::function<void(const CellSolutions &)> &visit)
+  {
+    CellSolutions here;
+    auto          cell_of_psi = stream_function.dof_handler().begin_active();
+    for (const auto &cell : pressure.dof_handler().active_cell_iterators())
+      {
+        if (cell->is_locally_owned())
+          {
+            here.cell = cell;
+            pressure.cell_values(cell, here.p);
+            stream_function.cell_values(cell_of_psi, here.psi);
+            visit(here);
+            ++here.number;
+          }
+        ++cell_of_psi;
+      }
+  }
+
   Bracket
   plain_bracket(const FlowMesh         &mesh,
                 const PotentialProblem &pressure,
@@ -39,26 +59,16 @@ namespace strait
   {
     Bracket bracket = bracket_of(pressure.energy(), stream_function.energy());
     bracket.contributions.reinit(mesh.triangulation().n_active_cells());
-    std::vector<double> p, psi;
-    std::size_t         c           = 0;
-    auto                cell_of_psi = stream_function.dof_handler().begin_active();
-    for (const auto &cell : pressure.dof_handler().active_cell_iterators())
-      {
-        if (cell->is_locally_owned())
-          {
-            pressure.cell_values(cell, p);
-            stream_function.cell_values(cell_of_psi, psi);
-            const bool open = pressure.is_active(c);
-            bracket.contributions(cell->active_cell_index()) =
-              contribution_of(bracket,
-                              open ? pressure.cell_energy(c, p) : 0.,
-                              stream_function.cell_energy(c, psi),
-                              open ? pressure.element_matrix().gradient_times_curl(p, psi)
-                                   : 0.);
-            ++c;
-          }
-        ++cell_of_psi;
-      }
+    for_each_owned_cell(pressure, stream_function, [&](const CellSolutions &here) {
+      const auto &[cell, c, p, psi] = here;
+      const bool open               = pressure.is_active(c);
+      bracket.contributions(cell->active_cell_index()) =
+        contribution_of(bracket,
+                        open ? pressure.cell_energy(c, p) : 0.,
+                        stream_function.cell_energy(c, psi),
+                        open ? pressure.element_matrix().gradient_times_curl(p, psi)
+                             : 0.);
+    });
     return bracket;
   }
 

@@ -89,31 +89,25 @@ namespace strait
               mesh.grid_cell(cell), i * grid.nx, j * grid.ny, rows, points);
         return points;
       }
-    // In units of the cell: a point so near to an edge lies on it. Half and double of it
-    // decide alike, unless a point happens to lie as near as that.
-    constexpr double rounding = 1e-9;
     // In units of the cell: so far beside a cell at the outline, whose edge may be curved
     // away from them, points are taken for its own. Half of it leaves points out beside
     // coarse cells on arcs, double of it looks at more points for nothing.
     constexpr double beside      = 1. / 3;
-    const double     slack       = cell.at_boundary() ? beside : rounding;
+    const double     slack       = cell.at_boundary() ? beside : precision_of_meshes;
     const double     spacing[2]  = {grid.dx() * rows.step, grid.dy() * rows.step};
     const double     origin[2]   = {grid.dx() * rows.x0, grid.dy() * rows.y0};
     const int        n_points[2] = {rows.nx, rows.ny};
+    const auto       box         = cell.bounding_box();
     int              first[2], last[2];
     for (unsigned int d = 0; d < 2; ++d)
       {
-        double low = cell.vertex(0)[d], high = low;
-        for (const unsigned int v : cell.vertex_indices())
-          {
-            low  = std::min(low, cell.vertex(v)[d]);
-            high = std::max(high, cell.vertex(v)[d]);
-          }
-        const double margin = slack * (high - low);
+        const double margin = slack * box.side_length(d);
         const auto   index = [&](const double x) { return (x - origin[d]) / spacing[d]; };
-        first[d] = std::max(static_cast<int>(std::ceil(index(low - margin))), 0);
+        first[d] =
+          std::max(static_cast<int>(std::ceil(index(box.lower_bound(d) - margin))), 0);
         last[d] =
-          std::min(static_cast<int>(std::floor(index(high + margin))), n_points[d] - 1);
+          std::min(static_cast<int>(std::floor(index(box.upper_bound(d) + margin))),
+                   n_points[d] - 1);
       }
     for (int j = first[1]; j <= last[1]; ++j)
       for (int i = first[0]; i <= last[0]; ++i)
@@ -125,8 +119,11 @@ namespace strait
             return s >= -d && s <= 1 + d && t >= -d && t <= 1 + d;
           };
           if (within(slack))
-            points.push_back(
-              {i, j, std::clamp(s, 0., 1.), std::clamp(t, 0., 1.), within(rounding)});
+            points.push_back({i,
+                              j,
+                              std::clamp(s, 0., 1.),
+                              std::clamp(t, 0., 1.),
+                              within(precision_of_meshes)});
         }
     return points;
   }

@@ -20,16 +20,15 @@ namespace strait
           return;
         const SlabLayout    &layout = channel.gap.layout();
         const PeriodicGrid  &grid   = layout.grid();
-        const bool           wraps  = mesh.seal() == nullptr;
         dealii::Tensor<1, 2> period;
         period[1 - mesh.axis_along()] = mesh.axis_along() == 0 ? grid.ly : grid.lx;
+        // In a window the path may be one period away from the box, and beside it two.
+        const int reach = mesh.seal() == nullptr ? 2 : 0;
         for (const GridPoint &on_path : channel.paths.front().points)
           {
             const auto [x, y] = layout.position(on_path.window, on_path.ix, on_path.iy);
-            const dealii::Point<2> point(x, y);
-            // In a window it may be one period away from the box, and beside it two.
-            for (int n = wraps ? -2 : 0; n <= (wraps ? 2 : 0); ++n)
-              points.push_back(point + static_cast<double>(n) * period);
+            for (int n = -reach; n <= reach; ++n)
+              points.push_back(dealii::Point<2>(x, y) + static_cast<double>(n) * period);
           }
         std::sort(points.begin(), points.end(), [](const auto &a, const auto &b) {
           return a[0] < b[0];
@@ -39,25 +38,18 @@ namespace strait
       bool
       touches(const Cell &cell) const
       {
-        dealii::Point<2> low = cell.vertex(0), high = low;
-        for (const unsigned int v : cell.vertex_indices())
-          for (unsigned int d = 0; d < 2; ++d)
-            {
-              low[d]  = std::min(low[d], cell.vertex(v)[d]);
-              high[d] = std::max(high[d], cell.vertex(v)[d]);
-            }
         // Steps of the path that are longer than the cell must leave no gap, nor may
-        // cells touch at a corner alone.
-        const dealii::Tensor<1, 2> margin = high - low;
-        low -= margin;
-        high += margin;
-        auto point =
+        // cells touch at a corner alone: the box counts with one more on each side.
+        const auto   box   = cell.bounding_box();
+        const double left  = box.lower_bound(0) - box.side_length(0);
+        const double right = box.upper_bound(0) + box.side_length(0);
+        auto         point =
           std::lower_bound(points.begin(),
                            points.end(),
-                           low[0],
+                           left,
                            [](const auto &a, const double x) { return a[0] < x; });
-        for (; point != points.end() && (*point)[0] <= high[0]; ++point)
-          if ((*point)[1] >= low[1] && (*point)[1] <= high[1])
+        for (; point != points.end() && (*point)[0] <= right; ++point)
+          if (box.point_inside(*point, 1.))
             return true;
         return false;
       }
@@ -104,31 +96,22 @@ namespace strait
             : std::min(bracket.upper - bracket.lower,
                    gap.conductivity_of(channel.paths.front().bottleneck_gap));
     dealii::Vector<float> result(mesh.triangulation().n_active_cells());
-    std::vector<double>   p, psi;
-    std::size_t           c           = 0;
-    auto                  cell_of_psi = stream_function.dof_handler().begin_active();
-    for (const auto &cell : pressure.dof_handler().active_cell_iterators())
-      {
-        if (cell->is_locally_owned())
-          {
-            pressure.cell_values(cell, p);
-            stream_function.cell_values(cell_of_psi, psi);
-            const double conductivity = pressure.mean_coefficient(c);
-            const double resistivity  = stream_function.mean_coefficient(c);
-            // Where the gap is wide, rounding alone makes currents larger than the leak.
-            const double flow =
-              std::min(disagreement(*cell, p, conductivity, psi, bracket.lower),
-                       bracket.upper - bracket.lower);
-            double hidden = flow / bracket.upper * std::min(flow * resistivity, 1.);
-            // A cell without contact takes as much of the drop however small it is.
-            const double excess = resistivity - 1. / conductivity;
-            if (path.touches(*cell))
-              hidden = std::max(hidden, width * std::min(through_path * excess, 1.));
-            result(cell->active_cell_index()) = static_cast<float>(hidden);
-            ++c;
-          }
-        ++cell_of_psi;
-      }
+    for_each_owned_cell(pressure, stream_function, [&](const CellSolutions &here) {
+      const auto &[cell, c, p, psi] = here;
+      const double conductivity     = pressure.mean_coefficient(c);
+      const double resistivity      = stream_function.mean_coefficient(c);
+      // Where the gap is wide, rounding alone makes currents larger than the leak.
+      const double flow =
+        std::min(disagreement(*cell, p, conductivity, psi, bracket.lower),
+                 bracket.upper - bracket.lower);
+      double hidden = flow / bracket.upper * std::min(flow * resistivity, 1.);
+      // A cell without contact takes as much of the drop however small it is.
+      const double excess  = resistivity - 1. / conductivity;
+      const double on_path = width * std::min(through_path * excess, 1.);
+      if (on_path > hidden && path.touches(*cell))
+        hidden = on_path;
+      result(cell->active_cell_index()) = static_cast<float>(hidden);
+    });
     return result;
   }
 } // namespace strait

@@ -11,13 +11,11 @@ namespace strait
 
   namespace
   {
-    constexpr unsigned int n_vertices = 4, n_rim = 8, centre = 8;
-
     std::vector<double>
     child_values(const CorrectedSolution::Nodes &nodes, const unsigned int child)
     {
-      std::vector<double> values(n_vertices);
-      for (unsigned int v = 0; v < n_vertices; ++v)
+      std::vector<double> values(RimSystems::n_vertices);
+      for (unsigned int v = 0; v < RimSystems::n_vertices; ++v)
         values[v] = nodes[ChildCoefficient::corners[child][v]];
       return values;
     }
@@ -35,12 +33,11 @@ namespace strait
     RimSystems::Matrix
     matrix_of(const CellCoefficient &coefficient, const std::size_t cell)
     {
-      constexpr unsigned int     n_nodes = n_rim + 1;
-      dealii::FullMatrix<double> full(n_nodes, n_nodes);
       RimSystems::Matrix         matrix;
+      dealii::FullMatrix<double> full(matrix.size(), matrix.size());
       coefficient.stiffness(cell, full);
-      for (unsigned int i = 0; i < n_nodes; ++i)
-        for (unsigned int j = 0; j < n_nodes; ++j)
+      for (unsigned int i = 0; i < matrix.size(); ++i)
+        for (unsigned int j = 0; j < matrix.size(); ++j)
           matrix[i][j] = full(i, j);
       return matrix;
     }
@@ -81,7 +78,7 @@ namespace strait
       if (!cell->is_artificial())
         {
           cell->get_dof_indices(local);
-          for (unsigned int v = 0; v < n_vertices; ++v)
+          for (unsigned int v = 0; v < RimSystems::n_vertices; ++v)
             if (!constraints.is_constrained(local[v]))
               constraints.add_line(local[v]);
         }
@@ -124,7 +121,7 @@ namespace strait
             nodes.dependences.push_back({node, column, weight});
           };
           cell->get_dof_indices(local);
-          for (unsigned int node = 0; node < n_rim; ++node)
+          for (unsigned int node = 0; node < RimSystems::n_rim; ++node)
             if (!constraints.is_constrained(local[node]))
               add(node, local[node], 1.);
             else if (const auto *line = constraints.get_constraint_entries(local[node]))
@@ -182,13 +179,14 @@ namespace strait
             {
               Nodes &values = result.values[c];
               cell->get_dof_indices(local);
-              for (unsigned int node = 0; node < n_rim; ++node)
+              for (unsigned int node = 0; node < RimSystems::n_rim; ++node)
                 values[node] += x(local[node]);
               const RimSystems::Matrix matrix    = matrix_of(*coefficient, c);
               double                   at_centre = 0;
-              for (unsigned int node = 0; node < n_rim; ++node)
-                at_centre -= matrix[centre][node] * values[node];
-              values[centre]          = at_centre / matrix[centre][centre];
+              for (unsigned int node = 0; node < RimSystems::n_rim; ++node)
+                at_centre -= matrix[RimSystems::centre][node] * values[node];
+              values[RimSystems::centre] =
+                at_centre / matrix[RimSystems::centre][RimSystems::centre];
               result.cell_energies[c] = energy_of(matrix, values);
               result.energy += result.cell_energies[c];
             }

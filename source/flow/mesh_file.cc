@@ -2,7 +2,6 @@
 #include <strait/base/exceptions.h>
 #include <strait/flow/mesh_file.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>

@@ -9,8 +9,6 @@
 #include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace strait

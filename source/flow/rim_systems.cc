@@ -3,11 +3,6 @@
 
 namespace strait
 {
-  namespace
-  {
-    constexpr unsigned int n_vertices = 4, n_rim = 8, centre = 8;
-  } // namespace
-
   RimSystems::RimSystems(const CorrectionNodes &nodes_)
     : nodes(nodes_)
   {

@@ -176,10 +176,6 @@ namespace strait
   std::optional<SealMesh::Circle>
   fit_circle(const std::vector<Point<2>> &points)
   {
-    // How far points may be off a line or a circle that they are taken to lie on, of its
-    // length or radius: files give six digits or more. Half of it no longer finds circles
-    // that are written with six, double of it rounds outlines off that are polygons.
-    constexpr double tolerance = 1e-6;
     if (points.size() < 3)
       return {};
     // Three points far from each other: the first, the farthest from it, and the one
@@ -199,14 +195,15 @@ namespace strait
                         });
     const Tensor<1, 2> ac   = c - a;
     const double       area = cross(ab, ac);
-    if (std::abs(area) <= tolerance * ab.norm_square())
+    if (std::abs(area) <= precision_of_meshes * ab.norm_square())
       return {};
     const double       bb = ab.norm_square(), cc = ac.norm_square();
     const Tensor<1, 2> to_centre(
       {(ac[1] * bb - ab[1] * cc) / (2 * area), (ab[0] * cc - ac[0] * bb) / (2 * area)});
     const SealMesh::Circle circle{a + to_centre, to_centre.norm()};
     for (const Point<2> &p : points)
-      if (std::abs(p.distance(circle.centre) - circle.radius) > tolerance * circle.radius)
+      if (std::abs(p.distance(circle.centre) - circle.radius) >
+          precision_of_meshes * circle.radius)
         return {};
     return circle;
   }

@@ -37,11 +37,10 @@ namespace strait
     PotentialProblem::Vector
     vertex_slopes(const PotentialProblem &problem)
     {
-      constexpr unsigned int n_vertices = 4;
-      const DoFHandler<2>   &dofs       = problem.dof_handler();
-      const IndexSet        &owned      = dofs.locally_owned_dofs();
-      MPI_Comm               comm       = dofs.get_communicator();
-      IndexSet               relevant;
+      const DoFHandler<2> &dofs  = problem.dof_handler();
+      const IndexSet      &owned = dofs.locally_owned_dofs();
+      MPI_Comm             comm  = dofs.get_communicator();
+      IndexSet             relevant;
       DoFTools::extract_locally_relevant_dofs(dofs, relevant);
       PotentialProblem::Vector sums, counts;
       sums.reinit(owned, relevant, comm, true);
@@ -53,7 +52,7 @@ namespace strait
           {
             problem.cell_values(cell, values);
             cell->get_dof_indices(indices);
-            for (unsigned int v = 0; v < n_vertices; ++v)
+            for (const unsigned int v : cell->vertex_indices())
               {
                 sums(indices[v]) += slope_at_vertex(cell, v, values);
                 counts(indices[v]) += 1.;

@@ -34,11 +34,18 @@ namespace strait
       return {limited_slope(left.low, right.low), limited_slope(left.high, right.high)};
     }
 
-    /** The control polygon, on t0 <= t <= t1, of the cubic with control polygon @p b on
-     *  0 <= t <= 1. */
+    /** The control polygon, on t0 <= t <= t1, of the cubic from @p start to @p end with
+     *  these slopes on 0 <= t <= 1. */
     std::array<double, 4>
-    control_polygon(const std::array<double, 4> &b, const double t0, const double t1)
+    control_polygon(const double start,
+                    const double slope_at_start,
+                    const double end,
+                    const double slope_at_end,
+                    const double t0,
+                    const double t1)
     {
+      const std::array<double, 4> b = {
+        {start, start + slope_at_start / 3., end - slope_at_end / 3., end}};
       const auto blossom = [&b](const double r, const double s, const double t) {
         std::array<double, 4> c = b;
         int                   n = 3;
@@ -144,18 +151,11 @@ namespace strait
     const Interval rise  = difference(line[2], line[1]),
                    left  = limited_slope(difference(line[1], line[0]), rise),
                    right = limited_slope(rise, difference(line[3], line[2]));
-    const auto lower     = control_polygon({{line[1].low,
-                                             line[1].low + left.low / 3.,
-                                             line[2].low - right.high / 3.,
-                                             line[2].low}},
-                                       second[0],
-                                       second[1]);
-    const auto upper     = control_polygon({{line[1].high,
-                                             line[1].high + left.high / 3.,
-                                             line[2].high - right.low / 3.,
-                                             line[2].high}},
-                                       second[0],
-                                       second[1]);
+    const double t0 = second[0], t1 = second[1];
+    const auto   lower =
+      control_polygon(line[1].low, left.low, line[2].low, right.high, t0, t1);
+    const auto upper =
+      control_polygon(line[1].high, left.high, line[2].high, right.low, t0, t1);
     range.lowest = std::max(range.lowest, *std::min_element(lower.begin(), lower.end()));
     range.highest =
       std::min(range.highest, *std::max_element(upper.begin(), upper.end()));

@@ -2,6 +2,7 @@
 #include <strait/percolation/channel.h>
 #include <strait/percolation/local_clusters.h>
 #include <strait/spectral/fill_windows.h>
+#include <strait/spectral/rows_around.h>
 
 #include <algorithm>
 #include <limits>
@@ -117,18 +118,9 @@ namespace strait
     {
       const SlabLayout &layout = gap.layout();
       const int         nx = gap.grid().nx, n_rows = layout.n_rows();
-      const int         begin = layout.first_row();
-      std::vector<int>  beyond;
-      if (n_rows > 0)
-        beyond = {begin - 1, begin + n_rows};
-      const std::vector<double> halo = fetch_rows(gap, beyond);
-      const auto                line = [&](const int row) {
-        return row < 0         ? halo.data()
-                              : row == n_rows ? halo.data() + nx
-                                              : gap.data() + static_cast<std::size_t>(row) * nx;
-      };
-      const auto on_grid = [&](const int ix, const int row) {
-        return line(row)[(ix + nx) % nx];
+      const RowsAround  rows(gap);
+      const auto        on_grid = [&](const int ix, const int row) {
+        return rows[row][(ix + nx) % nx];
       };
       for (int row = 0; row < n_rows; ++row)
         for (int ix = 0; ix < nx; ++ix)

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/collective.h>
 #include <strait/percolation/clusters.h>
 #include <strait/percolation/local_clusters.h>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -249,22 +247,10 @@ namespace strait
                                : out     ? NodeState::outlet_side
                                          : NodeState::trapped;
         }
-    std::array<double, 2> areas = {}; // open and percolating
-    for (const SlabLayout::Range &range : open_gap.layout().ranges())
-      {
-        const auto begin =
-          clusters.states.begin() + static_cast<std::ptrdiff_t>(range.begin);
-        const auto end = clusters.states.begin() + static_cast<std::ptrdiff_t>(range.end);
-        const auto n_closed      = std::count(begin, end, NodeState::closed);
-        const auto n_percolating = std::count(begin, end, NodeState::percolating);
-        areas[0] += range.area * static_cast<double>(end - begin - n_closed);
-        areas[1] += range.area * static_cast<double>(n_percolating);
-      }
-    sum_in_place(open_gap.layout().communicator(), areas.data(), areas.size());
-    const auto n_points           = static_cast<double>(open_gap.grid().n_points());
-    clusters.percolates           = areas[1] > 0;
-    clusters.open_fraction        = areas[0] / n_points;
-    clusters.percolating_fraction = areas[1] / n_points;
+    clusters.percolates =
+      std::any_of(reservoirs.inlet.begin(),
+                  reservoirs.inlet.end(),
+                  [&](const Label label) { return contains(reservoirs.outlet, label); });
     return clusters;
   }
 } // namespace strait

@@ -3,7 +3,6 @@
 #include <strait/percolation/flow_path.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <queue>

@@ -12,11 +12,6 @@ namespace strait
 {
   namespace
   {
-    // Nearer than this, in grid spacings, a point lies on the outline, as coordinates in
-    // files have six digits or more. Half and double of it decide alike, unless a mesh
-    // misses grid points by as little as that.
-    constexpr double tolerance = 1e-6;
-
     /** The outline in units of half a grid spacing, so that grid points and the middles
      *  between them have integer coordinates. */
     struct Segment
@@ -122,12 +117,13 @@ namespace strait
         const bool   steep = std::abs(s.y[1] - s.y[0]) > std::abs(s.x[1] - s.x[0]);
         const double a0 = steep ? s.y[0] : s.x[0], a1 = steep ? s.y[1] : s.x[1];
         const double b0 = steep ? s.x[0] : s.y[0], b1 = steep ? s.x[1] : s.y[1];
-        const int first = static_cast<int>(std::ceil(std::min(a0, a1) - 2 * tolerance));
-        for (int a = first; a <= std::max(a0, a1) + 2 * tolerance; ++a)
+        const int    first =
+          static_cast<int>(std::ceil(std::min(a0, a1) - 2 * precision_of_meshes));
+        for (int a = first; a <= std::max(a0, a1) + 2 * precision_of_meshes; ++a)
           {
             const double b       = a1 == a0 ? b0 : b0 + (b1 - b0) * (a - a0) / (a1 - a0);
             const int    nearest = static_cast<int>(std::lround(b));
-            if (std::abs(b - nearest) > 2 * tolerance)
+            if (std::abs(b - nearest) > 2 * precision_of_meshes)
               continue;
             const int x = steep ? nearest : a, y = steep ? a : nearest;
             if (x >= 0 && x < n_x && y >= 0 && y < n_y)

@@ -80,21 +80,12 @@ namespace strait
                      *domain.region,
                      open_gap.grid());
     });
-    Clusters  clusters;
-    long long n_inside = 0, n_open = 0, n_percolating = 0;
+    Clusters clusters;
     for (const double value : scatter_from_root(open_gap.layout_pointer(), states))
-      {
-        clusters.states.push_back(static_cast<NodeState>(static_cast<int>(value)));
-        const NodeState state = clusters.states.back();
-        n_inside += state != NodeState::outside ? 1 : 0;
-        n_open += state != NodeState::closed && state != NodeState::outside ? 1 : 0;
-        n_percolating += state == NodeState::percolating ? 1 : 0;
-      }
-    n_percolating                 = sum(comm, n_percolating);
-    const auto n_points           = static_cast<double>(sum(comm, n_inside));
-    clusters.percolates           = n_percolating > 0;
-    clusters.open_fraction        = static_cast<double>(sum(comm, n_open)) / n_points;
-    clusters.percolating_fraction = static_cast<double>(n_percolating) / n_points;
+      clusters.states.push_back(static_cast<NodeState>(static_cast<int>(value)));
+    const long long n_percolating =
+      std::count(clusters.states.begin(), clusters.states.end(), NodeState::percolating);
+    clusters.percolates = sum(comm, n_percolating) > 0;
     return clusters;
   }
 } // namespace strait

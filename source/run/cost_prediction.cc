@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
+#include <strait/reference/wavy_contact.h>
 #include <strait/run/cost_prediction.h>
 
 #include <algorithm>
@@ -105,10 +106,13 @@ namespace strait
     // Of random surfaces the mean, 0.24, less one standard deviation: to be surprised by
     // the threshold is worse than to be warned of it. Half and double of it would warn of
     // nearly all loads, or of none.
-    constexpr double saddle = 1.43637, rough = .19;
+    constexpr double rough   = .19;
     const double     modulus = scene.contact.effective_modulus;
     if (scene.surface.kind == SurfaceKind::square_saddle)
-      return saddle * modulus * scene.surface.amplitude / scene.surface.size[0];
+      return reference::square_saddle::critical_load *
+             reference::square_saddle::full_pressure(scene.surface.amplitude,
+                                                     scene.surface.size[0],
+                                                     modulus);
     if (scene.surface.kind == SurfaceKind::self_affine)
       return rough * modulus * slope;
     return {};

@@ -8,7 +8,6 @@
 #include <strait/seal/make_seal.h>
 #include <strait/surface/statistics.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 

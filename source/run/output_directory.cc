@@ -12,8 +12,6 @@
 #include <strait/run/validity.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <vector>
 
 namespace strait

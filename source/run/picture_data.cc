@@ -9,9 +9,10 @@
 #include <deal.II/base/hdf5.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace strait
 {
@@ -223,17 +224,19 @@ namespace strait
     MPI_Comm            comm   = step.state.gap().layout().communicator();
     const std::string   path =
       directory + "/picture-" + std::to_string(step.number) + ".h5";
-    constexpr std::size_t n_fields = 5;
+    const std::pair<const char *, const std::vector<float> *> datasets[] = {
+      {"gap", &fields.gap},
+      {"open", &fields.open},
+      {"pressure", &fields.contact_pressure},
+      {"fluid_pressure", &fields.fluid_pressure},
+      {"current", &fields.current}};
     require_space(path,
-                  hdf5_overhead + n_fields * raster.n_points() * sizeof(float),
+                  hdf5_overhead + std::size(datasets) * raster.n_points() * sizeof(float),
                   comm);
     run_on_root(comm, [&]() {
       dealii::HDF5::File file(path, dealii::HDF5::File::FileAccessMode::create);
-      write_dataset(file, "gap", raster, fields.gap);
-      write_dataset(file, "open", raster, fields.open);
-      write_dataset(file, "pressure", raster, fields.contact_pressure);
-      write_dataset(file, "fluid_pressure", raster, fields.fluid_pressure);
-      write_dataset(file, "current", raster, fields.current);
+      for (const auto &[name, values] : datasets)
+        write_dataset(file, name, raster, *values);
       write_outline(file, step);
       write_window(file, step);
       write_attributes(file, step, fluid);

@@ -34,16 +34,16 @@ namespace strait
           log.line("spectrum: too few waves for an estimate of the Hurst exponent");
           return;
         }
-      const double two_pi = 2 * std::acos(-1.);
       log.line(
         format("spectrum: Hurst exponent %.3f ± %.3f for wavelengths from %.4g down "
                "to %.4g",
                fit->hurst_exponent,
                fit->hurst_error,
-               two_pi / (fit->has_roll_off ? fit->roll_off : fit->q_from),
-               two_pi / fit->q_to) +
-        (fit->has_roll_off ? format(", roll-off wavelength %.4g", two_pi / fit->roll_off)
-                           : std::string(", no roll-off")));
+               2 * M_PI / (fit->has_roll_off ? fit->roll_off : fit->q_from),
+               2 * M_PI / fit->q_to) +
+        (fit->has_roll_off
+           ? format(", roll-off wavelength %.4g", 2 * M_PI / fit->roll_off)
+           : std::string(", no roll-off")));
     }
 
     void
@@ -52,14 +52,13 @@ namespace strait
       std::vector<SpectrumRow> rows;
       const auto               spectrum = radial_spectrum(heights);
       const auto               fit      = fit_self_affine(spectrum);
-      const double             two_pi   = 2 * std::acos(-1.);
       for (const SpectrumBin &bin : spectrum)
         {
           double law = std::nan("");
           if (fit && bin.q <= fit->q_to * (1 + 1e-9))
             law = fit->plateau * std::pow(std::max(bin.q / fit->roll_off, 1.),
                                           -2 * (1 + fit->hurst_exponent));
-          rows.push_back({{bin}, two_pi / bin.q, law});
+          rows.push_back({{bin}, 2 * M_PI / bin.q, law});
         }
       run_on_root(heights.layout().communicator(), [&]() {
         spectrum_table(scene).write_rows(scene.output.directory + "/spectrum.csv", rows);

@@ -5,7 +5,6 @@
 #include <strait/seal/flow_stage.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace strait
 {

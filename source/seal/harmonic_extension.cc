@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/seal/harmonic_extension.h>
+#include <strait/spectral/rows_around.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,21 +48,16 @@ namespace strait
   HarmonicExtension::classify(const SlabField &flow_gap)
   {
     const int        nx = layout->grid().nx, n_rows = layout->n_rows();
-    std::vector<int> rows;
-    for (int row = -1; n_rows > 0 && row <= n_rows; ++row)
-      rows.push_back(layout->first_row() + row);
-    const std::vector<double> gap = fetch_rows(flow_gap, rows);
+    const RowsAround rows(flow_gap);
 
     spring.resize(layout->n_local_points());
     for (int row = 0, k = 0; row < n_rows; ++row)
       for (int ix = 0; ix < nx; ++ix, ++k)
         {
           double largest = 0;
-          for (int b = 0; b < 3; ++b)
+          for (int b = -1; b <= 1; ++b)
             for (int a = -1; a <= 1; ++a)
-              largest = std::max(
-                largest,
-                gap[static_cast<std::size_t>(row + b) * nx + (ix + a + nx) % nx]);
+              largest = std::max(largest, rows[row + b][(ix + a + nx) % nx]);
           // A point is open with half of the largest gap beside it.
           const double ratio =
             largest > 0 ? 2. * std::max(flow_gap[k], 0.) / largest : 0.;
@@ -147,18 +143,10 @@ namespace strait
     const int        nx = layout->grid().nx, ny = layout->grid().ny;
     const int        begin = layout->first_row(), n_rows = layout->n_rows();
     const bool       along_x = direction == FlowDirection::x;
-    std::vector<int> beyond;
-    if (n_rows > 0)
-      beyond = {begin - 1, begin + n_rows};
-    const std::vector<double> halo = fetch_rows(values, beyond);
-    const auto                line = [&](const int row) {
-      return row < 0         ? halo.data()
-                            : row == n_rows ? halo.data() + nx
-                                            : values.data() + static_cast<std::size_t>(row) * nx;
-    };
+    const RowsAround rows(values);
     for (int row = 0; row < n_rows; ++row)
       {
-        const double *here = line(row), *below = line(row - 1), *above = line(row + 1);
+        const double *here = rows[row], *below = rows[row - 1], *above = rows[row + 1];
         const int     iy             = begin + row;
         const bool    next_to_inlet  = !along_x && iy == 1;
         const bool    next_to_outlet = !along_x && iy == ny - 1;

@@ -64,17 +64,4 @@ namespace strait
   {
     return 2.5 * gap_exponent(reduced_load) + width_exponent(reduced_load);
   }
-
-  double
-  throat_conductance(const double gap,
-                     const double length,
-                     const double width,
-                     const double viscosity)
-  {
-    const double curvature = 2. * gap / (length * length);
-    // ∫ (1 − t²)^{5/2} dt from −1 to 1
-    const double profile = 5. * M_PI / 16.;
-    return 8. / (3. * M_PI * std::sqrt(2.)) * std::sqrt(curvature) * std::pow(gap, 2.5) *
-           width * profile / (12. * viscosity);
-  }
 } // namespace strait

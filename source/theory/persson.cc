@@ -213,19 +213,4 @@ namespace strait
                                                (result.edges[k + 1] - closed)));
     return result;
   }
-
-  double
-  gap_density(const PerssonState &state, const double u)
-  {
-    double density = 0;
-    for (const GapLayer &layer : state.layers)
-      {
-        const double scale = std::sqrt(.5) / layer.roughness;
-        const double left  = (u - layer.separation) * scale;
-        const double right = (u + layer.separation) * scale;
-        density += layer.share * scale / std::sqrt(pi) *
-                   (std::exp(-left * left) + std::exp(-right * right));
-      }
-    return density;
-  }
 } // namespace strait

@@ -12,8 +12,6 @@ namespace strait
 {
   namespace
   {
-    const double two_pi = 2 * std::acos(-1.);
-
     /** ∫ from 1 to e^x of t^(power − 1) dt. */
     double
     growth(const double power, const double x)
@@ -38,8 +36,8 @@ namespace strait
       return {from,
               to,
               decay,
-              scale * two_pi * from * from * growth(2 - decay, x),
-              scale * two_pi * std::pow(from, 4) * growth(4 - decay, x)};
+              scale * (2 * M_PI) * from * from * growth(2 - decay, x),
+              scale * (2 * M_PI) * std::pow(from, 4) * growth(4 - decay, x)};
     }
   } // namespace
 
@@ -122,9 +120,9 @@ namespace strait
         "Theory/Spectrum = model needs Surface/Kind = self-affine; take "
         "Theory/Spectrum = surface for other kinds.");
     const double box      = std::sqrt(parameters.size[0] * parameters.size[1]);
-    const double lowest   = two_pi / box;
-    const double roll_off = two_pi / parameters.roll_off_wavelength;
-    const double cut_off  = two_pi / parameters.short_cut_off_wavelength;
+    const double lowest   = 2 * M_PI / box;
+    const double roll_off = 2 * M_PI / parameters.roll_off_wavelength;
+    const double cut_off  = 2 * M_PI / parameters.short_cut_off_wavelength;
     const double decay    = 2 * (1 + parameters.hurst_exponent);
     if (!(cut_off > lowest))
       throw InputError(
@@ -156,8 +154,8 @@ namespace strait
     // as much.
     constexpr double    widest = 1.02;
     const PeriodicGrid &grid   = heights.grid();
-    const double        step   = two_pi / std::max(grid.lx, grid.ly);
-    const double        last   = two_pi * std::hypot(.5 / grid.dx(), .5 / grid.dy());
+    const double        step   = 2 * M_PI / std::max(grid.lx, grid.ly);
+    const double        last   = 2 * M_PI * std::hypot(.5 / grid.dx(), .5 / grid.dy());
     std::vector<double> edges(1, .5 * step);
     while (edges.back() <= last)
       edges.push_back(std::max(edges.back() + step, widest * edges.back()));
@@ -170,7 +168,8 @@ namespace strait
                           const int                   ky,
                           const std::complex<double> &mode,
                           const double                weight) {
-                        const double q = two_pi * std::hypot(kx / grid.lx, ky / grid.ly);
+                        const double q =
+                          2 * M_PI * std::hypot(kx / grid.lx, ky / grid.ly);
                         if (q < edges.front())
                           return;
                         const std::size_t ring =

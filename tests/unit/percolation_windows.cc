@@ -318,20 +318,6 @@ namespace strait
           .percolates);
     }
 
-    TEST(WindowClusters, WeighPointsByTheirArea)
-    {
-      // A stripe of open points, three rows of the fine grid in each of the coarse.
-      const auto stripe = [](const double, const double y) {
-        return std::abs(y - .5) < 2.45 / 32 ? 1. : 0.;
-      };
-      const SlabField gap = sample(layout_with(32, {window_at(10, 10, 12, 12)}), stripe);
-      const Clusters  clusters = find_clusters(gap, FlowDirection::x);
-      // Five rows of 20 columns, and fifteen ninths of them in the window.
-      const double expected = (20 * 5 + 12 * 15 / 3.) / 1024;
-      EXPECT_NEAR(clusters.open_fraction, expected, 1e-14);
-      EXPECT_NEAR(clusters.percolating_fraction, expected, 1e-14);
-    }
-
     TEST(WindowGap, KeepsPercolatingPointsOnAllLevels)
     {
       const auto height = [](const double x, const double y) {

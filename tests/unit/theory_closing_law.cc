@@ -58,6 +58,27 @@ namespace
     EXPECT_TRUE(std::isnan(ClosingLaw::fit({{1e-2, 6.}}).value()));
   }
 
+  /**
+   * Volume per time and pressure difference through a slender throat alone, where the
+   * fluid runs straight across the ridge: the gap is g0 (1 − y²/w²) + κ x²/2 with x along
+   * the flow, so that ∫dx/g³ is known for each y, and
+   *   12 η G = 8/(3π√2) √κ ∫ g(0, y)^{5/2} dy.
+   * @p gap is g0, @p length that along the flow within which the gap doubles, so that
+   * κ = 2 g0/length², @p width is w; @p viscosity η.
+   */
+  double
+  throat_conductance(const double gap,
+                     const double length,
+                     const double width,
+                     const double viscosity)
+  {
+    const double curvature = 2. * gap / (length * length);
+    // ∫ (1 − t²)^{5/2} dt from −1 to 1
+    const double profile = 5. * M_PI / 16.;
+    return 8. / (3. * M_PI * std::sqrt(2.)) * std::sqrt(curvature) * std::pow(gap, 2.5) *
+           width * profile / (12. * viscosity);
+  }
+
   // Each filament of the flow runs straight across the ridge.
   TEST(ClosingLaw, ConductanceOfASlenderThroat)
   {

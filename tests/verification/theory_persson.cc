@@ -64,6 +64,22 @@ namespace
       }
   }
 
+  /** P(u) of @p state at the gap @p u > 0 [1/length]. */
+  double
+  gap_density(const PerssonState &state, const double u)
+  {
+    double density = 0;
+    for (const GapLayer &layer : state.layers)
+      {
+        const double scale = std::sqrt(.5) / layer.roughness;
+        const double left  = (u - layer.separation) * scale;
+        const double right = (u + layer.separation) * scale;
+        density += layer.share * scale / std::sqrt(pi) *
+                   (std::exp(-left * left) + std::exp(-right * right));
+      }
+    return density;
+  }
+
   TEST(Persson, DistributionIsNormalised)
   {
     const PerssonTheory theory(model_spectrum(rough()), 1.);

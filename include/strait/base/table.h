@@ -7,7 +7,6 @@
 #include <iosfwd>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace strait

@@ -52,12 +52,6 @@ namespace strait
       return true;
     }
 
-    std::size_t
-    memory_consumption() const override
-    {
-      return peak_memory;
-    }
-
   private:
     bool                          loads() const;
     std::unique_ptr<GapOptimiser> make_optimiser(double target, RelaxationObserver);
@@ -75,7 +69,6 @@ namespace strait
     double                  traction_scale; // rms of K h, or what a flat surface has
     HalfSpaceGapProblem     problem;
     GapStability            stability;
-    std::size_t             peak_memory = 0;
   };
 } // namespace strait
 

@@ -4,8 +4,6 @@
 
 #include <strait/spectral/slab_field.h>
 
-#include <cstdint>
-
 namespace strait
 {
   /** How much of a periodic grid carries pressure. */
@@ -19,9 +17,6 @@ namespace strait
      * too much along the contact line (Yastrebov, Anciaux, Molinari 2017).
      */
     double corrected_fraction = 0;
-
-    /** Neighbouring pairs of points of which exactly one is in contact: S/a. */
-    std::int64_t n_boundary_edges = 0;
   };
 
   /** Collective. */

@@ -35,7 +35,14 @@ namespace strait
 
     /** Largest number of bytes held on this rank during a solve so far, the state that
      *  was made included. */
-    virtual std::size_t memory_consumption() const = 0;
+    std::size_t
+    memory_consumption() const
+    {
+      return peak_memory;
+    }
+
+  protected:
+    std::size_t peak_memory = 0; // a solve keeps it up to date
   };
 } // namespace strait
 

@@ -51,12 +51,6 @@ namespace strait
       return false;
     }
 
-    std::size_t
-    memory_consumption() const override
-    {
-      return peak_memory;
-    }
-
   private:
     /** What is to carry the load @p target or to keep the mean gap @p target: the
      *  load without the fluid's share, and the mean gap itself. */
@@ -89,7 +83,6 @@ namespace strait
     // With windows, those of the last state.
     SlabField                      zoomed_heights;
     std::unique_ptr<ZoomedProblem> zoomed;
-    std::size_t                    peak_memory = 0;
   };
 } // namespace strait
 

@@ -2,10 +2,7 @@
 #ifndef strait_contact_dual_optimisation_h
 #define strait_contact_dual_optimisation_h
 
-#include <strait/base/contact_parameters.h>
 #include <strait/contact/contact_problem.h>
-
-#include <memory>
 
 namespace strait
 {
@@ -89,6 +86,15 @@ namespace strait
   class DualOptimiser
   {
   public:
+    DualOptimiser(DualProblem             &problem_,
+                  const ContactConstraint &constraint_,
+                  const ContactTolerance  &tolerance_)
+      : problem(problem_)
+      , constraint(constraint_)
+      , tolerance(tolerance_)
+    {
+    }
+
     virtual ~DualOptimiser() = default;
 
     /**
@@ -100,6 +106,18 @@ namespace strait
 
     /** Bytes on this rank, beside the two fields of solve(). */
     virtual std::size_t memory_consumption() const = 0;
+
+  protected:
+    /** One for each point, for a method to keep. */
+    std::vector<double>
+    zeros() const
+    {
+      return std::vector<double>(problem.size(), 0.);
+    }
+
+    DualProblem            &problem;
+    const ContactConstraint constraint;
+    const ContactTolerance  tolerance;
   };
 } // namespace strait
 

@@ -2,12 +2,10 @@
 #ifndef strait_contact_gap_optimisation_h
 #define strait_contact_gap_optimisation_h
 
-#include <strait/base/contact_parameters.h>
 #include <strait/contact/contact_problem.h>
 #include <strait/contact/contact_state.h>
 
 #include <functional>
-#include <memory>
 
 namespace strait
 {

@@ -26,9 +26,7 @@ namespace strait
   {
   public:
     /** Needs 17 B a local point beside the two fields of solve(). */
-    DualConjugateGradients(DualProblem             &problem,
-                           const ContactConstraint &constraint,
-                           const ContactTolerance  &tolerance);
+    using DualOptimiser::DualOptimiser;
 
     ContactSolution solve(double *pressure, double *gap) override;
     std::size_t     memory_consumption() const override;
@@ -48,15 +46,13 @@ namespace strait
     void   form_direction(const Block &range);
     void   move(const Block &range, double length);
 
-    DualProblem            &problem;
-    const ContactConstraint constraint;
-    const ContactTolerance  tolerance;
+    using Flags = std::vector<std::uint8_t>;
 
-    double                   *pressure = nullptr; // p, for now also negative
-    double                   *gap      = nullptr; // g + shift
-    std::vector<double>       direction;          // t
-    std::vector<double>       response;           // r = G t
-    std::vector<std::uint8_t> in_contact;         // 1 on the set C where p may change
+    double             *pressure   = nullptr;                  // p, for now also negative
+    double             *gap        = nullptr;                  // g + shift
+    std::vector<double> direction  = zeros();                  // t
+    std::vector<double> response   = zeros();                  // r = G t
+    Flags               in_contact = Flags(problem.size(), 0); // 1 where p may change: C
 
     double shift        = 0;
     bool   any_negative = false; // pressure
@@ -84,9 +80,7 @@ namespace strait
   {
   public:
     /** Needs 16 B a local point beside the two fields of solve(). */
-    PolonskyKeer(DualProblem             &problem,
-                 const ContactConstraint &constraint,
-                 const ContactTolerance  &tolerance);
+    using DualOptimiser::DualOptimiser;
 
     ContactSolution solve(double *pressure, double *gap) override;
     std::size_t     memory_consumption() const override;
@@ -97,14 +91,10 @@ namespace strait
     void   update_direction();
     bool   step();
 
-    DualProblem            &problem;
-    const ContactConstraint constraint;
-    const ContactTolerance  tolerance;
-
     double             *p = nullptr; // pressure
     double             *g = nullptr; // gap
-    std::vector<double> t;           // direction
-    std::vector<double> r;           // G t
+    std::vector<double> t = zeros(); // direction
+    std::vector<double> r = zeros(); // G t
 
     double gap_squared      = 0; // <g, g> under pressure, and one step before
     double last_gap_squared = 0;

@@ -5,7 +5,6 @@
 #include <strait/spectral/zoom_window.h>
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 namespace strait

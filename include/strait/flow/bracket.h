@@ -6,8 +6,24 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <functional>
+#include <vector>
+
 namespace strait
 {
+  /** An owned cell of the mesh that both problems share. */
+  struct CellSolutions
+  {
+    PotentialProblem::Iterator cell;
+    std::size_t                number = 0; // among the owned cells
+    std::vector<double>        p, psi;     // PotentialProblem::cell_values()
+  };
+
+  /** Call @p visit for each of them in turn. */
+  void for_each_owned_cell(const PotentialProblem &pressure,
+                           const PotentialProblem &stream_function,
+                           const std::function<void(const CellSolutions &)> &visit);
+
   /** Bounds of the conductance Q/Δp on one mesh. */
   struct Bracket
   {

@@ -21,12 +21,6 @@ namespace strait
   public:
     explicit ElementMatrix(const MomentSet &set);
 
-    unsigned int
-    n_dofs() const
-    {
-      return n;
-    }
-
     /** A of a cell of @p hx × @p hy with the given @p moments. */
     void stiffness(const double               *moments,
                    double                      hx,

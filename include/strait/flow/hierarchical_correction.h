@@ -8,7 +8,6 @@
 #include <deal.II/fe/fe_q_iso_q1.h>
 
 #include <array>
-#include <memory>
 #include <vector>
 
 namespace strait

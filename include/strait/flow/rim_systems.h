@@ -38,15 +38,18 @@ namespace strait
   };
 
   /**
-   * The equations of the freed nodes, kept cell by cell: a cell has nine nodes in the
-   * order of FE_Q(2), of which the centre is eliminated and the rest, the rim, depends
-   * on at most a few freed ones.
+   * The equations of the freed nodes, kept cell by cell: of its nine
+   * nodes the centre is eliminated and the rest, the rim, depends on at most a few freed
+   * ones.
    */
   class RimSystems
   {
   public:
     using Matrix = std::array<std::array<double, 9>, 9>;
     using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+    /** The nodes of a cell, in the order of FE_Q(2). */
+    static constexpr unsigned int n_vertices = 4, n_rim = 8, centre = 8;
 
     explicit RimSystems(const CorrectionNodes &nodes);
 

@@ -6,8 +6,6 @@
 
 #include <deal.II/distributed/tria.h>
 
-#include <vector>
-
 namespace strait
 {
   /** Distributed over the ranks, like that of the box. */

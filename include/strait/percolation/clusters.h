@@ -39,9 +39,7 @@ namespace strait
   struct Clusters
   {
     std::vector<NodeState> states; // one per value of a field
-    bool                   percolates    = false;
-    double                 open_fraction = 0.; // of the points of the domain,
-    double percolating_fraction          = 0.; // each by the area that it stands for
+    bool                   percolates = false;
   };
 
   /**

@@ -188,18 +188,6 @@ namespace strait
     /** Its inverse. */
     std::size_t index_of(const GridPoint &p) const;
 
-    double
-    spacing_along() const
-    {
-      return levels.front().lengths[0];
-    }
-
-    double
-    spacing_across() const
-    {
-      return levels.front().lengths[1];
-    }
-
   private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 

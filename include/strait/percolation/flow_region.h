@@ -15,6 +15,14 @@
 
 namespace strait
 {
+  /**
+   * How far off a point may be of the line or circle that it is taken to lie on: of the
+   * grid's spacing, or of the length or radius, as files give six digits or more. Half of
+   * it no longer finds circles that are written with six, double of it rounds outlines
+   * off that are polygons.
+   */
+  constexpr double precision_of_meshes = 1e-6;
+
   /** What the fluid meets at the outline of a region. */
   enum class OutlineKind : std::uint8_t
   {

@@ -62,7 +62,7 @@ namespace strait::reference
      * Load over p* at which the last channel closes; computed, with an error
      * of 2e-5.
      */
-    inline constexpr double critical_load = 0.22861;
+    inline constexpr double critical_load = 0.228605;
   } // namespace square_saddle
 
   /**

@@ -2,8 +2,6 @@
 #ifndef strait_spectral_grid_cell_h
 #define strait_spectral_grid_cell_h
 
-#include <tuple>
-
 namespace strait
 {
   /**
@@ -16,12 +14,6 @@ namespace strait
     int exponent = 0;
     int i        = 0;
     int j        = 0;
-
-    bool
-    operator<(const GridCell &other) const
-    {
-      return std::tie(exponent, i, j) < std::tie(other.exponent, other.i, other.j);
-    }
   };
 } // namespace strait
 

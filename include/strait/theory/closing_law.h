@@ -63,16 +63,6 @@ namespace strait
 
     double constant = -.1; // fitted to a square saddle between ε = 1e-2 and 1e-4
   };
-
-  /**
-   * Volume per time and pressure difference through a slender throat alone, where the
-   * fluid runs straight across the ridge: the gap is g0 (1 − y²/w²) + κ x²/2 with x along
-   * the flow, so that ∫dx/g³ is known for each y, and
-   *   12 η G = 8/(3π√2) √κ ∫ g(0, y)^{5/2} dy.
-   * @p gap is g0 > 0, @p length that along the flow within which the gap doubles, so that
-   * κ = 2 g0/length², @p width is w; @p viscosity η.
-   */
-  double throat_conductance(double gap, double length, double width, double viscosity);
 } // namespace strait
 
 #endif

@@ -122,9 +122,6 @@ namespace strait
     CompressionIntegral compression;
     Resolution          resolution;
   };
-
-  /** P(u) of @p state at the gap @p u > 0 [1/length]. */
-  double gap_density(const PerssonState &state, double u);
 } // namespace strait
 
 #endif
