@@ -102,7 +102,15 @@ subsection Contact
   end
 end
 subsection Load programme
-  set Pressures = 0.04, 0.045, 0.05
+  set Pressures = 0.035, 0.04, 0.045, 0.05, 0.055, 0.06
+end
+"""
+COUNTED = ZOOMED + """
+subsection Load programme
+  set Pressures =
+  set Find threshold = true
+  set Threshold tolerance = 1e-4
+  set Reduced loads = 0.2, 0.1, 0.05, 0.02
 end
 """
 OPTIONS = None
@@ -273,6 +281,9 @@ class Survival(unittest.TestCase):
 
     def test_stopped_with_zoom(self):
         self.stopped_and_resumed(ZOOMED, [1, 2])
+
+    def test_stopped_with_zoom_and_threshold(self):
+        self.stopped_and_resumed(COUNTED, [1])
 
     def test_stopped_with_feedback(self):
         self.stopped_and_resumed(COUPLED, [1, 2], signal.SIGINT)

@@ -54,7 +54,7 @@ namespace strait
       ASSERT_EQ(result.thresholds.size(), 1U);
       EXPECT_LE(result.thresholds[0].relative_width(), 1e-6);
       EXPECT_NEAR(result.thresholds[0].middle() / (.228604 * 2 * pi), 1., 5e-6);
-      EXPECT_LE(result.thresholds[0].n_solves, 16);
+      EXPECT_LE(result.thresholds[0].n_solves, 20);
 
       const std::vector<Row> &rows = result.rows;
       ASSERT_EQ(rows.size(), 3U);
@@ -85,7 +85,7 @@ namespace strait
     {
       Scene scene                 = zoomed(saddle_scene(128));
       scene.programme.pressures   = {.99 * 1.43636};
-      scene.fluid.target_accuracy = .08; // the grid shifts the critical load
+      scene.fluid.target_accuracy = .12; // the grid shifts the critical load
       const Row along_x           = sweep(scene).front();
       scene.fluid.direction       = FlowDirection::y;
       const Row along_y           = sweep(scene).front();

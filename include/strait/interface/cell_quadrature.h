@@ -32,14 +32,17 @@ namespace strait
      * rounding would spoil the solution: with ten times as much it still holds, with 10⁵
      * times it was lost on a throat of 10⁻⁵ of the widest gap. Whatever is added where
      * the gap is wide makes the energy larger by less than 10⁻⁵ of that of the throat.
+     * With a floor K itself is no more than 10²⁰ times that, for the same reason: one
+     * without such a limit was lost where the widest gap was 10⁵ times the throat's. What
+     * that resists beside the throat is less than 10⁻¹⁰ of it.
      */
     double
     operator()(const double gap) const
     {
       const double k = conductivity_of_one * gap * gap * gap;
-      return is_resistivity
-               ? 1. / std::clamp(k, conductivity_floor, 1e14 * conductivity_floor)
-               : k;
+      if (is_resistivity)
+        return 1. / std::clamp(k, conductivity_floor, 1e14 * conductivity_floor);
+      return conductivity_floor > 0. ? std::min(k, 1e20 * conductivity_floor) : k;
     }
   };
 
