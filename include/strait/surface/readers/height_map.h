@@ -53,8 +53,7 @@ namespace strait
    * it: floating-point numbers; the dimension called x, else the last, runs along x;
    * coordinate variables with the attributes "length" (of the whole side), "unit" and
    * "periodic". NaN and _FillValue mark missing points. What the header claims is checked
-   * against the length of the file. Debian's library of NetCDF would bring a second HDF5
-   * into the program, without MPI.
+   * against the length of the file. Debian's NetCDF would bring a second HDF5.
    */
   HeightMap read_netcdf(const std::string &file);
 
