@@ -89,13 +89,13 @@ namespace strait
     CoarserSeal &seal = seals[halvings - 1];
     if (const Transition *own = threshold_of(seal.thresholds, control.slip_length);
         own != nullptr && reduced_load)
-      {
-        // In the windows that it was found with.
-        control.target = (1. - *reduced_load) * own->middle();
-        return seal.model->solve(control, &*seal.state, Aim::leak_rate).gap();
-      }
-    seal.state =
+      control.target = (1. - *reduced_load) * own->middle();
+    SealState state =
       seal.model->solve(control, seal.state ? &*seal.state : nullptr, Aim::leak_rate);
+    // What is counted from a critical load begins in the windows that it was found with.
+    if (!seal.thresholds.empty())
+      return state.gap();
+    seal.state = std::move(state);
     return seal.state->gap();
   }
 
