@@ -9,7 +9,7 @@ namespace strait
                                      const double     contact_modulus)
     : GridProblem(heights)
     , half_space(heights.layout_pointer(), contact_modulus)
-    , stiffness(TwoScaleOperator::stiffness(heights.layout_pointer()))
+    , stiffness(TwoScaleOperator::stiffness(heights.layout_pointer(), contact_modulus))
   {
   }
 

@@ -108,11 +108,13 @@ namespace strait
   } // namespace
 
   TwoScaleOperator
-  TwoScaleOperator::stiffness(const SlabLayoutPtr &layout)
+  TwoScaleOperator::stiffness(const SlabLayoutPtr &layout, const double contact_modulus)
   {
+    const PeriodicGrid &grid = layout->grid();
+    const double        unit = contact_modulus / (2 * std::sqrt(grid.dx() * grid.dy()));
     return {layout,
             Transfer::constant,
-            [](const double of_phase) { return of_phase / M_PI; },
+            [unit](const double of_phase) { return unit * of_phase; },
             0.};
   }
 

@@ -94,6 +94,7 @@ namespace strait
     : GridProblem(heights)
     , modulus(contact_modulus)
     , grid_transform(surface.layout_pointer())
+    , grid_stiffness(TwoScaleOperator::stiffness(surface.layout_pointer(), modulus))
     , room(surface.size())
   {
     for (std::size_t w = 0; w < layout().windows().size(); ++w)
@@ -128,7 +129,9 @@ namespace strait
                   pressure + block.end,
                   displacement + block.begin);
       }
-    multiply(displacement, Symbol::compliance);
+    gather_from_windows(displacement);
+    transform(grid_transform, displacement, Symbol::compliance);
+    spread_to_windows(displacement, Symbol::compliance);
     const auto [work] = weighted_sums<1>(*this, [=](const std::size_t i, auto &sums) {
       sums[0] += pressure[i] * displacement[i];
     });
@@ -148,21 +151,15 @@ namespace strait
         end = block.end;
       }
     std::fill(values + end, values + size(), 0.);
-    multiply(values, Symbol::stiffness);
+    gather_from_windows(values);
+    grid_stiffness.apply(values, [](int) {}, [](int) {});
+    spread_to_windows(values, Symbol::stiffness);
     for (const Block &block : blocks())
       after(block);
   }
 
-  /** Of values that are 0 at covered points. */
-  void
-  ZoomedProblem::multiply(double *values, const Symbol symbol)
-  {
-    gather_from_windows(values);
-    transform(grid_transform, values, symbol);
-    spread_to_windows(values, symbol);
-  }
-
-  /** Give each parent the mean of what its windows have. */
+  /** Give each parent the mean of what its windows have; what it has itself at points
+   *  that they cover is 0. */
   void
   ZoomedProblem::gather_from_windows(double *values)
   {
@@ -261,7 +258,8 @@ namespace strait
   ZoomedProblem::memory_consumption() const
   {
     std::size_t bytes =
-      room.size() * sizeof(double) + grid_transform.memory_consumption();
+      room.size() * sizeof(double) + grid_transform.memory_consumption() +
+      grid_stiffness.memory_consumption();
     for (const auto &window : windows)
       bytes += window->coarse_box.memory_consumption() +
                window->fine_box.memory_consumption() +

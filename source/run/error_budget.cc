@@ -41,7 +41,7 @@ namespace strait
     const double        slip = step.state.control.slip_length;
     std::vector<double> leaks;
     if (step.state.contact)
-      for (int h = 1; h <= std::min(coarser.size(), 2); ++h)
+      for (int h = 1; h <= std::min(coarser.size(), n_compared_grids(scene)); ++h)
         leaks.push_back(
           leak_rate_of(coarser.gap(h,
                                    step.state.control,
@@ -68,8 +68,12 @@ namespace strait
       return;
     const double fine  = step.flow->leakage.rate;
     const double first = (fine - leaks[0]) / fine;
-    // Where throats have windows every fourth point may find others, and tells no order.
-    double error = scene.contact.zoom.enabled ? 2. * std::abs(first) : std::abs(first);
+    double       error = std::abs(first);
+    // Two grids tell no order: at the first, and with the factor of safety of the grid
+    // convergence index (Roache, J. Fluids Eng. 116, 1994). With two of it a finer grid's
+    // leak rate was off by more in three of 54 cases, with four in none.
+    if (scene.contact.zoom.enabled)
+      error *= 3.;
     if (leaks.size() > 1 && leaks[0] != 0)
       {
         const double second = (leaks[0] - leaks[1]) / fine;
@@ -92,8 +96,10 @@ namespace strait
     other.interpolation   = scene.fluid.interpolation == GapInterpolation::monotone_cubic
                               ? GapInterpolation::bilinear
                               : GapInterpolation::monotone_cubic;
-    const double leak =
-      leak_rate_of(step.state.gap(), step.state.control.slip_length, other);
+    Log          silent(step.state.gap().layout().communicator(), true);
+    Timers       timers;
+    FlowStage    flow(other, step.state.gap().layout_pointer(), silent, timers);
+    const double leak = flow.solve(step.flow->channel).leakage.rate;
     errors.items.push_back({"gap interpolation",
                             std::abs(leak / step.flow->leakage.rate - 1.),
                             "Contact/Grid points"});
@@ -127,7 +133,7 @@ namespace strait
         {"critical load",
          leak_rate_exponent * .5 * counted_from->relative_width() / *step.reduced_load,
          "Load programme/Threshold tolerance"});
-    if (compares_grids())
+    if (n_compared_grids(scene) > 0)
       {
         add_contact_grid(step, counted_from != nullptr, errors);
         add_interpolation(step, errors);

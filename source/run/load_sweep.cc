@@ -75,8 +75,8 @@ namespace strait
   LoadSweep::end_searches()
   {
     search.reset();
-    if (coarser && !error_budget->compares_grids())
-      coarser->clear();
+    if (coarser)
+      coarser->end_searches();
   }
 
   const std::vector<Transition> &

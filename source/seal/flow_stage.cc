@@ -5,6 +5,7 @@
 #include <strait/seal/flow_stage.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace strait
 {
@@ -110,8 +111,15 @@ namespace strait
                    const double     slip_length,
                    const double     tolerance_factor)
   {
+    return solve(find_channel(gap, slip_length), tolerance_factor);
+  }
+
+  StepFlow
+  FlowStage::solve(Channel channel, const double tolerance_factor)
+  {
     StepFlow flow;
-    find_channel(flow, gap, slip_length);
+    flow.seal    = seal.get();
+    flow.channel = std::move(channel);
     if (!flow.channel.paths.empty())
       mesh_and_bracket(flow, tolerance_factor, ReynoldsSolver::unlimited);
     return flow;
@@ -123,7 +131,8 @@ namespace strait
                     const double     slip_length,
                     const double     tolerance_factor)
   {
-    find_channel(flow, gap, slip_length);
+    flow.seal              = seal.get();
+    flow.channel           = find_channel(gap, slip_length);
     const Channel &channel = flow.channel;
     if (channel.paths.empty())
       {
@@ -159,12 +168,11 @@ namespace strait
   }
 
   /** With a path only where reservoirs differ in pressure. */
-  void
-  FlowStage::find_channel(StepFlow &flow, const SlabField &gap, const double slip_length)
+  Channel
+  FlowStage::find_channel(const SlabField &gap, const double slip_length)
   {
     const auto scope = timers.scope("channel");
-    flow.seal        = seal.get();
-    flow.channel     = make_channel(gap, slip_length, flow_domain, has_drive() ? 1 : 0);
+    return make_channel(gap, slip_length, flow_domain, has_drive() ? 1 : 0);
   }
 
   void

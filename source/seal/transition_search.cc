@@ -7,7 +7,9 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
+#include <vector>
 
 namespace strait
 {
@@ -19,11 +21,165 @@ namespace strait
     constexpr double widest_range = 1e6;
     constexpr double unknown      = std::numeric_limits<double>::quiet_NaN();
 
-    /** Close to linear in the value around the transition. */
-    double
-    straighten(const double openness)
+    /** A value, and the openness there above the level. */
+    struct Point
     {
-      return openness > 0 ? std::pow(openness, 5. / 6) : -std::pow(-openness, 1. / .63);
+      double value;
+      double openness;
+    };
+
+    /** What is known at one level, the last of each side nearest to the transition. */
+    struct Known
+    {
+      std::vector<Point> open;   // ascending
+      std::vector<Point> sealed; // descending
+
+      bool
+      has_both() const
+      {
+        return !open.empty() && !sealed.empty();
+      }
+
+      double
+      width() const
+      {
+        return has_both() ? sealed.back().value - open.back().value
+                          : std::numeric_limits<double>::infinity();
+      }
+    };
+
+    /** Where a side of the transition says that this is. */
+    struct Estimate
+    {
+      double value;
+      double doubt;    // how far it may be off, about
+      double reach;    // from the nearest point of the side
+      bool   is_above; // that point lies above
+    };
+
+    /** Where a power law through two points vanishes. */
+    double
+    zero_of(const Point &near, const Point &far, const double exponent)
+    {
+      const double root = std::pow(near.openness / far.openness, 1. / exponent);
+      return near.value + (near.value - far.value) * root / (1. - root);
+    }
+
+    /** The exponent of a power law that vanishes at @p zero. */
+    double
+    exponent_of(const Point &near, const Point &far, const double zero)
+    {
+      return std::log(far.openness / near.openness) /
+             std::log((zero - far.value) / (zero - near.value));
+    }
+
+    bool
+    is_nearer(const Point &near, const Point &far)
+    {
+      return std::abs(near.openness) < std::abs(far.openness);
+    }
+
+    /** From points of one side, the nearest last. */
+    std::optional<Estimate>
+    estimate(const std::vector<Point> &side)
+    {
+      if (side.size() < 2 || !is_nearer(side.back(), side[side.size() - 2]))
+        return {};
+      const Point &first = side.back(), &second = side[side.size() - 2];
+      // Of the gap of a throat, and of the pressure where it is closed.
+      const double usual = first.openness > 0 ? 1.2 : .63;
+      const double rough = zero_of(first, second, usual);
+      // With half of it the next value is more often on the same side, with double of it
+      // the bracket stays wider. Likewise below.
+      double doubt = .1 * std::abs(rough - first.value);
+      double zero  = rough;
+      if (side.size() > 2 && is_nearer(second, side[side.size() - 3]) &&
+          second.openness != 0.)
+        {
+          // What exponent makes a third point lie on the same line.
+          constexpr int n_steps = 20;
+          for (int k = 0; k < n_steps; ++k)
+            zero = zero_of(first,
+                           second,
+                           std::clamp(exponent_of(second, side[side.size() - 3], zero),
+                                      .5 * usual,
+                                      2. * usual));
+          doubt =
+            std::min(.3 * std::abs(zero - rough), .2 * std::abs(zero - first.value));
+        }
+      return Estimate{zero, doubt, std::abs(zero - first.value), first.value > zero};
+    }
+
+    Known
+    known_at(const std::map<double, Probe> &asked, const double level)
+    {
+      Known known;
+      for (const auto &[value, probe] : asked)
+        {
+          const double openness = probe.openness - level;
+          (openness > 0 ? known.open : known.sealed).push_back({value, openness});
+        }
+      std::reverse(known.sealed.begin(), known.sealed.end());
+      return known;
+    }
+
+    /** That of the side which has it nearer, if it lies between the two. */
+    std::optional<Estimate>
+    estimate(const Known &known)
+    {
+      std::optional<Estimate> nearest;
+      for (const std::vector<Point> *side : {&known.open, &known.sealed})
+        if (const auto guess = estimate(*side);
+            guess && guess->value > known.open.back().value &&
+            guess->value < known.sealed.back().value &&
+            !(nearest && nearest->reach < guess->reach))
+          nearest = guess;
+      return nearest;
+    }
+
+    /** What to ask as long as all answers are on one side. */
+    double
+    value_outside(const Known &known, const SearchStart &first)
+    {
+      // Factors. Steps half as long ask more often until the transition is between two
+      // values, steps twice as long leave a wider bracket, and the contact problems at
+      // its far end start from less similar ones.
+      const double              smallest_step = 1. + .1 * first.step;
+      constexpr double          largest_step  = 1.6;
+      const bool                upwards       = known.sealed.empty();
+      const std::vector<Point> &side          = upwards ? known.open : known.sealed;
+      if (side.empty())
+        return first.value;
+      const double edge   = side.back().value;
+      double       factor = side.size() > 1 ? largest_step : 1. + first.step;
+      if (const auto guess = estimate(side))
+        // A tenth of the way beyond.
+        if (const double aim = edge + 1.1 * (guess->value - edge),
+            towards          = upwards ? aim / edge : edge / aim;
+            towards > 1)
+          factor = std::clamp(towards, smallest_step, largest_step);
+      return upwards ? edge * factor : edge / factor;
+    }
+
+    /** What to ask between the two sides: beyond @p guess, seen from the side that it
+     *  comes from, so that the transition comes to lie between, or the middle. */
+    double
+    value_between(const Known                   &known,
+                  const std::optional<Estimate> &guess,
+                  const double                   tolerance)
+    {
+      const double lower = known.open.back().value, upper = known.sealed.back().value;
+      // Two values on both sides of the transition at this distance end the search.
+      const double margin = std::min(.5 * tolerance * upper, .5 * (upper - lower));
+      double       aim    = .5 * (lower + upper);
+      if (guess)
+        {
+          const double doubt = std::max(guess->doubt, .8 * margin);
+          aim                = guess->value + (guess->is_above ? -doubt : doubt);
+          if (!(aim > lower && aim < upper))
+            aim = guess->value;
+        }
+      return std::clamp(aim, lower + margin, upper - margin);
     }
   } // namespace
 
@@ -42,129 +198,29 @@ namespace strait
     return asked[value] = probe;
   }
 
-  TransitionSearch::Known
-  TransitionSearch::known_at(const double level) const
-  {
-    Known known;
-    for (const auto &[value, probe] : asked)
-      {
-        const double openness = probe.openness - level;
-        (openness > 0 ? known.open : known.sealed)
-          .push_back({value, openness, straighten(openness)});
-      }
-    std::reverse(known.sealed.begin(), known.sealed.end());
-    return known;
-  }
-
-  double
-  TransitionSearch::value_outside(const Known &known, const SearchStart &first)
-  {
-    // Factors. Steps half as long ask more often until the transition is between two
-    // values, steps twice as long leave a wider bracket, and the contact problems at its
-    // far end start from less similar ones.
-    const double     first_step    = 1. + first.step;
-    const double     smallest_step = 1. + .1 * first.step;
-    constexpr double largest_step  = 1.6;
-    if (known.open.empty() && known.sealed.empty())
-      return first.value;
-    const bool                upwards = known.sealed.empty();
-    const std::vector<Point> &side    = upwards ? known.open : known.sealed;
-    const Point              &edge    = side.back();
-    double                    factor  = first_step;
-    if (side.size() > 1)
-      {
-        // A tenth of the way beyond where the line through two values meets zero.
-        const Point &inner = side[side.size() - 2];
-        const double reach =
-          edge.straight * (edge.value - inner.value) / (inner.straight - edge.straight);
-        const double aim = edge.value + 1.1 * reach;
-        factor           = upwards ? aim / edge.value : edge.value / aim;
-        if (!(factor > 1))
-          factor = largest_step;
-        factor = std::clamp(factor, smallest_step, largest_step);
-      }
-    return upwards ? edge.value * factor : edge.value / factor;
-  }
-
-  bool
-  TransitionSearch::is_linear(const Known &known)
-  {
-    // Slopes that differ by less than this factor are one line. A factor nearer to one
-    // falls back to the power laws of a transition where the line would have led closer,
-    // double of it follows lines across the kink.
-    constexpr double alike = 1.6;
-    const auto       slope = [](const Point &a, const Point &b) {
-      return (a.openness - b.openness) / (b.value - a.value);
-    };
-    const double across = slope(known.open.back(), known.sealed.back());
-    for (const std::vector<Point> *side : {&known.open, &known.sealed})
-      if (side->size() > 1)
-        {
-          const double ratio = slope((*side)[side->size() - 2], side->back()) / across;
-          if (ratio < alike && ratio * alike > 1)
-            return true;
-        }
-    return false;
-  }
-
-  double
-  TransitionSearch::value_between(const Known &known, const bool bisect) const
-  {
-    // Beyond where the line meets zero, so that the transition comes to lie between. With
-    // half of it the next value is more often on the same side, with double of it the
-    // bracket stays wider.
-    constexpr double overshoot = .2;
-    const Point     &open = known.open.back(), &sealed = known.sealed.back();
-    const double     lower = open.value, upper = sealed.value;
-    double           aim = .5 * (lower + upper), shortest = upper - lower;
-    if (!bisect && is_linear(known))
-      {
-        // A little to the side of the farther end, which thus comes close.
-        const double zero =
-          lower + (upper - lower) * open.openness / (open.openness - sealed.openness);
-        const double far_end = zero - lower > upper - zero ? lower : upper;
-        aim                  = zero + .1 * (far_end - zero);
-      }
-    else if (!bisect)
-      for (const std::vector<Point> *side : {&known.open, &known.sealed})
-        if (side->size() > 1)
-          {
-            const Point &near = side->back(), &far = (*side)[side->size() - 2];
-            const double reach =
-              near.straight * (near.value - far.value) / (far.straight - near.straight);
-            if (const double beyond = near.value + (1 + overshoot) * reach;
-                beyond > lower && beyond < upper && std::abs(reach) < shortest)
-              {
-                shortest = std::abs(reach);
-                aim      = beyond;
-              }
-          }
-    // A step to the other side of the transition should end the search.
-    const double margin = std::min(.8 * tolerance * upper, .5 * (upper - lower));
-    return std::clamp(aim, lower + margin, upper - margin);
-  }
-
   Passage
   TransitionSearch::enclose(const SearchStart first, const double level)
   {
     bool  bisect = false;
-    Known known  = known_at(level);
-    while (known.open.empty() || known.sealed.empty() ||
-           known.width() > tolerance * known.sealed.back().value)
+    Known known  = known_at(asked, level);
+    while (!known.has_both() || known.width() > tolerance * known.sealed.back().value)
       {
-        const bool   is_between = !known.open.empty() && !known.sealed.empty();
-        const double width      = is_between ? known.width() : 0.;
-        const double value =
-          is_between ? value_between(known, bisect) : value_outside(known, first);
+        const double                  width = known.width();
+        const std::optional<Estimate> guess =
+          known.has_both() && !bisect ? estimate(known) : std::nullopt;
+        const double value = known.has_both() ? value_between(known, guess, tolerance)
+                                              : value_outside(known, first);
         if (!(value < widest_range * first.value && value * widest_range > first.value))
           throw ComputationError(
             std::string("The threshold was not found: the contact ") +
             (known.sealed.empty() ? "still leaks" : "is still sealed") +
             " at a load of " + to_text(value) + ".");
         ask_at(value);
-        known = known_at(level);
-        // Where the line led astray, halve the bracket.
-        bisect = is_between && known.width() > .5 * width;
+        known = known_at(asked, level);
+        // Where the estimate led astray, halve the bracket.
+        const auto next = known.has_both() ? estimate(known) : std::nullopt;
+        bisect          = known.width() > .5 * width &&
+                 !(guess && next && next->reach < .5 * guess->reach);
       }
     return {known.open.back().value, known.sealed.back().value};
   }

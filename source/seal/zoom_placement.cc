@@ -319,7 +319,12 @@ namespace strait
         const Place here  = placement.place_of(point);
         if (throat.points < wanted && level < zoom.maximum_levels)
           {
-            is_enough = !placement.open(level + 1, here) && is_enough;
+            if (!placement.open(level + 1, here))
+              continue;
+            is_enough = false;
+            // Of the next level as well: it is known well enough where it will lie.
+            if (3. * throat.points < wanted && level + 1 < zoom.maximum_levels)
+              placement.open(level + 2, {3 * here[0], 3 * here[1]});
           }
         else if (level > 0 && throat.points < 3. * wanted &&
                  placement.points_to_rim(point) < throat.points)

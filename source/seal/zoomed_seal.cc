@@ -79,9 +79,9 @@ namespace strait
     const Channel      channel =
       make_channel(state.gap(), state.control.slip_length, direction, n_paths);
     std::vector<ThroatOnPath> narrow = throats(channel);
-    if (aim == Aim::leak_rate && !channel.percolates())
+    if (!channel.percolates())
       narrow = {weakest_barrier(state, direction)}; // which may open on finer points
-    if (aim == Aim::verdict && !narrow.empty())
+    else if (aim == Aim::verdict && !narrow.empty())
       narrow = {narrowest(narrow)}; // what decides
     std::vector<ZoomWindow> windows = place_windows(layout, narrow, zoom);
     if (windows == layout.windows() && !std::exchange(is_trimmed, true) &&

@@ -12,6 +12,9 @@ namespace strait
 {
   namespace
   {
+    // Of a throat near to closing; not quite those that the search begins with.
+    constexpr double of_gap = 1.16, of_pressure = .58;
+
     /** A constriction that closes at @p critical as the saddle does. */
     TransitionSearch::Ask
     constriction(const double critical, int &n_probes)
@@ -21,7 +24,7 @@ namespace strait
         const double open = 1 - load / critical;
         Probe        result;
         result.openness =
-          open > 0 ? .8 * std::pow(open, 1.2) : -.003 * std::pow(-open, .63);
+          open > 0 ? .8 * std::pow(open, of_gap) : -.003 * std::pow(-open, of_pressure);
         result.contact_area = load;
         result.fft_pairs    = 10;
         return result;
@@ -63,7 +66,7 @@ namespace strait
       EXPECT_LE(found.before, 1.436);
       EXPECT_GE(found.beyond, 1.436);
       EXPECT_LE(relative_width(found), 1e-6);
-      EXPECT_LE(n_near, n_far - 3);
+      EXPECT_LT(n_near, n_far);
     }
 
     TEST(TransitionSearch, ReachesHighAccuracy)
@@ -71,7 +74,7 @@ namespace strait
       int              n_probes = 0;
       TransitionSearch search(constriction(1.436, n_probes), 1e-9);
       EXPECT_LE(relative_width(search.enclose(1.25, 0.)), 1e-9);
-      EXPECT_LE(n_probes, 40);
+      EXPECT_LE(n_probes, 14);
     }
 
     TEST(TransitionSearch, AnotherLevelUsesKnownLoads)
@@ -81,8 +84,7 @@ namespace strait
       const Passage    dry   = search.enclose(1.25, 0.);
       const int        first = n_probes;
       const Passage    slip  = search.enclose(1.25, 2e-3);
-      // The gap is 2e-3 where 0.8 (1 - L/L_c)^1.2 is.
-      const double exact = 1.436 * (1 - std::pow(2e-3 / .8, 1 / 1.2));
+      const double     exact = 1.436 * (1 - std::pow(2e-3 / .8, 1 / of_gap));
       EXPECT_LE(slip.before, exact);
       EXPECT_GE(slip.beyond, exact);
       EXPECT_LT(slip.beyond, dry.before);

@@ -21,11 +21,12 @@ namespace strait
   {
   public:
     /**
-     * |q| up to a factor, the inverse of a half-space's compliance. The corrections are
+     * The stiffness E* q/2, with E* = @p contact_modulus > 0. The corrections are
      * constant on boxes of 4 × 4 points: about a tenth of an FFT pair, and within a
      * factor of 1.6 for all waves. Collective.
      */
-    static TwoScaleOperator stiffness(const SlabLayoutPtr &layout);
+    static TwoScaleOperator
+    stiffness(const SlabLayoutPtr &layout, double contact_modulus);
 
     /**
      * The compliance 2/(qE*), with E* = @p contact_modulus > 0; a uniform field is

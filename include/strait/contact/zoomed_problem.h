@@ -3,6 +3,7 @@
 #define strait_contact_zoomed_problem_h
 
 #include <strait/contact/half_space_problem.h>
+#include <strait/contact/two_scale_operator.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/spectral/slab_field.h>
 
@@ -22,7 +23,8 @@ namespace strait
    * pressure itself makes. Both are found in a periodic box of the window's own, a little
    * larger than it: images and means cancel in the difference, so that no kernel of free
    * space is needed. The operator is symmetric in the scalar product that is weighted by
-   * area. The same with the half-space's stiffness preconditions it.
+   * area. The same with the half-space's stiffness, nearly that on the grid, preconditions
+   * it.
    */
   class ZoomedProblem : public GridProblem<DualProblem>
   {
@@ -53,7 +55,6 @@ namespace strait
       stiffness   // qE*/2
     };
 
-    void multiply(double *values, Symbol symbol);
     void gather_from_windows(double *values);
     void spread_to_windows(double *values, Symbol symbol);
     void transform(FourierTransform &box, double *values, Symbol symbol) const;
@@ -66,6 +67,7 @@ namespace strait
 
     const double                         modulus;
     FourierTransform                     grid_transform;
+    TwoScaleOperator                     grid_stiffness;
     std::vector<std::unique_ptr<Window>> windows;
     std::vector<double>                  room;
   };

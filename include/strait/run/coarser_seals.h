@@ -12,6 +12,9 @@
 
 namespace strait
 {
+  /** With how many coarser grids each step of @p scene is compared. */
+  int n_compared_grids(const Scene &scene);
+
   /**
    * The dry seal of a scene on every second point of its contact grid, on every fourth,
    * and so on. Two things are cheap there: a first idea of the critical load, which that
@@ -47,12 +50,8 @@ namespace strait
     SlabField
     gap(int halvings, Control control, const std::optional<double> &reduced_load);
 
-    /** They are not needed any more. */
-    void
-    clear()
-    {
-      seals.clear();
-    }
+    /** Keep only those that steps are compared with. */
+    void end_searches();
 
     /** What is known of them, critical loads and last states. Collective. */
     void transfer(StateArchive &archive);

@@ -28,7 +28,7 @@ namespace strait
    *   of zero, and the distance to there is the error; else it is the difference. Where
    *   throats have windows every second point is enough, with windows of its own and a
    *   third of the points along throats, so that this is the error of the windows' points
-   *   as well, and the difference counts twice. A load that was named by its distance
+   *   as well, and the difference counts three times. A load that was named by its distance
    * from the critical load is as far from that of the coarser grid: most of what a grid
    * does is to shift both;
    * - gap interpolation: bilinear in place of monotone cubic, or the reverse.
@@ -48,13 +48,6 @@ namespace strait
      * critical load @p counted_from, or null, the leak rate at that distance is what is
      * sought. Collective. */
     StepErrors assess(const Step &step, const Transition *counted_from);
-
-    /** Whether steps are compared with those on coarser grids. */
-    bool
-    compares_grids() const
-    {
-      return scene.contact.zoom.enabled || scene.output.error_budget;
-    }
 
   private:
     /** The leak rates of the step on every second and every fourth point as far as there

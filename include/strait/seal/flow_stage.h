@@ -35,6 +35,9 @@ namespace strait
     StepFlow
     solve(const SlabField &gap, double slip_length, double tolerance_factor = 1.);
 
+    /** The same in a channel that is known, with a path if anything drives a flow. */
+    StepFlow solve(Channel channel, double tolerance_factor = 1.);
+
     /**
      * Bring @p flow, which may be new, up to date with a gap that differs a little
      * from its own: verdict, pressure, and the upper bound of the leak rate, on the
@@ -94,12 +97,12 @@ namespace strait
     }
 
   private:
-    void read_mesh(const SlabLayoutPtr &layout);
-    void find_channel(StepFlow &flow, const SlabField &gap, double slip_length);
-    void update_bridge(const Channel &channel, bool with_bounds);
-    void mesh_and_bracket(StepFlow          &flow,
-                          double             tolerance_factor,
-                          unsigned long long most_unknowns);
+    void    read_mesh(const SlabLayoutPtr &layout);
+    Channel find_channel(const SlabField &gap, double slip_length);
+    void    update_bridge(const Channel &channel, bool with_bounds);
+    void    mesh_and_bracket(StepFlow          &flow,
+                             double             tolerance_factor,
+                             unsigned long long most_unknowns);
     void
     bracket(StepFlow &flow, double tolerance_factor, unsigned long long most_unknowns);
 

@@ -50,12 +50,11 @@ namespace strait
    * Where only the value counts, the openness v falls with it and changes its sign at the
    * transition. On the open side it is the gap of a constriction, which vanishes as
    * (1 − L/L_c)^(6/5) with the load L, on the sealed side a contact pressure, which was
-   * found to grow as (L/L_c − 1)^0.63: raised to the reciprocal powers both are
-   * close to linear, and a line through two loads of one side foretells the
-   * transition. Within a grid spacing of closing, v itself is linear through zero, and
-   * the line through one load of each side does. The next load lies a little beyond, so
-   * that it closes in from the other side. Every value that was asked serves later
-   * searches at other levels of the openness.
+   * found to grow as (L/L_c − 1)^0.63. A power law through two loads of one side
+   * foretells the transition; a third one tells its exponent, which is 1 within a grid
+   * spacing of closing. The next load lies a little beyond, so that it closes in from the
+   * other side. Every value that was asked serves later searches at other levels of the
+   * openness.
    *
    * Where it counts as well what the seal was before, steps matter: a state that a small
    * step keeps may be lost by a large one. Then the transition is where small steps along
@@ -122,31 +121,6 @@ namespace strait
     }
 
   private:
-    /** A value, the openness there above the level, and the same straightened. */
-    struct Point
-    {
-      double value;
-      double openness;
-      double straight;
-    };
-
-    /** What is known at one level, the last of each side nearest to the transition. */
-    struct Known
-    {
-      std::vector<Point> open;   // ascending
-      std::vector<Point> sealed; // descending
-
-      double
-      width() const
-      {
-        return sealed.back().value - open.back().value;
-      }
-    };
-
-    Known         known_at(double level) const;
-    static double value_outside(const Known &known, const SearchStart &first);
-    double        value_between(const Known &known, bool bisect) const;
-    static bool   is_linear(const Known &known);
     std::optional<Passage>
     lose_slowly(Passage at, double first_step, const Kept &is_kept);
 
