@@ -152,7 +152,8 @@ namespace strait
       }
     std::fill(values + end, values + size(), 0.);
     gather_from_windows(values);
-    grid_stiffness.apply(values, [](int) {}, [](int) {});
+    grid_stiffness.apply(
+      values, [](int) {}, [](int) {});
     spread_to_windows(values, Symbol::stiffness);
     for (const Block &block : blocks())
       after(block);
@@ -257,9 +258,9 @@ namespace strait
   std::size_t
   ZoomedProblem::memory_consumption() const
   {
-    std::size_t bytes =
-      room.size() * sizeof(double) + grid_transform.memory_consumption() +
-      grid_stiffness.memory_consumption();
+    std::size_t bytes = room.size() * sizeof(double) +
+                        grid_transform.memory_consumption() +
+                        grid_stiffness.memory_consumption();
     for (const auto &window : windows)
       bytes += window->coarse_box.memory_consumption() +
                window->fine_box.memory_consumption() +

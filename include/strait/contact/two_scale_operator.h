@@ -25,8 +25,8 @@ namespace strait
      * constant on boxes of 4 × 4 points: about a tenth of an FFT pair, and within a
      * factor of 1.6 for all waves. Collective.
      */
-    static TwoScaleOperator
-    stiffness(const SlabLayoutPtr &layout, double contact_modulus);
+    static TwoScaleOperator stiffness(const SlabLayoutPtr &layout,
+                                      double               contact_modulus);
 
     /**
      * The compliance 2/(qE*), with E* = @p contact_modulus > 0; a uniform field is

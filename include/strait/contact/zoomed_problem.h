@@ -23,8 +23,8 @@ namespace strait
    * pressure itself makes. Both are found in a periodic box of the window's own, a little
    * larger than it: images and means cancel in the difference, so that no kernel of free
    * space is needed. The operator is symmetric in the scalar product that is weighted by
-   * area. The same with the half-space's stiffness, nearly that on the grid, preconditions
-   * it.
+   * area. The same with the half-space's stiffness, nearly that on the grid,
+   * preconditions it.
    */
   class ZoomedProblem : public GridProblem<DualProblem>
   {
