@@ -53,6 +53,28 @@ namespace strait
     archive.value(scale);
   }
 
+  PlasticState
+  indent(const SlabField *before,
+         const SlabField &pressure,
+         const SlabField &gap,
+         const double     hardness,
+         const bool       is_solution)
+  {
+    PlasticState state;
+    state.indentation = before != nullptr ? *before : SlabField(gap.layout_pointer());
+    SlabField is_plastic(gap.layout_pointer());
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      if (pressure[i] == hardness)
+        {
+          is_plastic[i] = 1.;
+          if (is_solution)
+            state.indentation[i] += std::max(0., -gap[i]);
+        }
+    state.mean_indentation = mean(state.indentation);
+    state.area             = mean(is_plastic);
+    return state;
+  }
+
   namespace
   {
     void
@@ -79,6 +101,12 @@ namespace strait
     archive.value(state.fft_pairs);
     archive.value(state.converged);
     state.approach.transfer(archive, state.pressure.layout());
+    if (transfer_presence(archive, state.plasticity))
+      {
+        archive.field(state.plasticity->indentation, layout);
+        archive.value(state.plasticity->mean_indentation);
+        archive.value(state.plasticity->area);
+      }
     if (!transfer_presence(archive, state.adhesion))
       return;
     archive.value(state.adhesion->adhesive_energy);

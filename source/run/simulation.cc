@@ -220,6 +220,8 @@ namespace strait
         summary.stopped = is_asked_to_stop();
         return !summary.stopped;
       });
+    if (!summary.stopped && sweep.state().contact)
+      write_indented_surface(scene, shown, *sweep.state().contact);
     summary.thresholds = sweep.known_thresholds();
     output.write(sweep.jumps());
     const double bytes =
