@@ -153,6 +153,11 @@ namespace strait
         refuse(
           "would indent the surface by pressures of contact and fluid that do not agree "
           "yet; switch Fluid/Wall feedback off.");
+      if (scene.programme.find_threshold && scene.programme.path == LoadPath::unloading)
+        refuse(
+          "opens the later the larger the load was before, which a search that begins "
+          "sealed does not know; search on Load programme/Path = loading, or list loads "
+          "of a cycle.");
       for (const double pressure : scene.programme.pressures)
         if (!(pressure < contact.hardness))
           throw InputError("Load programme/Pressures contains " + to_text(pressure) +
