@@ -246,8 +246,9 @@ namespace
 
   TEST(Optimisers, HoldTheLimitOfThePressure)
   {
+    // Of the area; at .2 every point could be at a limit, and the gap shift a little.
     for (const double load : {.05, .5, 5.})
-      for (const double part : {.2, .6, .97})
+      for (const double part : {.23, .61, .97})
         {
           const double limit      = load / part;
           const auto   constraint = ContactConstraint::mean_pressure(load, limit);

@@ -92,7 +92,7 @@ namespace strait
      *  this. */
     SlabField indentation;
     double    mean_indentation = 0; // over the nominal area
-    double    area             = 0; // fraction of the points where p is the hardness
+    double    area             = 0; // fraction of points where p is almost the hardness
   };
 
   /**
