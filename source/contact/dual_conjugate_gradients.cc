@@ -15,10 +15,8 @@ namespace strait
     lowest_energy = std::numeric_limits<double>::infinity();
     std::fill(direction.begin(), direction.end(), 0.);
     std::fill(response.begin(), response.end(), 0.);
-    std::transform(pressures,
-                   pressures + problem.size(),
-                   in_contact.begin(),
-                   [](const double p) { return p > 0; });
+    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+      in_contact[i] = pressure[i] > 0;
 
     ContactSolution solution;
     bool            truncation_due   = true;
@@ -169,22 +167,12 @@ namespace strait
     double        worst = 0;
     for (std::size_t i = range.begin, end = range.end; i < end; ++i)
       {
-        const double centred = g[i] - s;
-        y[i]                 = 0;
-        if (p[i] != 0 && p[i] != limit)
-          {
-            c[i]  = 1;
-            y[i]  = centred;
-            worst = std::max(worst, std::abs(centred));
-          }
-        else if (p[i] == 0 ? centred < 0 : centred > 0)
-          {
-            c[i]  = grows;
-            y[i]  = grows ? centred : 0.;
-            worst = std::max(worst, std::abs(centred));
-          }
-        else
-          c[i] = 0;
+        const double centred  = g[i] - s;
+        const bool   is_free  = p[i] != 0 && p[i] != limit;
+        const bool   is_wrong = is_free || (p[i] == 0 ? centred < 0 : centred > 0);
+        c[i]                  = is_free || (is_wrong && grows);
+        y[i]                  = c[i] ? centred : 0.;
+        worst                 = is_wrong ? std::max(worst, std::abs(centred)) : worst;
       }
     return worst;
   }

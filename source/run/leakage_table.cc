@@ -207,10 +207,12 @@ namespace strait
            "reduced_load [1]: 1 − L/L_c with the middle of the bracket of L_c");
     add_leak_rates(table, scene, with_flow);
     table.when(with_contact)
-      .add(of_contact(&ContactState::residual),
-           "contact_residual [1]: max( max over contact of \\|g\\|, max elsewhere of −g "
-           ") / rms height, at exact force balance; with adhesion the largest traction "
-           "that is not balanced, over E* × rms slope / 2")
+      .add(
+        of_contact(&ContactState::residual),
+        "contact_residual [1]: max( max over contact of \\|g\\|, max elsewhere of −g "
+        ") / rms height, at exact force balance; where the contact flows g counts in "
+        "place of \\|g\\|; with adhesion the largest traction that is not balanced, over "
+        "E* × rms slope / 2")
       .add(of_contact(&ContactState::iterations),
            "contact_iterations [1]: on the finest grid; with adhesion those of all loads "
            "since the last step, and of the check of the minimum")
