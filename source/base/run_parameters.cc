@@ -200,7 +200,7 @@ namespace strait
       checkpoint,
       "Keep after every step what --resume needs to continue the run: 20 bytes a "
       "grid point on the disk for a dry contact, 28 with adhesion, 8 more with Wall "
-      "feedback, and the time to write that.");
+      "feedback or Yielding, and the time to write that.");
     section.add(
       "Surface map",
       surface_map,

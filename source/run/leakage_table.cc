@@ -233,8 +233,10 @@ namespace strait
            "dissipated_energy [pressure length]: by the jumps since the last step, see "
            "[jumps.csv](#jumpscsv)")
       .when(with_yielding)
-      .add(of_plasticity(&PlasticState::area),
-           "plastic_area [1]: fraction of grid points where the pressure is the hardness")
+      .add(
+        of_plasticity(&PlasticState::area),
+        "plastic_area [1]: fraction of grid points where the pressure is the hardness, "
+        "to a thousandth")
       .add(
         of_plasticity(&PlasticState::mean_indentation),
         "mean_indentation [length]: mean over the box of what the surface was indented "
