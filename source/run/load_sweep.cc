@@ -8,7 +8,6 @@
 #include <strait/seal/make_seal.h>
 #include <strait/surface/statistics.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -84,15 +83,11 @@ namespace strait
   LoadSweep::find_thresholds()
   {
     // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
-    // saddle at 0.229: start a little to the side that the scene names. What yields seals
-    // at about half the hardness at the latest, for it touches on more than p/H.
-    const double factor  = scene.programme.path == LoadPath::unloading ? .28 : .2;
-    const double elastic = contact.effective_modulus * rms_slope;
-    const double full =
-      contact.yields() ? std::min(elastic, 2. * contact.hardness) : elastic;
-    const auto scope = timers.scope("threshold");
-    thresholds =
-      search->find_critical_loads(coarser->find_critical_loads({factor * full}));
+    // saddle at 0.229: start a little to the side that the scene names.
+    const double factor = scene.programme.path == LoadPath::unloading ? .28 : .2;
+    const auto   scope  = timers.scope("threshold");
+    thresholds          = search->find_critical_loads(
+      coarser->find_critical_loads({factor * contact.pressure_scale(rms_slope)}));
     // A channel that a fluid has opened is not closed again before the first step, and
     // the throat is seen on the points that it was lost on; a path on which contacts
     // alone remember begins without a past.

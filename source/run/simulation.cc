@@ -251,7 +251,9 @@ namespace strait
       "%s, fluid %s; %zu steps",
       1e-9 * memory_of_grid(scene),
       1e-9 * free_memory(),
-      scene.contact.enabled ? "on" : "off (the surface is the gap)",
+      !scene.contact.enabled   ? "off (the surface is the gap)"
+      : scene.contact.yields() ? "on, yields"
+                               : "on",
       scene.fluid.enabled ? "on" : "off",
       scene.contact.enabled ? scene.programme.pressures.size() : 1));
     if (scene.programme.find_threshold)

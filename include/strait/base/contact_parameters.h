@@ -2,6 +2,7 @@
 #ifndef strait_base_contact_parameters_h
 #define strait_base_contact_parameters_h
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -99,6 +100,16 @@ namespace strait
     yields() const
     {
       return yielding != Yielding::none;
+    }
+
+    /** What the critical load of a surface of this rms slope is a fraction of: the
+     * modulus times the slope or, where the contact yields, no more than twice the
+     * hardness, for it touches on more than load over hardness. */
+    double
+    pressure_scale(const double rms_slope) const
+    {
+      const double elastic = effective_modulus * rms_slope;
+      return yields() ? std::min(elastic, 2. * hardness) : elastic;
     }
 
     /** Whether a state depends on the loads before it. */
