@@ -75,6 +75,16 @@ subsection Load programme
 end
 """
 MATCHED = ADHESIVE.replace("Surface energy = 0.004", "Match area at pressure = 0.03")
+YIELDING = ROUGH + """
+subsection Contact
+  set Yielding = cut-off
+  set Hardness = 0.3
+end
+subsection Load programme
+  set Pressures = 0.02, 0.06, 0.065, 0.07
+  set Path = cycle
+end
+"""
 WITH_ERRORS = ROUGH.replace("= 64", "= 128") + """
 subsection Output
   set Error budget = true
@@ -275,6 +285,9 @@ class Survival(unittest.TestCase):
         self.stopped_and_resumed(MATCHED, [1])
         with open(self.path("stopped/log.txt"), encoding="utf-8") as file:
             self.assertEqual(file.read().count("surface energy is sought"), 1)
+
+    def test_stopped_while_yielding(self):
+        self.stopped_and_resumed(YIELDING, [1, 4])
 
     def test_stopped_with_error_budget(self):
         self.stopped_and_resumed(WITH_ERRORS, [1])

@@ -132,9 +132,15 @@ namespace strait
       hardness,
       not_negative,
       "H: pressure at which the softer body flows, about three times its yield "
-      "stress; the column validity compares the contact pressure with it, and "
-      "with a tenth of the effective modulus if it is 0. The contact is elastic "
-      "in either case [pressure].");
+      "stress; the column validity compares the pressure of an elastic contact with "
+      "it, and with a tenth of the effective modulus if it is 0 [pressure].");
+    section.add(
+      "Yielding",
+      yielding,
+      Names<Yielding>({{Yielding::none, "none"}, {Yielding::cut_off, "cut-off"}}),
+      "none: the contact is elastic at any pressure; cut-off: no pressure exceeds the "
+      "Hardness, and where it is reached the surface keeps the indentation that remains. "
+      "States then depend on the path of the load.");
     section.add(
       "Control",
       control,

@@ -200,10 +200,12 @@ namespace strait
       checkpoint,
       "Keep after every step what --resume needs to continue the run: 20 bytes a "
       "grid point on the disk for a dry contact, 28 with adhesion, 8 more with Wall "
-      "feedback, and the time to write that.");
-    section.add("Surface map",
-                surface_map,
-                "Write the surface on the grid, processed, as NetCDF (surface.nc).");
+      "feedback or Yielding, and the time to write that.");
+    section.add(
+      "Surface map",
+      surface_map,
+      "Write the surface on the grid, processed, as NetCDF (surface.nc), and at "
+      "the end as a contact that yields has left it (surface-indented.nc).");
     section.add("Surface spectrum",
                 surface_spectrum,
                 "Write and draw the spectrum of the surface (spectrum.csv).");

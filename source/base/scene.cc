@@ -123,6 +123,49 @@ namespace strait
         check_theory_alone(scene);
     }
 
+    /** What a contact that yields cannot be combined with, and why. */
+    void
+    check_yielding(const Scene &scene)
+    {
+      const ContactParameters &contact = scene.contact;
+      if (!contact.yields() || !(contact.enabled || scene.is_theory_only()))
+        return;
+      const auto refuse = [](const std::string &reason) {
+        throw InputError("Contact/Yielding = cut-off " + reason);
+      };
+      if (!(contact.hardness > 0.))
+        refuse("needs to know at which pressure; set Contact/Hardness.");
+      if (contact.adhesion.enabled)
+        refuse(
+          "bounds the pressure, and a contact with adhesion is solved for the gap, by "
+          "each of its solvers; switch Contact/Adhesion off.");
+      if (contact.method != ContactMethod::dual_cg)
+        refuse("needs a solver that knows such a bound; set Contact/Solver = dual CG.");
+      if (contact.control != ContactControl::load)
+        refuse(
+          "changes the surface that a mean gap is counted from; set "
+          "Contact/Control = load.");
+      if (contact.zoom.enabled)
+        refuse(
+          "leaves indentations that are known on the points where they were made only, "
+          "and windows of finer points come and go; switch Contact/Zoom off.");
+      if (scene.fluid.feedback.enabled)
+        refuse(
+          "would indent the surface by pressures of contact and fluid that do not agree "
+          "yet; switch Fluid/Wall feedback off.");
+      if (scene.programme.find_threshold && scene.programme.path == LoadPath::unloading)
+        refuse(
+          "opens the later the larger the load was before, which a search that begins "
+          "sealed does not know; search on Load programme/Path = loading, or list loads "
+          "of a cycle.");
+      for (const double pressure : scene.programme.pressures)
+        if (!(pressure < contact.hardness))
+          throw InputError("Load programme/Pressures contains " + to_text(pressure) +
+                           ", which Contact/Hardness = " + to_text(contact.hardness) +
+                           " cannot bear even where all of the area is in contact; give "
+                           "nominal pressures below it.");
+    }
+
     /** What windows of finer points cannot be combined with, and why. */
     void
     check_zoom(const Scene &scene)
@@ -179,6 +222,7 @@ namespace strait
     realisations.check();
     check_programme(*this);
     check_theory(*this);
+    check_yielding(*this);
     check_zoom(*this);
     check_leak_rate_units(*this);
 

@@ -61,7 +61,7 @@ namespace strait
                                const SlabField    *fluid_pressure)
   {
     check(target, from);
-    wall.wet(fluid_pressure);
+    wall.deform(fluid_pressure);
     const bool   is_dry   = fluid_pressure == nullptr;
     const double of_solid = loads() ? target - wall.fluid_load() : target;
     SlabField    gap      = start_gap(of_solid, from, is_dry);

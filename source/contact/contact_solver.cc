@@ -63,7 +63,9 @@ namespace strait
                        const ContactState *from,
                        const SlabField    *fluid_pressure)
   {
-    wall.wet(fluid_pressure);
+    const SlabField *indentation =
+      from != nullptr && from->plasticity ? &from->plasticity->indentation : nullptr;
+    wall.deform(fluid_pressure, indentation);
     check(target);
     if (!makes_contact(target))
       return state_without_contact(target);
@@ -84,7 +86,12 @@ namespace strait
     const ContactSolution  solution =
       optimise(contact, of_solid, tolerance, pressure, gap);
 
+    std::optional<PlasticState> plasticity;
+    if (parameters.yields())
+      plasticity =
+        indent(indentation, pressure, gap, parameters.hardness, solution.converged);
     ContactState state = state_of(solution, std::move(pressure), std::move(gap));
+    state.plasticity   = std::move(plasticity);
     if (loads())
       state.nominal_pressure = target; // the mean, without its rounding
     state.fft_pairs = contact.n_applications() - n_before;
@@ -150,6 +157,13 @@ namespace strait
                               "load.");
         throw InputError(message.str());
       }
+    if (parameters.yields() && !(target < parameters.hardness))
+      {
+        message << "At a nominal pressure of " << target << " all of the contact flows: "
+                << "it must be less than Contact/Hardness = " << parameters.hardness
+                << '.';
+        throw InputError(message.str());
+      }
     if (!(share_of_solid(target) > 0))
       {
         message << "The fluid carries a mean pressure of " << wall.fluid_load()
@@ -176,8 +190,11 @@ namespace strait
   ContactSolver::constraint_for(const double target) const
   {
     // The displacement under pressure has the mean 0.
-    return loads() ? ContactConstraint::mean_pressure(target)
-                   : ContactConstraint::rigid_displacement(target + wall.mean_height());
+    if (!loads())
+      return ContactConstraint::rigid_displacement(target + wall.mean_height());
+    return parameters.yields()
+             ? ContactConstraint::mean_pressure(target, parameters.hardness)
+             : ContactConstraint::mean_pressure(target);
   }
 
   ContactTolerance

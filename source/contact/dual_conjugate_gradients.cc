@@ -15,13 +15,15 @@ namespace strait
     lowest_energy = std::numeric_limits<double>::infinity();
     std::fill(direction.begin(), direction.end(), 0.);
     std::fill(response.begin(), response.end(), 0.);
+    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+      in_contact[i] = pressure[i] > 0;
 
     ContactSolution solution;
     bool            truncation_due   = true;
     int             since_truncation = 0;
     while (true)
       {
-        if (truncation_due || (any_negative && (cautious || since_truncation >= 2)))
+        if (truncation_due || (any_beyond && (cautious || since_truncation >= 2)))
           {
             truncate();
             since_truncation = 0;
@@ -30,12 +32,12 @@ namespace strait
         solution.residual = survey(); // C, y, and z = M y
         const bool small  = solution.residual <= tolerance.residual;
         const bool late   = solution.iterations >= tolerance.max_iterations;
-        if (!any_negative && (small || late || !std::isfinite(energy)))
+        if (!any_beyond && (small || late || !std::isfinite(energy)))
           {
             solution.converged = small && std::isfinite(energy);
             break;
           }
-        if (any_negative && (solution.residual <= 0.3 * tolerance.residual || late))
+        if (any_beyond && (solution.residual <= 0.3 * tolerance.residual || late))
           {
             truncation_due = true;
             continue;
@@ -45,7 +47,7 @@ namespace strait
         const double curvature = step(slope);
         if (!(curvature > 0))
           {
-            if (!any_negative) // nothing is left to improve: one point, say
+            if (!any_beyond) // nothing is left to improve: one point, say
               break;
             truncation_due = true;
             continue;
@@ -66,12 +68,14 @@ namespace strait
   // contact. They work on local copies of members because, for all the compiler
   // knows, a write to a field might change a member.
 
-  /** p = max(p, 0) with the prescribed mean, g = G p + u0 − h. */
+  /** p within its limits with the prescribed mean, g = G p + u0 − h. */
   void
   DualConjugateGradients::truncate()
   {
     double       *p = pressure, *g = gap;
-    const double *h = problem.heights();
+    const double *h = problem.heights(), limit = constraint.limit();
+    if (constraint.is_limited())
+      bring_within_limits(problem, constraint, in_contact, p);
 
     const auto [mean, p_h] = weighted_sums<2>(problem, [=](const auto i, auto &sums) {
       p[i] = p[i] > 0 ? p[i] : 0.;
@@ -84,16 +88,16 @@ namespace strait
     const double    p_Gp =
       problem.apply(p, g, no_pass, [&](const Block &range, const double) {
         contact_sums.run_over(range, [=](const auto i, auto &sums) {
-          const double pressed = p[i] != 0 ? 1. : 0.;
+          const double free = p[i] != 0 && p[i] != limit ? 1. : 0.;
           p[i] *= factor;
           g[i] = factor * g[i] + (u0 - h[i]);
-          sums[0] += pressed * g[i];
-          sums[1] += pressed;
+          sums[0] += free * g[i];
+          sums[1] += free;
         });
       });
     const auto [sum_g, area] = contact_sums.over_ranks(problem);
-    shift                    = constraint.excess(sum_g, area);
-    any_negative             = false;
+    shift                    = rigid_shift(sum_g, area);
+    any_beyond               = false;
 
     const double elastic = 0.5 * factor * factor * p_Gp;
     const double work    = factor * (p_h - u0 * mean);
@@ -102,10 +106,29 @@ namespace strait
     watch_energy();
   }
 
+  /** What the gap is off by: its mean on the points between the limits, of sum @p sum_g
+   *  and weight @p area. */
+  double
+  DualConjugateGradients::rigid_shift(const double sum_g, const double area) const
+  {
+    if (area > 0 || !constraint.is_limited())
+      return constraint.excess(sum_g, area);
+    // Every pressure is at a limit: between the gaps that let points leave either.
+    double least_open   = std::numeric_limits<double>::infinity();
+    double most_pressed = -least_open;
+    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+      if (pressure[i] == 0)
+        least_open = std::min(least_open, gap[i]);
+      else
+        most_pressed = std::max(most_pressed, gap[i]);
+    return .5 * (problem.largest_over_ranks(most_pressed) -
+                 problem.largest_over_ranks(-least_open));
+  }
+
   void
   DualConjugateGradients::watch_energy()
   {
-    if (any_negative)
+    if (any_beyond)
       return;
     cautious      = energy > lowest_energy + 1e-12 * energy_scale;
     lowest_energy = std::min(lowest_energy, energy);
@@ -128,8 +151,9 @@ namespace strait
   }
 
   /**
-   * C: the points under pressure and, unless some pressure is negative, those that
-   * penetrate. Set y, the gap on C and 0 elsewhere. Return the residual.
+   * C: the points between the limits of the pressure and, unless some pressure is beyond
+   * these, those that penetrate without pressure or part under the largest. Set y, the
+   * gap on C and 0 elsewhere. Return the residual.
    */
   double
   DualConjugateGradients::choose_contact(const Block &range)
@@ -138,26 +162,17 @@ namespace strait
     double       *y     = problem.scratch();
     std::uint8_t *c     = in_contact.data();
     const double  s     = shift;
-    const bool    grows = !any_negative;
+    const double  limit = constraint.limit();
+    const bool    grows = !any_beyond;
     double        worst = 0;
     for (std::size_t i = range.begin, end = range.end; i < end; ++i)
       {
-        const double centred = g[i] - s;
-        y[i]                 = 0;
-        if (p[i] != 0)
-          {
-            c[i]  = 1;
-            y[i]  = centred;
-            worst = std::max(worst, std::abs(centred));
-          }
-        else if (centred < 0)
-          {
-            c[i]  = grows;
-            y[i]  = grows ? centred : 0.;
-            worst = std::max(worst, -centred);
-          }
-        else
-          c[i] = 0;
+        const double centred  = g[i] - s;
+        const bool   is_free  = p[i] != 0 && p[i] != limit;
+        const bool   is_wrong = is_free || (p[i] == 0 ? centred < 0 : centred > 0);
+        c[i]                  = is_free || (is_wrong && grows);
+        y[i]                  = c[i] ? centred : 0.;
+        worst                 = is_wrong ? std::max(worst, std::abs(centred)) : worst;
       }
     return worst;
   }
@@ -232,9 +247,9 @@ namespace strait
       [&](const Block &range, const double t_r) {
         move(range, t_r > 0 ? slope / t_r : 0.);
       });
-    const auto [negative, sum_g, area] = moved.over_ranks(problem);
-    any_negative                       = negative > 0;
-    shift                              = constraint.excess(sum_g, area);
+    const auto [beyond, sum_g, area] = moved.over_ranks(problem);
+    any_beyond                       = beyond > 0;
+    shift                            = rigid_shift(sum_g, area);
     return curvature;
   }
 
@@ -259,15 +274,16 @@ namespace strait
     for (std::size_t i = range.begin, end = range.end; i < end; ++i)
       g[i] = (g[i] - s) - length * r[i];
 
-    const std::uint8_t *c = in_contact.data();
+    const std::uint8_t *c     = in_contact.data();
+    const double        limit = constraint.limit();
     moved.run_over(range, [=](const auto i, auto &sums) {
-      if (!c[i]) // p = t = 0
+      if (!c[i]) // p stays at its limit, t = 0
         return;
       const double new_p = p[i] - length * t[i];
       p[i]               = new_p;
-      if (new_p == 0)
+      if (new_p == 0 || new_p == limit)
         return;
-      sums[0] += new_p < 0 ? 1. : 0.;
+      sums[0] += new_p < 0 || new_p > limit ? 1. : 0.;
       sums[1] += g[i];
       sums[2] += 1;
     });

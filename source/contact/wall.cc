@@ -13,32 +13,36 @@ namespace strait
     , displaced(std::move(heights))
   {
     lower_highest_peak_to_zero();
-    dry_rms_height = rms(displaced);
-    if (!std::isfinite(dry_rms_height))
+    first_rms_height = rms(displaced);
+    if (!std::isfinite(first_rms_height))
       throw InputError(
         "The surface has heights that are not finite numbers; mend the "
         "Expression or File of the section Surface.");
   }
 
   void
-  Wall::wet(const SlabField *fluid_pressure)
+  Wall::deform(const SlabField *fluid_pressure, const SlabField *indentation)
   {
-    if (fluid_pressure == nullptr && dry.empty())
+    const bool is_deformed = fluid_pressure != nullptr || indentation != nullptr;
+    if (!is_deformed && undeformed.empty())
       return;
-    if (dry.empty())
-      dry = displaced;
-    if (fluid_pressure == nullptr)
-      {
-        displaced = std::exchange(dry, SlabField());
-        load      = 0.;
-      }
+    if (undeformed.empty())
+      undeformed = displaced;
+    load = 0.;
+    if (!is_deformed)
+      displaced = std::exchange(undeformed, SlabField());
+    else if (fluid_pressure == nullptr)
+      displaced = undeformed;
     else
       {
         HalfSpace(layout(), modulus).apply(fluid_pressure->data(), displaced.data());
         for (std::size_t i = 0; i < displaced.size(); ++i)
-          displaced[i] = dry[i] - displaced[i];
+          displaced[i] = undeformed[i] - displaced[i];
         load = mean(*fluid_pressure);
       }
+    if (indentation != nullptr)
+      for (std::size_t i = 0; i < displaced.size(); ++i)
+        displaced[i] -= (*indentation)[i];
     lower_highest_peak_to_zero();
   }
 

@@ -114,7 +114,7 @@ namespace strait
                                                      scene.surface.size[0],
                                                      modulus);
     if (scene.surface.kind == SurfaceKind::self_affine)
-      return rough * modulus * slope;
+      return rough * scene.contact.pressure_scale(slope);
     return {};
   }
 

@@ -197,7 +197,7 @@ namespace strait
     const std::string   name   = numbered(directory, "fields", step.number) + ".h5";
     require_space(name,
                   hdf5_overhead + static_cast<std::uintmax_t>(grid.n_points()) *
-                                    (2 * sizeof(double) + sizeof(int)),
+                                    (3 * sizeof(double) + sizeof(int)),
                   layout.communicator());
     dealii::HDF5::File       file(name,
                             dealii::HDF5::File::FileAccessMode::create,
@@ -209,6 +209,14 @@ namespace strait
       {
         write_slabs(file, "pressure", layout, local_values(step.state.contact->pressure));
         datasets.push_back({"pressure", false});
+        if (const auto &plasticity = step.state.contact->plasticity)
+          {
+            write_slabs(file,
+                        "indentation",
+                        layout,
+                        local_values(plasticity->indentation));
+            datasets.push_back({"indentation", false});
+          }
         file.set_attribute("nominal_pressure", step.state.contact->nominal_pressure);
       }
     if (step.flow)

@@ -131,7 +131,9 @@ namespace strait
     // Bytes a grid point: fields of the contact; two moment pyramids, the gap and the
     // path search. A run of prm/quickstart.prm takes 92 where this says 116.
     const double gap     = 8.;
-    const double contact = scene.contact.adhesion.enabled ? 105. : 57.;
+    const double contact = scene.contact.adhesion.enabled ? 105.
+                           : scene.contact.yields()       ? 81.
+                                                          : 57.;
     const double flow =
       2 * 8. / 3 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
     return static_cast<double>(scene.contact.grid_points[0]) *

@@ -20,6 +20,13 @@ namespace strait
         [member](const Step &step) { return std::invoke(member, *step.state.contact); };
     };
 
+    /** The same of its yielding. */
+    const auto of_plasticity = [](auto member) {
+      return [member](const Step &step) {
+        return std::invoke(member, *step.state.contact->plasticity);
+      };
+    };
+
     /** The same of the fluid that presses on the walls. */
     const auto of_fluid = [](auto member) {
       return
@@ -151,6 +158,8 @@ namespace strait
     const Condition with_adhesion{"with adhesion",
                                   scene.contact.enabled &&
                                     scene.contact.adhesion.enabled};
+    const Condition with_yielding{"with `Contact/Yielding`",
+                                  scene.contact.enabled && scene.contact.yields()};
     const Condition with_feedback{"with `Wall feedback`", scene.fluid.feedback.enabled};
     const Condition with_theory{"with `Theory/Enabled`", scene.theory.enabled};
 
@@ -162,9 +171,10 @@ namespace strait
       "false`) are absent.");
     table.add(&Step::number, "step [1]: number of the load, from 1")
       .when(with_contact)
-      .add(&Step::branch,
-           "branch: the load path, `loading` or `unloading`; with adhesion and in a "
-           "cycle the direction of the last change of the load")
+      .add(
+        &Step::branch,
+        "branch: the load path, `loading` or `unloading`; with adhesion or yielding and "
+        "in a cycle the direction of the last change of the load")
       .when({"", scene.contact.enabled || theory_alone})
       .add(
         [](const Step &step) {
@@ -197,10 +207,12 @@ namespace strait
            "reduced_load [1]: 1 − L/L_c with the middle of the bracket of L_c");
     add_leak_rates(table, scene, with_flow);
     table.when(with_contact)
-      .add(of_contact(&ContactState::residual),
-           "contact_residual [1]: max( max over contact of \\|g\\|, max elsewhere of −g "
-           ") / rms height, at exact force balance; with adhesion the largest traction "
-           "that is not balanced, over E* × rms slope / 2")
+      .add(
+        of_contact(&ContactState::residual),
+        "contact_residual [1]: max( max over contact of \\|g\\|, max elsewhere of −g "
+        ") / rms height, at exact force balance; where the contact flows g counts in "
+        "place of \\|g\\|; with adhesion the largest traction that is not balanced, over "
+        "E* × rms slope / 2")
       .add(of_contact(&ContactState::iterations),
            "contact_iterations [1]: on the finest grid; with adhesion those of all loads "
            "since the last step, and of the check of the minimum")
@@ -220,6 +232,15 @@ namespace strait
       .add(&Step::dissipated_energy,
            "dissipated_energy [pressure length]: by the jumps since the last step, see "
            "[jumps.csv](#jumpscsv)")
+      .when(with_yielding)
+      .add(
+        of_plasticity(&PlasticState::area),
+        "plastic_area [1]: fraction of grid points where the pressure is the hardness, "
+        "to a thousandth")
+      .add(
+        of_plasticity(&PlasticState::mean_indentation),
+        "mean_indentation [length]: mean over the box of what the surface was indented "
+        "by at this and all earlier loads")
       .when(with_contact)
       .add([](const Step &step) { return step.state.contact_seconds; },
            "contact_seconds [s]: wall-clock time of the contact")
@@ -236,6 +257,14 @@ namespace strait
       .add(of_theory(&TheoryResult::contact_area),
            "theory_contact_area [1]: of Persson's theory")
       .add(of_theory(&TheoryResult::mean_gap), "theory_mean_gap [length]: likewise")
+      .when({"with `Theory/Enabled` and `Contact/Yielding`",
+             scene.theory.enabled && scene.contact.yields() &&
+               (scene.contact.enabled || theory_alone)})
+      .add([](const Step &step) { return step.theory->yielding->elastic; },
+           "theory_elastic_area [1]: in contact below the hardness, of Persson's theory "
+           "with the same cut-off; the other columns of the theory are those without")
+      .add([](const Step &step) { return step.theory->yielding->plastic; },
+           "theory_plastic_area [1]: in contact at the hardness, likewise")
       .when(with_theory)
       .add(of_theory(&TheoryResult::leak_rate),
            "theory_leak_rate [length³/time]: Q of the effective medium in the same box; "

@@ -56,7 +56,7 @@ namespace strait
   {
     bool       loading = scene.programme.path != LoadPath::unloading;
     const bool matters =
-      scene.contact.adhesion.enabled || scene.programme.path == LoadPath::cycle;
+      scene.contact.has_memory() || scene.programme.path == LoadPath::cycle;
     for (; matters && k > 0 && !stops[k].begins_anew; --k)
       if (stops[k].target != stops[k - 1].target)
         {

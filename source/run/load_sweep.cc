@@ -87,7 +87,7 @@ namespace strait
     const double factor = scene.programme.path == LoadPath::unloading ? .28 : .2;
     const auto   scope  = timers.scope("threshold");
     thresholds          = search->find_critical_loads(
-      coarser->find_critical_loads({factor * contact.effective_modulus * rms_slope}));
+      coarser->find_critical_loads({factor * contact.pressure_scale(rms_slope)}));
     // A channel that a fluid has opened is not closed again before the first step, and
     // the throat is seen on the points that it was lost on; a path on which contacts
     // alone remember begins without a past.

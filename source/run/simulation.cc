@@ -220,6 +220,8 @@ namespace strait
         summary.stopped = is_asked_to_stop();
         return !summary.stopped;
       });
+    if (!summary.stopped && sweep.state().contact)
+      write_indented_surface(scene, shown, *sweep.state().contact);
     summary.thresholds = sweep.known_thresholds();
     output.write(sweep.jumps());
     const double bytes =
@@ -249,7 +251,9 @@ namespace strait
       "%s, fluid %s; %zu steps",
       1e-9 * memory_of_grid(scene),
       1e-9 * free_memory(),
-      scene.contact.enabled ? "on" : "off (the surface is the gap)",
+      !scene.contact.enabled   ? "off (the surface is the gap)"
+      : scene.contact.yields() ? "on, yields"
+                               : "on",
       scene.fluid.enabled ? "on" : "off",
       scene.contact.enabled ? scene.programme.pressures.size() : 1));
     if (scene.programme.find_threshold)

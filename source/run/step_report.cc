@@ -19,6 +19,8 @@ namespace strait
                step.state.contact->residual,
                step.state.contact->fft_pairs,
                step.state.contact_seconds);
+    if (step.state.contact && step.state.contact->plasticity)
+      text += format("; %.3f %% flows", 100. * step.state.contact->plasticity->area);
     if (step.flow && std::isinf(step.flow->leakage.rate))
       text += "; nothing limits the leak";
     else if (step.flow && step.flow->channel.percolates())

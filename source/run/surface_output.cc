@@ -96,4 +96,19 @@ namespace strait
     if (scene.output.surface_spectrum)
       write_spectrum(scene, heights);
   }
+
+  void
+  write_indented_surface(const Scene        &scene,
+                         const SlabField    &heights,
+                         const ContactState &contact)
+  {
+    if (!scene.output.surface_map || !contact.plasticity)
+      return;
+    SlabField indented = heights;
+    for (std::size_t i = 0; i < indented.size(); ++i)
+      indented[i] -= contact.plasticity->indentation[i];
+    write_netcdf_map(scene.output.directory + "/surface-indented.nc",
+                     indented,
+                     scene.units.length);
+  }
 } // namespace strait

@@ -49,6 +49,7 @@ namespace strait
   TheoryPrediction::TheoryPrediction(const Scene &scene, const SlabField *heights)
     : parameters(scene.theory)
     , keeps_gaps(scene.output.fields != FieldOutput::none)
+    , hardness(scene.contact.yields() ? scene.contact.hardness : 0.)
     , conductance(conductance_of_box(scene))
     , persson(spectrum_of(scene, heights),
               scene.contact.effective_modulus,
@@ -81,6 +82,9 @@ namespace strait
     result.mean_gap  = best.mean_gap;
     result.leak_rate = conductance * best.cubed_gap;
     result.error     = relative_difference(best.cubed_gap, other.cubed_gap);
+    if (hardness > 0)
+      result.yielding = pressure > 0 ? persson.contact_areas(pressure, hardness)
+                                     : YieldingAreas{not_a_number, not_a_number};
     if (pressure > 0)
       result.error =
         std::max(result.error, relative_difference(best.mean_gap, other.mean_gap));

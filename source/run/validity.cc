@@ -109,6 +109,8 @@ namespace strait
     {
       double      in_contact = std::nan("");
       const auto &contact    = step.state.contact;
+      if (scene.contact.yields())
+        return;
       if (contact && !contact->pressure.empty() && contact->contact_area > 0.)
         in_contact = mean(contact->pressure) / contact->contact_area;
       else if (!contact && step.theory && step.theory->contact_area > 0.)
@@ -123,7 +125,7 @@ namespace strait
             most_of_hardness,
             format("the mean pressure in contact is %.3g of Contact/Hardness, so that "
                    "asperities flow: there is more contact and less leakage than in the "
-                   "elastic contact that is computed",
+                   "elastic contact that is computed; switch on Contact/Yielding",
                    of_hardness));
       else if (scene.has_physical_modulus())
         add("large-strain",

@@ -82,6 +82,34 @@ namespace strait
     return std::erf(std::sqrt(2.) * pressure / modulus / std::sqrt(waves.slope_square()));
   }
 
+  YieldingAreas
+  PerssonTheory::contact_areas(const double pressure, const double hardness) const
+  {
+    // Standard deviation of the pressure, E* ḡ/2, beyond nine of which nothing arrives.
+    const double spread = .5 * modulus * std::sqrt(waves.slope_square());
+    const double far    = 9. * spread;
+    if (hardness - pressure > far)
+      return {contact_area(pressure), 0.};
+    if (pressure > far)
+      {
+        const double elastic = contact_area(hardness - pressure);
+        return {elastic, 1. - elastic};
+      }
+    // The shares that have not been absorbed are sines that decay, e_n; for the next ones
+    // of a sum of at most 54 to be a rounding error.
+    double elastic = 0., plastic = pressure / hardness;
+    for (int n = 1;; ++n)
+      {
+        const double decay = n * pi * spread / hardness;
+        const double term  = 2 / (pi * n) * std::exp(-.5 * decay * decay) *
+                            std::sin(n * pi * pressure / hardness);
+        elastic += n % 2 == 1 ? 2 * term : 0.;
+        plastic -= n % 2 == 1 ? term : -term;
+        if (.5 * decay * decay > vanishing)
+          return {elastic, plastic};
+      }
+  }
+
   double
   PerssonTheory::mean_gap(const double seen, const double smoothed) const
   {

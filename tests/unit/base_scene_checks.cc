@@ -44,6 +44,35 @@ TEST(Scene, MeshAndWhatGoesWithIt)
     expect_in("Fluid/Mesh", error_of("", {mesh, other}));
 }
 
+TEST(Scene, YieldingAndWhatGoesWithIt)
+{
+  const Overrides hard       = {"Contact/Yielding=cut-off", "Contact/Hardness=1"};
+  const auto      error_with = [&](const Overrides &more) {
+    Overrides all = hard;
+    all.insert(all.end(), more.begin(), more.end());
+    return error_of("", all);
+  };
+  EXPECT_FALSE(scene_of("", {"Contact/Hardness=1"}).contact.yields());
+  EXPECT_TRUE(scene_of("", hard).contact.yields());
+  expect_in("set Contact/Hardness", error_of("", {"Contact/Yielding=cut-off"}));
+  expect_in("switch Contact/Adhesion off",
+            error_with({"Contact/Adhesion/Enabled=true",
+                        "Contact/Adhesion/Surface energy=0.004",
+                        "Contact/Adhesion/Range=0.02",
+                        "Contact/Adhesion/Solver=GFMD"}));
+  expect_in("set Contact/Solver = dual CG", error_with({"Contact/Solver=polonsky-keer"}));
+  expect_in("set Contact/Control = load", error_with({"Contact/Control=mean gap"}));
+  expect_in("switch Contact/Zoom off", error_with({"Contact/Zoom/Enabled=true"}));
+  expect_in("switch Fluid/Wall feedback off",
+            error_with({"Fluid/Wall feedback/Enabled=true"}));
+  expect_in("search on Load programme/Path = loading",
+            error_with(
+              {"Load programme/Find threshold=true", "Load programme/Path=unloading"}));
+  for (const char *pressure : {"1", "2"})
+    expect_in("cannot bear",
+              error_with({std::string("Load programme/Pressures=0.1, ") + pressure}));
+}
+
 TEST(Scene, Theory)
 {
   const Overrides on    = {"Theory/Enabled=true"};

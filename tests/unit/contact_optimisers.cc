@@ -152,8 +152,15 @@ namespace
     for (std::size_t i = 0; i < p.size(); ++i)
       {
         EXPECT_GE(p[i], 0.);
-        EXPECT_GE(g[i], -tolerance);
-        EXPECT_LT(p[i] > 0 ? std::abs(g[i]) : 0., tolerance);
+        EXPECT_LE(p[i], constraint.limit());
+        if (p[i] < constraint.limit())
+          {
+            EXPECT_GE(g[i], -tolerance);
+          }
+        if (p[i] > 0)
+          {
+            EXPECT_LT(g[i], tolerance);
+          }
         const double u0 = g[i] - u[i] + problem.heights()[i];
         EXPECT_NEAR(u0, g[0] - u[0] + problem.heights()[0], 1e-9);
         total += problem.weight(i) * p[i];
@@ -188,6 +195,67 @@ namespace
         for (const Quality quality : {Quality::none, Quality::uneven, Quality::negative})
           expect_equal(solved(dual_cg, quality, constraint, load), expected);
       }
+  }
+
+  TEST(Optimisers, ShiftAPressureToTheNearestWithinLimits)
+  {
+    constexpr double   limit = 1.;
+    const DenseProblem problem(Quality::none);
+    for (const double mean : {1e-3, .3, .999})
+      for (const bool all_move : {true, false})
+        {
+          std::vector<double>       before(problem.size());
+          std::vector<std::uint8_t> may_move(problem.size(), 1);
+          for (std::size_t i = 0; i < before.size(); ++i)
+            {
+              before[i] = .7 + 2 * std::sin(17. * static_cast<double>(i));
+              if (!all_move && i % 9 == 0)
+                {
+                  may_move[i] = 0;
+                  before[i]   = i % 2 == 0 ? 0. : limit;
+                }
+            }
+          std::vector<double> p = before;
+          bring_within_limits(problem,
+                              ContactConstraint::mean_pressure(mean, limit),
+                              may_move,
+                              p.data());
+          // The shift of those between the limits; the others would have gone further.
+          double least = -INFINITY, most = INFINITY, total = 0;
+          int    n_held = 0;
+          for (std::size_t i = 0; i < p.size(); ++i)
+            {
+              const double shift = p[i] - before[i];
+              total += problem.weight(i) * p[i];
+              n_held += may_move[i] == 0 && p[i] == before[i];
+              EXPECT_TRUE(p[i] >= 0 && p[i] <= limit);
+              if (may_move[i] == 0 && mean == .3)
+                continue;
+              least = p[i] > 0 ? std::max(least, shift) : least;
+              most  = p[i] < limit ? std::min(most, shift) : most;
+            }
+          EXPECT_LE(least, most + 1e-15);
+          EXPECT_NEAR(sum(MPI_COMM_WORLD, total) / mean, 1., 1e-13);
+          // Those that are held cannot carry the other means.
+          if (!all_move && mean == .3 && !p.empty())
+            {
+              EXPECT_EQ(n_held, 7);
+            }
+        }
+  }
+
+  TEST(Optimisers, HoldTheLimitOfThePressure)
+  {
+    // Of the area; at .2 every point could be at a limit, and the gap shift a little.
+    for (const double load : {.05, .5, 5.})
+      for (const double part : {.23, .61, .97})
+        {
+          const double limit      = load / part;
+          const auto   constraint = ContactConstraint::mean_pressure(load, limit);
+          const auto   expected   = solved(dual_cg, Quality::none, constraint, load);
+          for (const Quality quality : {Quality::uneven, Quality::negative})
+            expect_equal(solved(dual_cg, quality, constraint, load), expected);
+        }
   }
 
   TEST(Optimisers, HoldTheRigidDisplacement)

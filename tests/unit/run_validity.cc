@@ -128,6 +128,9 @@ namespace
     const Overrides hard = water + Overrides{"Contact/Hardness=1e9"};
     EXPECT_EQ(verdict(scene_of("", hard), step_at(4.9e7, .1, 1e-6)), "ok");
     EXPECT_EQ(verdict(scene_of("", hard), step_at(5.1e7, .1, 1e-6)), "plastic");
+    const Overrides yields =
+      hard + Overrides{"Contact/Yielding=cut-off", "Load programme/Pressures=1e6"};
+    EXPECT_EQ(verdict(scene_of("", yields), step_at(5.1e7, .1, 1e-6)), "ok");
     // 2γ/g = 1e5 at 1.44 µm.
     const Overrides wet = water + Overrides{"Fluid/Surface tension=0.072"};
     EXPECT_EQ(verdict(scene_of("", wet), step_at(2e6, .1, 1.45e-6)), "ok");

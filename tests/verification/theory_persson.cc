@@ -64,6 +64,47 @@ namespace
       }
   }
 
+  // From the same series in Python, and the limits of a hard and of a soft solid.
+  TEST(Persson, ElasticAndPlasticAreas)
+  {
+    const PerssonTheory theory(model_spectrum(rough()), 1.);
+    ASSERT_NEAR(theory.spectrum().slope_square(), 1., 1e-12);
+    struct Row
+    {
+      double hardness, load, elastic, plastic;
+    };
+    for (const Row &row : {Row{1., .05, .05801, .02170},
+                           Row{1., .1, .11458, .04405},
+                           Row{1., .2, .21795, .09320},
+                           Row{.5, .1, .00538, .19731}})
+      {
+        const YieldingAreas areas = theory.contact_areas(row.load, row.hardness);
+        EXPECT_NEAR(areas.elastic, row.elastic, 1e-5);
+        EXPECT_NEAR(areas.plastic, row.plastic, 1e-5);
+        EXPECT_GE(areas.elastic + areas.plastic, theory.contact_area(row.load));
+      }
+    for (const double load : {.01, .3, 2.})
+      {
+        const YieldingAreas hard = theory.contact_areas(load, 1e6);
+        EXPECT_NEAR(hard.elastic, theory.contact_area(load), 1e-12);
+        EXPECT_EQ(hard.plastic, 0.);
+        const YieldingAreas soft = theory.contact_areas(.3 * load / 2e3, load / 2e3);
+        EXPECT_NEAR(soft.plastic, .3, 1e-12);
+        EXPECT_NEAR(soft.elastic, 0., 1e-12);
+      }
+    // Where the series hands over to the limits.
+    for (const double load : {4.4999, 4.5001})
+      for (const double left : {4.4999, 4.5001})
+        {
+          const YieldingAreas areas = theory.contact_areas(load, load + left);
+          EXPECT_NEAR(areas.elastic, 1., 1e-12);
+          EXPECT_NEAR(areas.plastic, 0., 1e-12);
+        }
+    const YieldingAreas nearly_full = theory.contact_areas(10., 10.2);
+    EXPECT_NEAR(nearly_full.elastic, theory.contact_area(.2), 1e-12);
+    EXPECT_NEAR(nearly_full.plastic, 1 - theory.contact_area(.2), 1e-12);
+  }
+
   /** P(u) of @p state at the gap @p u > 0 [1/length]. */
   double
   gap_density(const PerssonState &state, const double u)

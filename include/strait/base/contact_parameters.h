@@ -2,6 +2,7 @@
 #ifndef strait_base_contact_parameters_h
 #define strait_base_contact_parameters_h
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -58,6 +59,13 @@ namespace strait
     polonsky_keer
   };
 
+  /** What a contact does where its pressure reaches the hardness. */
+  enum class Yielding
+  {
+    none,   // it stays elastic
+    cut_off // it flows at that pressure, and keeps the indentation
+  };
+
   /** The section Contact/Zoom of a scene: windows of finer points around throats. */
   struct ZoomParameters
   {
@@ -77,6 +85,7 @@ namespace strait
     std::vector<double> young_moduli;           // of one or two bodies
     std::vector<double> poisson_ratios;
     double              hardness           = 0.; // 0: not known
+    Yielding            yielding           = Yielding::none;
     ContactControl      control            = ContactControl::load;
     ContactMethod       method             = ContactMethod::dual_cg;
     double              tolerance          = 1e-8; // residual in units of h_rms
@@ -85,6 +94,30 @@ namespace strait
     ZoomParameters      zoom;
 
     void bind(ParameterSection section);
+
+    /** Whether the contact flows. */
+    bool
+    yields() const
+    {
+      return yielding != Yielding::none;
+    }
+
+    /** What the critical load of a surface of this rms slope is a fraction of: the
+     * modulus times the slope or, where the contact yields, no more than twice the
+     * hardness, for it touches on more than load over hardness. */
+    double
+    pressure_scale(const double rms_slope) const
+    {
+      const double elastic = effective_modulus * rms_slope;
+      return yields() ? std::min(elastic, 2. * hardness) : elastic;
+    }
+
+    /** Whether a state depends on the loads before it. */
+    bool
+    has_memory() const
+    {
+      return adhesion.enabled || yields();
+    }
 
     /**
      * Where Young's moduli are given, take the effective modulus that follows from them.

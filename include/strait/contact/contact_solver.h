@@ -15,11 +15,15 @@
 namespace strait
 {
   /**
-   * Solves the contact of a half-space with one surface.
+   * Solves the contact of a half-space with one surface, elastic or, beyond the hardness,
+   * perfectly plastic: there the gap of the solution is negative, and by that much the
+   * surface is indented for all states that are reached from this one (Almqvist et al.,
+   * Tribol. Int. 40, 574, 2007). Volume is not conserved.
    *
    * A problem starts from the state that is given if the load (or mean gap) changes
    * little, and from those on coarser grids otherwise. The result depends on the start
-   * within the tolerance only; it has the windows of the state that is given.
+   * within the tolerance only, but for its indentation; it has the windows of the state
+   * that is given.
    */
   class ContactSolver : public ContactModel
   {
@@ -29,7 +33,7 @@ namespace strait
 
     /**
      * @p heights on the grid of the contact problem [length]. Of @p parameters
-     * the modulus, control, method, tolerance and cap on the iterations matter.
+     * the modulus, hardness, control, method, tolerance and cap on the iterations matter.
      * Collective.
      */
     ContactSolver(const ContactParameters &parameters,
@@ -39,7 +43,8 @@ namespace strait
     /**
      * See ContactModel. Where no peak touches at the mean gap @p target, the pressure is
      * 0 and no iteration is needed. After the cap on iterations the state is admissible
-     * but not `converged`. Collective. Throws InputError if @p target is not positive.
+     * but not `converged`, and the surface is indented no further. Collective. Throws
+     * InputError if @p target is not positive, or more than the hardness bears.
      */
     ContactState solve(double              target,
                        const ContactState *from           = nullptr,
@@ -48,7 +53,7 @@ namespace strait
     bool
     depends_on_path() const override
     {
-      return false;
+      return parameters.yields();
     }
 
   private:

@@ -85,6 +85,28 @@ namespace strait
     std::vector<RelaxationStep> relaxation; // if the scene asks for it
   };
 
+  /** What yielding adds to a contact state. */
+  struct PlasticState
+  {
+    /** By how much the surface was indented so far [length]: heights have become h minus
+     *  this. */
+    SlabField indentation;
+    double    mean_indentation = 0; // over the nominal area
+    double    area             = 0; // fraction of points where p is almost the hardness
+  };
+
+  /**
+   * What a contact of this @p pressure and @p gap leaves behind of a surface that had the
+   * indentation @p before, or none if that is null: it gives way where the pressure is
+   * @p hardness and the gap negative, if @p is_solution says that both solve the
+   * contact problem. Collective.
+   */
+  PlasticState indent(const SlabField *before,
+                      const SlabField &pressure,
+                      const SlabField &gap,
+                      double           hardness,
+                      bool             is_solution);
+
   /**
    * The solution of one contact problem, in the scene's units.
    *
@@ -110,6 +132,7 @@ namespace strait
     Approach approach; // where it was come to from
 
     std::optional<AdhesiveState> adhesion;
+    std::optional<PlasticState>  plasticity;
   };
 
   /** Put @p state in an archive, or take it out. Collective. */

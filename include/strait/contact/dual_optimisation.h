@@ -4,27 +4,31 @@
 
 #include <strait/contact/contact_problem.h>
 
+#include <cstdint>
+#include <limits>
+#include <vector>
+
 namespace strait
 {
   /**
-   * What is held while the pressure p >= 0 is sought: its mean (force control;
+   * What is held while the pressure 0 <= p <= limit is sought: its mean (force control;
    * the rigid displacement u0 of g = Gp + u0 − h follows) or u0 (gap control).
    */
   class ContactConstraint
   {
   public:
-    /** Load control with this nominal pressure. */
+    /** Load control with this nominal pressure, which is less than @p limit. */
     static ContactConstraint
-    mean_pressure(const double pressure)
+    mean_pressure(const double pressure, const double limit = unlimited)
     {
-      return {true, pressure};
+      return {true, pressure, limit};
     }
 
     /** Gap control with this rigid displacement u0. */
     static ContactConstraint
     rigid_displacement(const double displacement)
     {
-      return {false, displacement};
+      return {false, displacement, unlimited};
     }
 
     /** The rigid displacement of gap control; 0 where it is unknown. */
@@ -44,23 +48,60 @@ namespace strait
       return fixes_pressure && weight > 0 ? sum / weight : 0.;
     }
 
-    /** The factor that gives a pressure of the mean @p mean the prescribed one. */
+    /** The mean that is prescribed under load control. */
+    double
+    mean() const
+    {
+      return value;
+    }
+
+    /** The factor that gives a pressure of the mean @p mean the prescribed one; none
+     *  where it might lead beyond the limit. */
     double
     rescale(const double mean) const
     {
-      return fixes_pressure ? value / mean : 1.;
+      return fixes_pressure && !is_limited() ? value / mean : 1.;
+    }
+
+    /** Whether the pressure has an upper limit, and the mean is held. */
+    bool
+    is_limited() const
+    {
+      return largest < unlimited;
+    }
+
+    /** The upper limit, infinite where there is none. */
+    double
+    limit() const
+    {
+      return largest;
     }
 
   private:
-    ContactConstraint(bool fixes_pressure, double value)
+    static constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+    ContactConstraint(bool fixes_pressure, double value, double limit)
       : fixes_pressure(fixes_pressure)
       , value(value)
+      , largest(limit)
     {
     }
 
     bool   fixes_pressure;
     double value;
+    double largest;
   };
+
+  /**
+   * Replace @p pressure, at the points that @p may_move marks, by the nearest one within
+   * the limits of @p constraint that gives the whole its mean: by the same shift at all
+   * of them and truncation. Where these points cannot carry that mean all points move.
+   * Collective.
+   */
+  void bring_within_limits(const DualProblem               &problem,
+                           const ContactConstraint         &constraint,
+                           const std::vector<std::uint8_t> &may_move,
+                           double                          *pressure);
 
   /** When an optimiser stops. */
   struct ContactTolerance
@@ -70,12 +111,12 @@ namespace strait
     int    max_iterations; // one for each direction that is followed
   };
 
-  /** Where an optimiser stopped: p >= 0, g = Gp + u0 − h, u0 included. */
+  /** Where an optimiser stopped: p within its limits, g = Gp + u0 − h, u0 included. */
   struct ContactSolution
   {
     /**
-     * The larger of max |g| where p > 0 and max −g where p = 0, over the length
-     * of the tolerance. The constraint holds exactly.
+     * The largest of |g| between the limits of p, −g where p = 0, and g where p is at its
+     * upper limit, over the length of the tolerance. The constraint holds exactly.
      */
     double residual   = 0;
     int    iterations = 0;
@@ -98,8 +139,8 @@ namespace strait
     virtual ~DualOptimiser() = default;
 
     /**
-     * @p pressure: a start on entry (negative values count as 0; it must not
-     * vanish if its mean is prescribed), the solution on return. @p gap: on
+     * @p pressure: a start on entry (values beyond the limits count as these; it must
+     * not vanish if its mean is prescribed), the solution on return. @p gap: on
      * return g = Gp + u0 − h. Collective.
      */
     virtual ContactSolution solve(double *pressure, double *gap) = 0;

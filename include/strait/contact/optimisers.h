@@ -15,7 +15,7 @@ namespace strait
    * Preconditioned nonlinear conjugate gradients on the pressure of a contact
    * problem.
    *
-   * The pressure may become negative for a few steps and is then truncated; the
+   * The pressure may leave its limits for a few steps and is then truncated; the
    * direction stays conjugate to the last one although the contact set changes,
    * and no line search is needed. That has no proof of convergence, so the dual
    * energy ½<p, Gp> − <p, h> is watched: while a truncation leaves it above its
@@ -36,6 +36,7 @@ namespace strait
 
     void   truncate();
     double survey();
+    double rigid_shift(double sum_g, double area) const;
     double choose_direction();
     double step(double slope);
     void   watch_energy();
@@ -48,14 +49,14 @@ namespace strait
 
     using Flags = std::vector<std::uint8_t>;
 
-    double             *pressure   = nullptr;                  // p, for now also negative
+    double             *pressure   = nullptr;                  // p, for now also beyond
     double             *gap        = nullptr;                  // g + shift
     std::vector<double> direction  = zeros();                  // t
     std::vector<double> response   = zeros();                  // r = G t
     Flags               in_contact = Flags(problem.size(), 0); // 1 where p may change: C
 
-    double shift        = 0;
-    bool   any_negative = false; // pressure
+    double shift      = 0;
+    bool   any_beyond = false; // pressure, its limits
 
     // The next direction is (z − mean_z) + beta (t − mean_t) on C.
     double mean_z = 0, beta = 0, mean_t = 0;

@@ -9,9 +9,9 @@
 namespace strait
 {
   /**
-   * The rough surface as the solid meets it: below its highest peak and, where a fluid
-   * presses on the half-space, displaced by G p_f, so that contact is the dry problem
-   * with this surface under the load that the fluid leaves.
+   * The rough surface as the solid meets it: below its highest peak, as far as it was not
+   * indented and, where a fluid presses on the half-space, displaced by G p_f, so that
+   * contact is the dry problem with this surface under the load that the fluid leaves.
    */
   class Wall
   {
@@ -23,9 +23,10 @@ namespace strait
     /**
      * Let a fluid of the pressure @p fluid_pressure press from now on, or none if that is
      * null. It is on the grid of the heights and continued under the contact; the mean of
-     * its pressure is the load that it carries. Collective; one FFT pair with a fluid.
+     * its pressure is the load that it carries. Let the surface have an @p indentation
+     * [length], or none if that is null. Collective; one FFT pair with a fluid.
      */
-    void wet(const SlabField *fluid_pressure);
+    void deform(const SlabField *fluid_pressure, const SlabField *indentation = nullptr);
 
     /** At most 0 [length]. The reference stays valid and always shows the present. */
     const SlabField &
@@ -47,11 +48,11 @@ namespace strait
       return mean_of_heights;
     }
 
-    /** Of the surface without the fluid, about its mean. */
+    /** Of the surface as it was made, about its mean. */
     double
     rms_height() const
     {
-      return dry_rms_height;
+      return first_rms_height;
     }
 
     /** Mean pressure of the fluid; 0 without. */
@@ -65,7 +66,7 @@ namespace strait
     std::size_t
     memory_consumption() const
     {
-      return (displaced.size() + dry.size()) * sizeof(double);
+      return (displaced.size() + undeformed.size()) * sizeof(double);
     }
 
   private:
@@ -73,10 +74,10 @@ namespace strait
 
     const double modulus;
     SlabField    displaced;
-    SlabField    dry; // empty before the first fluid
-    double       mean_of_heights = 0.;
-    double       dry_rms_height  = 0.;
-    double       load            = 0.;
+    SlabField    undeformed; // empty before the first fluid or indentation
+    double       mean_of_heights  = 0.;
+    double       first_rms_height = 0.;
+    double       load             = 0.;
   };
 } // namespace strait
 

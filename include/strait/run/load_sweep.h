@@ -99,6 +99,13 @@ namespace strait
       return static_cast<int>(next_stop);
     }
 
+    /** The state of the last step that is done. */
+    const SealState &
+    state() const
+    {
+      return step.state;
+    }
+
     /** Where the state of an adhesive contact jumped, so far. */
     const std::vector<Jump> &
     jumps() const

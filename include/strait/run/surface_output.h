@@ -4,6 +4,7 @@
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
+#include <strait/contact/contact_state.h>
 #include <strait/spectral/slab_field.h>
 
 namespace strait
@@ -20,6 +21,12 @@ namespace strait
    * asks for them. Collective.
    */
   void write_surface(const Scene &scene, const SlabField &heights);
+
+  /** Write surface-indented.nc, @p heights as @p contact has left them behind, if the
+   * scene asks for surface.nc and the contact yields. Collective. */
+  void write_indented_surface(const Scene        &scene,
+                              const SlabField    &heights,
+                              const ContactState &contact);
 } // namespace strait
 
 #endif

@@ -19,6 +19,8 @@ namespace strait
     double leak_rate    = 0.; // of the effective medium in the scene's box
     double error        = 0.; // of mean gap and leak rate by quadrature, relative
 
+    std::optional<YieldingAreas> yielding; // if the scene's contact yields
+
     /** P(u) in broad bins by Persson's theory, and as simulated, if fields are written.
      */
     std::optional<GapDistribution> persson_gaps;
@@ -75,6 +77,7 @@ namespace strait
 
     TheoryParameters parameters;
     bool             keeps_gaps;  // for the output of fields
+    double           hardness;    // 0: elastic
     double           conductance; // leak rate of a cubed gap of one
     PerssonTheory    persson;
     PerssonTheory    coarse; // the difference to it estimates the error

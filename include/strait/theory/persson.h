@@ -54,6 +54,13 @@ namespace strait
     std::vector<GapLayer> layers;            // from long waves to short ones
   };
 
+  /** Shares of the nominal area in contact where no pressure exceeds a hardness. */
+  struct YieldingAreas
+  {
+    double elastic; // under less than the hardness
+    double plastic; // under the hardness
+  };
+
   /**
    * Persson's theory of rough contact, with the gaps of Almqvist, Campañá, Prodanov and
    * Persson, J. Mech. Phys. Solids 59 (2011) 2355.
@@ -100,6 +107,13 @@ namespace strait
 
     /** Share of the nominal area in contact at the nominal @p pressure > 0. */
     double contact_area(double pressure) const;
+
+    /**
+     * The same of a solid that flows at @p hardness > @p pressure: the distribution of
+     * pressures, which diffuses with the square of the slope, is absorbed at both ends
+     * (Persson, J. Chem. Phys. 115 (2001) 3840). To a relative 1e-12.
+     */
+    YieldingAreas contact_areas(double pressure, double hardness) const;
 
     /** All there is to know at the nominal @p pressure > 0. */
     PerssonState solve(double pressure) const;
