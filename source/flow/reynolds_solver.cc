@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace strait
 {
@@ -105,6 +106,19 @@ namespace strait
                       const double             tolerance_factor,
                       const unsigned long long most_unknowns)
   {
+    Leakage leakage =
+      refine_to_target(channel, observer, tolerance_factor, most_unknowns);
+    if (gap_field.gas() != nullptr)
+      enclose_rarefied(channel, leakage);
+    return leakage;
+  }
+
+  Leakage
+  ReynoldsSolver::refine_to_target(const Channel           &channel,
+                                   const Observer          &observer,
+                                   const double             tolerance_factor,
+                                   const unsigned long long most_unknowns)
+  {
     const double target = parameters.target_accuracy;
     Leakage      leakage;
     leakage.linear_error = linear_tolerance_factor * target;
@@ -158,9 +172,117 @@ namespace strait
   ReynoldsSolver::solve(PotentialProblem &problem)
   {
     problem.set_up();
-    problem.assemble(gap_field);
+    problem.take_coefficient(gap_field);
+    if (&problem == &stream_problem)
+      problem.set_weights(pressure_problem.weights());
+    problem.assemble();
     return problem.solve(parameters.preconditioner,
                          linear_tolerance_factor * parameters.target_accuracy);
+  }
+
+  /** Solve for the pressure of a rarefied gas and the weights of its conductivity, which
+   *  both problems then have. */
+  LinearSolve
+  ReynoldsSolver::solve_rarefied()
+  {
+    // Of the target accuracy, for the change of the leak rate by the last weights, each
+    // of which is several times smaller than the one before. With a tenth of it there are
+    // one or two more rounds, with ten times as much the mesh's bracket feels it.
+    constexpr double       tolerance_factor = 1e-2;
+    constexpr unsigned int most_rounds      = 50;
+    LinearSolve            outcome;
+    pressure_problem.set_up();
+    pressure_problem.take_coefficient(gap_field);
+    if (pressure_is_known)
+      pressure_problem.set_weights(weights_of_gas());
+    pressure_is_known = true;
+    for (unsigned int round = 1;; ++round)
+      {
+        pressure_problem.set_up();
+        pressure_problem.assemble();
+        const LinearSolve solve =
+          pressure_problem.solve(parameters.preconditioner,
+                                 linear_tolerance_factor * parameters.target_accuracy);
+        outcome.iterations += solve.iterations;
+        outcome.error_energy = solve.error_energy;
+        const double before  = pressure_problem.energy();
+        pressure_problem.set_weights(weights_of_gas());
+        const double change = std::abs(pressure_problem.energy() / before - 1.);
+        outcome.converged =
+          solve.converged && change <= tolerance_factor * parameters.target_accuracy;
+        if (outcome.converged || !solve.converged || round == most_rounds)
+          return outcome;
+      }
+  }
+
+  std::vector<double>
+  ReynoldsSolver::weights_of_gas() const
+  {
+    const RarefiedFlow &gas = *gap_field.gas();
+    std::vector<double> weights, values;
+    for (const auto &cell : pressure_problem.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const std::size_t c = weights.size();
+          weights.push_back(1.);
+          if (!pressure_problem.is_active(c))
+            continue;
+          pressure_problem.cell_values(cell, values);
+          const double mean =
+            std::accumulate(values.begin(), values.end(), 0.) / values.size();
+          weights.back() =
+            gas.relative_weight(gap_field.gap_of(pressure_problem.unweighted_mean(c)),
+                                gas.pressure(mean));
+        }
+    return weights;
+  }
+
+  /** Replace the bounds for the weights that were found by those for their extremes. */
+  void
+  ReynoldsSolver::enclose_rarefied(const Channel &channel, Leakage &leakage)
+  {
+    leakage.mesh_width         = leakage.relative_width();
+    const FlowPath &path       = channel.paths.front();
+    const auto      bottleneck = static_cast<std::size_t>(
+      std::min_element(path.gaps.begin(), path.gaps.end()) - path.gaps.begin());
+    leakage.knudsen =
+      gap_field.gas()->gas.knudsen_number(path.bottleneck_gap,
+                                          pressure_at(1. - path.resistances[bottleneck] /
+                                                             path.resistance()));
+
+    PotentialProblem largest(PotentialProblem::Kind::pressure,
+                             flow_mesh,
+                             gap_field.moment_set(),
+                             GapField::Coefficient::largest_conductivity);
+    PotentialProblem least(PotentialProblem::Kind::stream_function,
+                           flow_mesh,
+                           gap_field.moment_set(),
+                           GapField::Coefficient::largest_resistivity);
+    for (PotentialProblem *problem : {&largest, &least})
+      leakage.iterations += solve(*problem).iterations;
+    const Bracket bracket =
+      correction ? corrected_bracket(flow_mesh, gap_field, largest, least, *correction)
+                 : plain_bracket(flow_mesh, largest, least);
+    leakage.lower = bracket.lower * std::abs(drive());
+    leakage.upper = bracket.upper * std::abs(drive());
+    // One weight for a cell is not the gas's own, which the bounds are of.
+    const double rate = std::clamp(std::abs(leakage.rate), leakage.lower, leakage.upper);
+    leakage.rate      = drive() < 0 ? -rate : rate;
+  }
+
+  /** What a conductance is to be multiplied with to give the leak rate. */
+  double
+  ReynoldsSolver::drive() const
+  {
+    return gap_field.gas() != nullptr ? gap_field.gas()->drive() : pressure_drop;
+  }
+
+  double
+  ReynoldsSolver::pressure_at(const double potential) const
+  {
+    return gap_field.gas() != nullptr
+             ? gap_field.gas()->pressure(potential)
+             : parameters.outlet_pressure + pressure_drop * potential;
   }
 
   double
@@ -173,10 +295,13 @@ namespace strait
   bool
   ReynoldsSolver::solve_on_mesh(Leakage &leakage)
   {
-    bool solved = true;
+    const bool is_rarefied = gap_field.gas() != nullptr;
+    bool       solved      = true;
     for (PotentialProblem *problem : {&pressure_problem, &stream_problem})
       {
-        const LinearSolve outcome = solve(*problem);
+        const LinearSolve outcome = is_rarefied && problem == &pressure_problem
+                                      ? solve_rarefied()
+                                      : solve(*problem);
         leakage.iterations += outcome.iterations;
         solved = solved && outcome.converged;
       }
@@ -188,15 +313,14 @@ namespace strait
                                                            *correction)
                                        : plain;
 
-    const double drop  = std::abs(pressure_drop);
-    leakage.mesh_upper = closest.upper * drop;
-    leakage.mesh_lower = closest.lower * drop;
+    leakage.mesh_upper = closest.upper * std::abs(drive());
+    leakage.mesh_lower = closest.lower * std::abs(drive());
     // A bound of an earlier mesh still holds, should the solver fail on this one,
     // unless its cells were so coarse that it contradicts this one.
     const bool first = leakage.upper == 0;
     const bool fit   = leakage.mesh_lower <= leakage.upper * (1 + rounding) &&
                      leakage.mesh_upper * (1 + rounding) >= leakage.lower;
-    if (first || !fit)
+    if (first || !fit || is_rarefied) // whose weights are those of the mesh
       {
         leakage.upper = leakage.mesh_upper;
         leakage.lower = leakage.mesh_lower;
