@@ -8,14 +8,129 @@ namespace strait
 {
   namespace
   {
-    // Pressures are tabulated closer and closer to the lower one, where a mobility may
-    // vary with the logarithm of the pressure.
-    constexpr int n_pressures = 256;
+    // What stands for the error of tables, in the gap and in the pressure, in bounds.
+    constexpr double margin = 1e-5;
 
-    // Of those, extremes are taken over one in so many; with half of it they are further
-    // apart by less than the margin, which stands for the error of tables.
-    constexpr int    stride = 4;
-    constexpr double margin = 2e-6;
+    /** The pressures at the ends of @p parts in a row, from @p low to @p high; their flow
+     *  need not be exact. */
+    std::vector<double>
+    pressures_in_row(const RarefiedGas           &gas,
+                     const std::vector<PathPart> &parts,
+                     const double                 low,
+                     const double                 high)
+    {
+      std::vector<double> pressures(parts.size() + 1, low);
+      // dp/dR = J/m by the midpoint rule in a few steps.
+      const auto flow = [&](const double throughput) {
+        constexpr int steps = 16;
+        double        p     = low;
+        for (std::size_t k = 0; k < parts.size(); ++k)
+          {
+            const double rise = throughput * parts[k].resistance / steps;
+            for (int step = 0; step < steps && p < high; ++step)
+              {
+                const double half = .5 * rise / gas.mobility(parts[k].gap, p);
+                p += rise / gas.mobility(parts[k].gap, p + half);
+              }
+            pressures[k + 1] = std::min(p, high);
+          }
+        return p;
+      };
+      double most = 1.; // an upper bound of the throughput, then bisection
+      while (flow(most) < high)
+        most *= 2.;
+      double least = 0.;
+      for (int round = 0; round < 60; ++round)
+        {
+          const double middle                  = .5 * (least + most);
+          (flow(middle) < high ? least : most) = middle;
+        }
+      pressures.back() = high;
+      return pressures;
+    }
+
+    /** Ψ' of parts in a row. */
+    class RowPotential
+    {
+    public:
+      RowPotential(const RarefiedGas    &gas_,
+                   std::vector<PathPart> parts_,
+                   const double          low,
+                   const double          high,
+                   const double          total)
+        : gas(gas_)
+        , parts(std::move(parts_))
+        , pressures(pressures_in_row(gas, parts, low, high))
+        , amplitudes(parts.size(), 1.)
+      {
+        double sum = 0.;
+        for (std::size_t k = 0; k < parts.size(); ++k)
+          {
+            if (k > 0)
+              amplitudes[k] = amplitudes[k - 1] *
+                              gas.mobility(parts[k - 1].gap, pressures[k]) /
+                              gas.mobility(parts[k].gap, pressures[k]);
+            sum +=
+              amplitudes[k] * gas.drive(parts[k].gap, pressures[k], pressures[k + 1]);
+          }
+        for (double &amplitude : amplitudes)
+          amplitude *= total / sum;
+        list_samples(low, high);
+      }
+
+      /** The extreme of m/Ψ' at any pressure. */
+      double
+      extreme(const double gap, const bool is_largest) const
+      {
+        double result = 0.;
+        for (std::size_t i = 0; i < samples.size(); ++i)
+          {
+            const double here = gas.mobility(gap, samples[i]) / values[i];
+            if (i == 0 || (is_largest ? here > result : here < result))
+              result = here;
+          }
+        return result;
+      }
+
+    private:
+      /** In a part m/Ψ' has its extremes at the ends, but for a gas so thin that Q_P
+       * varies with the logarithm of the pressure alone. */
+      void
+      list_samples(const double low, const double high)
+      {
+        constexpr double step = 1.1, decades = 8.;
+        samples = pressures;
+        for (double p = high; p > std::max(low, std::pow(10., -decades) * high);
+             p /= step)
+          samples.push_back(p);
+        std::sort(samples.begin(), samples.end());
+        std::size_t k = 0;
+        for (const double p : samples)
+          {
+            while (k + 1 < parts.size() && p > pressures[k + 1])
+              ++k;
+            values.push_back(amplitudes[k] * gas.mobility(parts[k].gap, p));
+          }
+      }
+
+      const RarefiedGas    &gas;
+      std::vector<PathPart> parts;
+      std::vector<double>   pressures; // at the ends of the parts
+      std::vector<double>   amplitudes;
+      std::vector<double>   samples, values; // pressures, and Ψ' at them
+    };
+
+    double
+    median_gap(const std::vector<PathPart> &parts)
+    {
+      double total = 0., below = 0.;
+      for (const PathPart &part : parts)
+        total += part.resistance;
+      for (const PathPart &part : parts)
+        if ((below += part.resistance) >= .5 * total)
+          return part.gap;
+      return parts.back().gap;
+    }
   } // namespace
 
   GapFactor::GapFactor(const double                         reference,
@@ -27,51 +142,54 @@ namespace strait
         function(std::exp2(first + k / static_cast<double>(entries_per_octave))));
   }
 
-  RarefiedFlow::RarefiedFlow(const FluidParameters &fluid, const double reference_gap_)
+  RarefiedFlow::RarefiedFlow(const FluidParameters       &fluid,
+                             const std::vector<PathPart> &parts)
     : gas(fluid)
-    , reference_gap(reference_gap_)
+    , low(std::min(fluid.inlet_pressure, fluid.outlet_pressure))
+    , high(std::max(fluid.inlet_pressure, fluid.outlet_pressure))
+    , reference_gap(median_gap(parts))
+    , total_drive(gas.drive(reference_gap, low, high))
     , falls(fluid.inlet_pressure > fluid.outlet_pressure)
   {
-    const double low  = std::min(fluid.inlet_pressure, fluid.outlet_pressure);
-    const double high = std::max(fluid.inlet_pressure, fluid.outlet_pressure);
-    total_drive       = gas.drive(reference_gap, low, high);
-    pressure_drive    = (falls ? total_drive : -total_drive) / fluid.mean_pressure();
-    for (int i = 0; i <= n_pressures; ++i)
-      {
-        const double t = static_cast<double>(i) / n_pressures;
-        pressures.push_back(low + (high - low) * t * t * t);
-        potentials.push_back(gas.drive(reference_gap, low, pressures.back()) /
-                             total_drive);
-        slopes.push_back(total_drive / gas.mobility(reference_gap, pressures.back()));
-      }
+    pressure_drive = (falls ? total_drive : -total_drive) / fluid.mean_pressure();
+    tabulate_potential();
     const double middle = pressure(.5);
     middle_weight =
       GapFactor(reference_gap, [&](const double gap) { return weight(gap, middle); });
+    const RowPotential narrow_first(gas, parts, low, high, total_drive);
+    const RowPotential wide_first(
+      gas, {parts.rbegin(), parts.rend()}, low, high, total_drive);
     least_weight   = GapFactor(reference_gap, [&](const double gap) {
-      return (1. - margin) * extreme_weight(gap, false);
+      return (1. - margin) * wide_first.extreme(gap, false);
     });
     largest_weight = GapFactor(reference_gap, [&](const double gap) {
-      return (1. + margin) * extreme_weight(gap, true);
+      return (1. + margin) * narrow_first.extreme(gap, true);
     });
+  }
+
+  void
+  RarefiedFlow::tabulate_potential()
+  {
+    // Closer and closer to the lower pressure, where a mobility may vary with the
+    // logarithm of the pressure. With half as many a pressure is wrong by 10⁻⁸.
+    constexpr int n = 256;
+    for (int i = 0; i <= n; ++i)
+      {
+        const double t = static_cast<double>(i) / n;
+        const double p = low + (high - low) * t * t * t;
+        potentials.push_back(i == 0 ? 0.
+                                    : potentials.back() +
+                                        gas.drive(reference_gap, pressures.back(), p) /
+                                          total_drive);
+        pressures.push_back(p);
+        slopes.push_back(total_drive / gas.mobility(reference_gap, p));
+      }
   }
 
   double
   RarefiedFlow::weight(const double gap, const double p) const
   {
     return gas.mobility(gap, p) / gas.mobility(reference_gap, p);
-  }
-
-  double
-  RarefiedFlow::extreme_weight(const double gap, const bool is_largest) const
-  {
-    double extreme = 0.;
-    for (int i = 0; i <= n_pressures; i += stride)
-      {
-        const double here = gas.mobility(gap, pressures[i]) * slopes[i];
-        if (i == 0 || (is_largest ? here > extreme : here < extreme))
-          extreme = here;
-      }
-    return extreme / total_drive;
   }
 
   double
@@ -96,22 +214,29 @@ namespace strait
   {
     if (fluid.rarefaction == Rarefaction::none)
       return {};
-    std::vector<std::size_t> segments(path.gaps.size() - 1);
-    std::iota(segments.begin(), segments.end(), std::size_t(0));
-    const auto gap_in = [&path](const std::size_t k) {
-      return std::sqrt(path.gaps[k] * path.gaps[k + 1]);
-    };
-    std::sort(segments.begin(), segments.end(), [&](const auto a, const auto b) {
-      return gap_in(a) < gap_in(b);
+    std::vector<PathPart> steps;
+    for (std::size_t k = 0; k + 1 < path.gaps.size(); ++k)
+      steps.push_back({std::sqrt(path.gaps[k] * path.gaps[k + 1]),
+                       path.resistances[k + 1] - path.resistances[k]});
+    std::sort(steps.begin(), steps.end(), [](const auto &a, const auto &b) {
+      return a.gap < b.gap;
     });
-    double      below = 0.;
-    std::size_t k     = 0;
-    while (true)
-      {
-        below += path.resistances[segments[k] + 1] - path.resistances[segments[k]];
-        if (2. * below >= path.resistance() || k + 1 == segments.size())
-          return std::make_shared<const RarefiedFlow>(fluid, gap_in(segments[k]));
-        ++k;
-      }
+    // Of the path's resistance at most, unless a single step has more. With half as many
+    // parts the bounds are further apart by a thousandth of the leak rate, twice as many
+    // take twice the time.
+    constexpr double      fraction = 1. / 64;
+    std::vector<PathPart> parts;
+    for (const PathPart &step : steps)
+      if (parts.empty() ||
+          parts.back().resistance + step.resistance > fraction * path.resistance())
+        parts.push_back(step);
+      else
+        {
+          PathPart    &part  = parts.back();
+          const double total = part.resistance + step.resistance;
+          part.gap = (part.gap * part.resistance + step.gap * step.resistance) / total;
+          part.resistance = total;
+        }
+    return std::make_shared<const RarefiedFlow>(fluid, parts);
   }
 } // namespace strait

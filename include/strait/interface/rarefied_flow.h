@@ -22,7 +22,7 @@ namespace strait
     GapFactor() = default;
     GapFactor(double reference, const std::function<double(double)> &function);
 
-    /** At @p gap > 0. Between entries linear, which is wrong by less than 10⁻⁶. */
+    /** At @p gap > 0. Between entries linear, which is wrong by less than 10⁻⁵. */
     double
     operator()(const double gap) const
     {
@@ -36,29 +36,42 @@ namespace strait
     }
 
   private:
-    static constexpr int octaves            = 20; // on either side
-    static constexpr int entries_per_octave = 256;
+    static constexpr int octaves            = 16; // on either side
+    static constexpr int entries_per_octave = 128;
 
     double              first = 0.; // log2 of the smallest gap
     std::vector<double> values;
   };
 
+  /** A part of a path: its gap and its ∫ ds/gap³. */
+  struct PathPart
+  {
+    double gap;
+    double resistance;
+  };
+
   /**
-   * A rarefied gas between two reservoirs, in gaps of which most resistance lies near
-   * one.
+   * A rarefied gas between two reservoirs, in gaps that resist like those of a path.
    *
    * Its equation ∇·(a ∇p) = 0 is not linear, but with Ψ(p) = ∫ m(ḡ, p) dp and the
    * mobility m = a/K of RarefiedGas it is ∇·(K w ∇Ψ) = 0 with a weight w = m(g, p)/m(ḡ,
    * p) that differs from one only where the gap differs from the reference ḡ and the flow
    * is neither viscous nor molecular. The throughput is the conductance of K w times ΔΨ.
-   * As ∫ a/m(ḡ, p) |∇Ψ|² is that throughput times ΔΨ, whatever ḡ, it lies between those
-   * of the conductivities K min w and K max w, extremes over all pressures between the
-   * reservoirs'.
+   *
+   * The throughput times ΔΨ is ∫ a/Ψ' |∇Ψ|² as well, whatever positive function of the
+   * pressure Ψ' is. It thus lies between ΔΨ times the conductances of K min m/Ψ' and
+   * K max m/Ψ', the extremes over all pressures between the reservoirs', and Ψ' is free
+   * to be chosen for either bound. The bounds cannot know which gap lies at which
+   * pressure; with the best choice they are what would flow if the parts of the path were
+   * put in a row in the order of their gaps, the narrowest at the lower pressure for the
+   * upper bound and at the higher one for the lower. That Ψ' = A m(g, p), with g the part
+   * at the pressure p and A such that Ψ' does not jump, is taken here.
    */
   class RarefiedFlow
   {
   public:
-    RarefiedFlow(const FluidParameters &fluid, double reference_gap);
+    /** @p parts are in the order of their gaps. */
+    RarefiedFlow(const FluidParameters &fluid, const std::vector<PathPart> &parts);
 
     /** ΔΨ over the mean pressure of the reservoirs: times a conductance of K w it is the
      *  volume, at that pressure, that leaks per time [pressure]. */
@@ -78,17 +91,21 @@ namespace strait
       return weight(gap, p) / middle_weight(gap);
     }
 
-    /** w of a gap at the pressure half way between the reservoirs in Ψ, and the least and
-     *  largest at any pressure, which the error of tables does not let contract. */
-    GapFactor middle_weight, least_weight, largest_weight;
+    /** w of a gap at the pressure half way between the reservoirs in Ψ. */
+    GapFactor middle_weight;
+
+    /** min and max m/Ψ' of a gap at any pressure, each with its own Ψ', of the same ΔΨ.
+     */
+    GapFactor least_weight, largest_weight;
 
     /** The gas itself. */
     const RarefiedGas gas;
 
   private:
+    void   tabulate_potential();
     double weight(double gap, double p) const;
-    double extreme_weight(double gap, bool is_largest) const;
 
+    double              low, high; // pressures
     double              reference_gap;
     double              total_drive;        // ΔΨ [pressure²]
     double              pressure_drive;     // over the mean pressure, as it falls
@@ -97,8 +114,7 @@ namespace strait
     std::vector<double> potentials, slopes; // Ψ at the pressures, 0 to 1, and dp/dΨ
   };
 
-  /** That of @p fluid in a gap with this @p path, null for one that is not rarefied. As
-   *  much of the path's resistance lies in gaps above the reference as below. */
+  /** That of @p fluid in a gap with this @p path, null for one that is not rarefied. */
   std::shared_ptr<const RarefiedFlow> make_rarefied_flow(const FluidParameters &fluid,
                                                          const FlowPath        &path);
 } // namespace strait
