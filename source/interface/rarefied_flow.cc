@@ -9,116 +9,122 @@ namespace strait
   namespace
   {
     // What stands for the error of tables, in the gap and in the pressure, in bounds.
-    constexpr double margin = 1e-5;
+    constexpr double margin = 3e-5;
 
-    /** The pressures at the ends of @p parts in a row, from @p low to @p high; their flow
-     *  need not be exact. */
-    std::vector<double>
-    pressures_in_row(const RarefiedGas           &gas,
-                     const std::vector<PathPart> &parts,
-                     const double                 low,
-                     const double                 high)
-    {
-      std::vector<double> pressures(parts.size() + 1, low);
-      // dp/dR = J/m by the midpoint rule in a few steps.
-      const auto flow = [&](const double throughput) {
-        constexpr int steps = 16;
-        double        p     = low;
-        for (std::size_t k = 0; k < parts.size(); ++k)
-          {
-            const double rise = throughput * parts[k].resistance / steps;
-            for (int step = 0; step < steps && p < high; ++step)
-              {
-                const double half = .5 * rise / gas.mobility(parts[k].gap, p);
-                p += rise / gas.mobility(parts[k].gap, p + half);
-              }
-            pressures[k + 1] = std::min(p, high);
-          }
-        return p;
-      };
-      double most = 1.; // an upper bound of the throughput, then bisection
-      while (flow(most) < high)
-        most *= 2.;
-      double least = 0.;
-      for (int round = 0; round < 60; ++round)
-        {
-          const double middle                  = .5 * (least + most);
-          (flow(middle) < high ? least : most) = middle;
-        }
-      pressures.back() = high;
-      return pressures;
-    }
-
-    /** Ψ' of parts in a row. */
-    class RowPotential
+    /** A potential Ψ for one of the bounds, as a factor of Ψ' for the reference gap that
+     *  is linear in its Ψ between nodes. */
+    class FreePotential
     {
     public:
-      RowPotential(const RarefiedGas    &gas_,
-                   std::vector<PathPart> parts_,
-                   const double          low,
-                   const double          high,
-                   const double          total)
-        : gas(gas_)
-        , parts(std::move(parts_))
-        , pressures(pressures_in_row(gas, parts, low, high))
-        , amplitudes(parts.size(), 1.)
-      {
-        double sum = 0.;
-        for (std::size_t k = 0; k < parts.size(); ++k)
-          {
-            if (k > 0)
-              amplitudes[k] = amplitudes[k - 1] *
-                              gas.mobility(parts[k - 1].gap, pressures[k]) /
-                              gas.mobility(parts[k].gap, pressures[k]);
-            sum +=
-              amplitudes[k] * gas.drive(parts[k].gap, pressures[k], pressures[k + 1]);
-          }
-        for (double &amplitude : amplitudes)
-          amplitude *= total / sum;
-        list_samples(low, high);
-      }
+      /** Nodes are where the reference's Ψ is @p potentials, from 0 to 1, and the weights
+       *  of the parts there are @p weights[part][node]. */
+      FreePotential(const std::vector<PathPart>            &parts,
+                    const std::vector<std::vector<double>> &weights,
+                    const std::vector<double>              &potentials,
+                    bool                                    is_largest);
 
-      /** The extreme of m/Ψ' at any pressure. */
-      double
-      extreme(const double gap, const bool is_largest) const
+      /** At the nodes. */
+      const std::vector<double> &
+      factors() const
       {
-        double result = 0.;
-        for (std::size_t i = 0; i < samples.size(); ++i)
-          {
-            const double here = gas.mobility(gap, samples[i]) / values[i];
-            if (i == 0 || (is_largest ? here > result : here < result))
-              result = here;
-          }
-        return result;
+        return best;
       }
 
     private:
-      /** In a part m/Ψ' has its extremes at the ends, but for a gas so thin that Q_P
-       * varies with the logarithm of the pressure alone. */
-      void
-      list_samples(const double low, const double high)
-      {
-        constexpr double step = 1.1, decades = 8.;
-        samples = pressures;
-        for (double p = high; p > std::max(low, std::pow(10., -decades) * high);
-             p /= step)
-          samples.push_back(p);
-        std::sort(samples.begin(), samples.end());
-        std::size_t k = 0;
-        for (const double p : samples)
-          {
-            while (k + 1 < parts.size() && p > pressures[k + 1])
-              ++k;
-            values.push_back(amplitudes[k] * gas.mobility(parts[k].gap, p));
-          }
-      }
+      void relax(double temperature);
+      void keep_if_better();
 
-      const RarefiedGas    &gas;
-      std::vector<PathPart> parts;
-      std::vector<double>   pressures; // at the ends of the parts
-      std::vector<double>   amplitudes;
-      std::vector<double>   samples, values; // pressures, and Ψ' at them
+      const std::vector<PathPart>            &parts;
+      const std::vector<std::vector<double>> &weights;
+      const double        sign;    // 1: of the upper bound, −1: the lower
+      std::vector<double> lengths; // ΔΨ around the nodes
+      std::vector<double> trial, best;
+      double              best_bound = 0.;
     };
+
+    FreePotential::FreePotential(const std::vector<PathPart>            &parts_,
+                                 const std::vector<std::vector<double>> &weights_,
+                                 const std::vector<double>              &potentials,
+                                 const bool                              is_largest)
+      : parts(parts_)
+      , weights(weights_)
+      , sign(is_largest ? 1. : -1.)
+      , lengths(potentials.size(), 0.)
+      , trial(potentials.size(), 1.)
+      , best(trial)
+    {
+      for (std::size_t i = 1; i < lengths.size(); ++i)
+        for (const std::size_t end : {i - 1, i})
+          lengths[end] += .5 * (potentials[i] - potentials[i - 1]);
+      keep_if_better();
+      // Half as many rounds or temperatures leave bounds that are further apart by a
+      // tenth of a percent of the leak rate, twice as many take twice the time.
+      constexpr int rounds = 40;
+      for (const double temperature : {.03, .01, .003})
+        for (int round = 0; round < rounds; ++round)
+          {
+            relax(temperature);
+            keep_if_better();
+          }
+    }
+
+    /** A part goes to where its factor over weight is extreme, within @p temperature, and
+     *  raises or lowers the factor there by what it is too crowded. */
+    void
+    FreePotential::relax(const double temperature)
+    {
+      std::vector<double> loads(trial.size(), 0.), places(trial.size());
+      double              total = 0.;
+      for (std::size_t k = 0; k < parts.size(); ++k)
+        {
+          const auto place = [&](const std::size_t i) {
+            return sign * std::log(weights[k][i] / trial[i]) / temperature;
+          };
+          double highest = place(0), sum = 0.;
+          for (std::size_t i = 0; i < trial.size(); ++i)
+            highest = std::max(highest, places[i] = place(i));
+          for (std::size_t i = 0; i < trial.size(); ++i)
+            sum += places[i] = lengths[i] * std::exp(places[i] - highest);
+          for (std::size_t i = 0; i < trial.size(); ++i)
+            {
+              const double load = parts[k].resistance * places[i] / sum / weights[k][i];
+              loads[i] += load;
+              total += load;
+            }
+        }
+      constexpr double emptiest = 1e-3; // at once
+      for (std::size_t i = 0; i < trial.size(); ++i)
+        trial[i] *= std::pow(std::max(loads[i] / (total * lengths[i]), emptiest),
+                             sign * temperature);
+    }
+
+    /** Compare what flows through the parts in a row with the extremes of their weights.
+     */
+    void
+    FreePotential::keep_if_better()
+    {
+      double drive = 0., resistance = 0.;
+      for (std::size_t i = 0; i < trial.size(); ++i)
+        drive += trial[i] * lengths[i];
+      for (std::size_t k = 0; k < parts.size(); ++k)
+        {
+          double extreme = 0.;
+          for (std::size_t i = 0; i < trial.size(); ++i)
+            {
+              const double here = weights[k][i] / trial[i];
+              if (i == 0 || sign * (here - extreme) > 0.)
+                extreme = here;
+            }
+          resistance += parts[k].resistance / extreme;
+        }
+      const double bound = drive / resistance;
+      if (best_bound != 0. && sign * (best_bound - bound) < 0.)
+        return;
+      best_bound = bound;
+      best       = trial;
+      for (double &factor : best)
+        factor /= drive;
+    }
 
     double
     median_gap(const std::vector<PathPart> &parts)
@@ -156,14 +162,55 @@ namespace strait
     const double middle = pressure(.5);
     middle_weight =
       GapFactor(reference_gap, [&](const double gap) { return weight(gap, middle); });
-    const RowPotential narrow_first(gas, parts, low, high, total_drive);
-    const RowPotential wide_first(
-      gas, {parts.rbegin(), parts.rend()}, low, high, total_drive);
-    least_weight   = GapFactor(reference_gap, [&](const double gap) {
-      return (1. - margin) * wide_first.extreme(gap, false);
-    });
-    largest_weight = GapFactor(reference_gap, [&](const double gap) {
-      return (1. + margin) * narrow_first.extreme(gap, true);
+    choose_bounds(parts);
+  }
+
+  void
+  RarefiedFlow::choose_bounds(const std::vector<PathPart> &parts)
+  {
+    std::vector<std::vector<double>> weights;
+    for (const PathPart &part : parts)
+      {
+        weights.emplace_back();
+        for (const double p : pressures)
+          weights.back().push_back(weight(part.gap, p));
+      }
+    for (const bool is_largest : {false, true})
+      (is_largest ? largest_weight : least_weight) =
+        extreme_weight(FreePotential(parts, weights, potentials, is_largest).factors(),
+                       is_largest);
+  }
+
+  /** For a Ψ' that is the reference's times factors that are linear in the reference's Ψ
+   *  between the pressures of the table. */
+  GapFactor
+  RarefiedFlow::extreme_weight(const std::vector<double> &potential_factors,
+                               const bool                 is_largest) const
+  {
+    // The extremes are close to these pressures, unless the mobility varies with the
+    // logarithm of the pressure, where they need others in between.
+    constexpr double    step = 1.15, lowest = 1e-9;
+    std::vector<double> samples{low};
+    std::vector<double> values{gas.mobility(reference_gap, low) * potential_factors[0]};
+    for (std::size_t i = 1; i < pressures.size(); ++i)
+      for (double p = pressures[i]; p > pressures[i - 1] && p > lowest * high; p /= step)
+        {
+          const double t = gas.drive(reference_gap, pressures[i - 1], p) /
+                           (total_drive * (potentials[i] - potentials[i - 1]));
+          samples.push_back(p);
+          values.push_back(
+            gas.mobility(reference_gap, p) *
+            ((1. - t) * potential_factors[i - 1] + t * potential_factors[i]));
+        }
+    return GapFactor(reference_gap, [&](const double gap) {
+      double extreme = 0.;
+      for (std::size_t i = 0; i < samples.size(); ++i)
+        {
+          const double here = gas.mobility(gap, samples[i]) / values[i];
+          if (i == 0 || (is_largest ? here > extreme : here < extreme))
+            extreme = here;
+        }
+      return extreme * (is_largest ? 1. + margin : 1. - margin);
     });
   }
 
@@ -171,8 +218,8 @@ namespace strait
   RarefiedFlow::tabulate_potential()
   {
     // Closer and closer to the lower pressure, where a mobility may vary with the
-    // logarithm of the pressure. With half as many a pressure is wrong by 10⁻⁸.
-    constexpr int n = 256;
+    // logarithm of the pressure. With half as many bounds are further apart by 10⁻³.
+    constexpr int n = 128;
     for (int i = 0; i <= n; ++i)
       {
         const double t = static_cast<double>(i) / n;

@@ -266,13 +266,11 @@ namespace strait
           widths += (upper - lower) / upper / 200.;
           widest = std::max(widest, (upper - lower) / upper);
         }
-      EXPECT_LT(widths, .15);
-      RecordProperty("mean_width_percent", std::to_string(100. * widths));
-      RecordProperty("largest_width_percent", std::to_string(100. * widest));
+      EXPECT_LT(widths, .02);
+      EXPECT_LT(widest, .2);
     }
 
-    // Of channels in a row the bounds are what flows there in the order of their gaps,
-    // either way round.
+    // Of channels in a row the bounds are what flows there, either way round.
     TEST(RarefiedFlow, ChannelsInARowForwardAndBackward)
     {
       const FluidParameters fluid = slipping_helium();
@@ -288,8 +286,8 @@ namespace strait
       EXPECT_NEAR(least / 1.052064e-5, 1., 1e-5);
       EXPECT_NEAR(most / least, 1.12293, 1e-4);
       const double drive = flow.drive() * fluid.mean_pressure() / unit;
-      EXPECT_NEAR(drive * forward.conductance(flow.largest_weight) / most, 1., 1e-4);
-      EXPECT_NEAR(drive * forward.conductance(flow.least_weight) / least, 1., 1e-4);
+      EXPECT_NEAR(drive * forward.conductance(flow.largest_weight) / most, 1., 1e-3);
+      EXPECT_NEAR(drive * forward.conductance(flow.least_weight) / least, 1., 1e-3);
     }
   } // namespace
 } // namespace strait

@@ -16,13 +16,14 @@ namespace strait
   class GapFactor
   {
   public:
-    /** Of a @p function of the gap; 10⁶ times above and below @p reference the table
-     * ends, with a factor that is constant above and in inverse proportion to the gap
-     * below. */
     GapFactor() = default;
+    /** Of a @p function of the gap; 2¹⁴ times above and below @p reference the table
+     * ends, with a factor that is constant above and in inverse proportion to the gap
+     * below.
+     */
     GapFactor(double reference, const std::function<double(double)> &function);
 
-    /** At @p gap > 0. Between entries linear, which is wrong by less than 10⁻⁵. */
+    /** At @p gap > 0. Between entries linear, which is wrong by less than 2·10⁻⁵. */
     double
     operator()(const double gap) const
     {
@@ -36,8 +37,8 @@ namespace strait
     }
 
   private:
-    static constexpr int octaves            = 16; // on either side
-    static constexpr int entries_per_octave = 128;
+    static constexpr int octaves            = 14; // on either side
+    static constexpr int entries_per_octave = 64;
 
     double              first = 0.; // log2 of the smallest gap
     std::vector<double> values;
@@ -62,10 +63,9 @@ namespace strait
    * pressure Ψ' is. It thus lies between ΔΨ times the conductances of K min m/Ψ' and
    * K max m/Ψ', the extremes over all pressures between the reservoirs', and Ψ' is free
    * to be chosen for either bound. The bounds cannot know which gap lies at which
-   * pressure; with the best choice they are what would flow if the parts of the path were
-   * put in a row in the order of their gaps, the narrowest at the lower pressure for the
-   * upper bound and at the higher one for the lower. That Ψ' = A m(g, p), with g the part
-   * at the pressure p and A such that Ψ' does not jump, is taken here.
+   * pressure: the best choice makes them the least and the most that would flow if the
+   * parts of the path lay in a row in any order. It is found by what is the dual problem,
+   * to place the parts at pressures such that the most flows, or the least.
    */
   class RarefiedFlow
   {
@@ -102,8 +102,11 @@ namespace strait
     const RarefiedGas gas;
 
   private:
-    void   tabulate_potential();
-    double weight(double gap, double p) const;
+    void      tabulate_potential();
+    void      choose_bounds(const std::vector<PathPart> &parts);
+    GapFactor extreme_weight(const std::vector<double> &potential_factors,
+                             bool                       is_largest) const;
+    double    weight(double gap, double p) const;
 
     double              low, high; // pressures
     double              reference_gap;
