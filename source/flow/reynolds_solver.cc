@@ -245,10 +245,14 @@ namespace strait
     const FlowPath &path       = channel.paths.front();
     const auto      bottleneck = static_cast<std::size_t>(
       std::min_element(path.gaps.begin(), path.gaps.end()) - path.gaps.begin());
+    // In the middle of the steps of the path that meet there: at the outlet there may be
+    // vacuum.
+    const double before =
+      .5 * (path.resistances[bottleneck == 0 ? 0 : bottleneck - 1] +
+            path.resistances[std::min(bottleneck + 1, path.gaps.size() - 1)]);
     leakage.knudsen =
       gap_field.gas()->gas.knudsen_number(path.bottleneck_gap,
-                                          pressure_at(1. - path.resistances[bottleneck] /
-                                                             path.resistance()));
+                                          pressure_at(1. - before / path.resistance()));
 
     PotentialProblem largest(PotentialProblem::Kind::pressure,
                              flow_mesh,

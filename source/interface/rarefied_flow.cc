@@ -11,6 +11,14 @@ namespace strait
     // What stands for the error of tables, in the gap and in the pressure, in bounds.
     constexpr double margin = 3e-5;
 
+    std::vector<double>
+    logarithms(std::vector<double> values)
+    {
+      for (double &value : values)
+        value = std::log(value);
+      return values;
+    }
+
     /** A potential Ψ for one of the bounds, as a factor of Ψ' for the reference gap that
      *  is linear in its Ψ between nodes. */
     class FreePotential
@@ -36,6 +44,7 @@ namespace strait
 
       const std::vector<PathPart>            &parts;
       const std::vector<std::vector<double>> &weights;
+      std::vector<std::vector<double>>        log_weights;
       const double        sign;    // 1: of the upper bound, −1: the lower
       std::vector<double> lengths; // ΔΨ around the nodes
       std::vector<double> trial, best;
@@ -56,6 +65,8 @@ namespace strait
       for (std::size_t i = 1; i < lengths.size(); ++i)
         for (const std::size_t end : {i - 1, i})
           lengths[end] += .5 * (potentials[i] - potentials[i - 1]);
+      for (const std::vector<double> &of_part : weights)
+        log_weights.push_back(logarithms(of_part));
       keep_if_better();
       // Half as many rounds or temperatures leave bounds that are further apart by a
       // tenth of a percent of the leak rate, twice as many take twice the time.
@@ -73,12 +84,13 @@ namespace strait
     void
     FreePotential::relax(const double temperature)
     {
-      std::vector<double> loads(trial.size(), 0.), places(trial.size());
-      double              total = 0.;
+      std::vector<double>       loads(trial.size(), 0.), places(trial.size());
+      const std::vector<double> log_trial = logarithms(trial);
+      double                    total     = 0.;
       for (std::size_t k = 0; k < parts.size(); ++k)
         {
           const auto place = [&](const std::size_t i) {
-            return sign * std::log(weights[k][i] / trial[i]) / temperature;
+            return sign / temperature * (log_weights[k][i] - log_trial[i]);
           };
           double highest = place(0), sum = 0.;
           for (std::size_t i = 0; i < trial.size(); ++i)

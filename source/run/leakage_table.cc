@@ -90,8 +90,10 @@ namespace strait
               return in_trade_unit(rate, *unit, units, fluid);
             },
             std::string(unit->column) + " [" + unit->name + "]: " +
-              (unit->is_throughput ? "throughput of a gas, Q (p_in + p_out)/2"
-                                   : "`leak_rate` in this unit"));
+              (unit->is_throughput
+                 ? "throughput of a gas, Q (p_in + p_out)/2" +
+                     std::string(name == "sccm" ? ", at 0 °C and 101325 Pa" : "")
+                 : "`leak_rate` in this unit"));
         }
       table
         .when({"with `Fluid/Rarefaction`",
@@ -164,6 +166,9 @@ namespace strait
                    seconds_in(units.time).value_or(1.);
     if (unit.is_throughput)
       in_si *= fluid.mean_pressure() * pascals_in(units.pressure).value_or(1.);
+    // A gas that is counted by its volume at 0 °C, which is less than at its temperature.
+    if (std::string(unit.name) == "sccm")
+      in_si *= 273.15 / fluid.temperature;
     return in_si / unit.in_si;
   }
 

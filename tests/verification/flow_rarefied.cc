@@ -104,7 +104,7 @@ namespace strait
             Leakage of_plates = flow;
             of_plates.aspect  = .1;
             EXPECT_NEAR(effective_gap(of_plates, fluid) / gap, 1., 1e-8);
-            EXPECT_NEAR(flow.knudsen * gap * 2e5 / .019169, 1., 1e-4); // at the inlet
+            EXPECT_NEAR(flow.knudsen * gap * 2e5 / .019169, 1., .02); // at the inlet
           }
     }
 
@@ -130,8 +130,8 @@ namespace strait
               EXPECT_LE(flow.lower, exact);
               EXPECT_GE(flow.upper, exact);
             }
-          std::printf("%g %g\n", errors[0], errors[1]);
           EXPECT_LT(errors[1], 1e-4);
+          EXPECT_GT(std::log2(errors[0] / errors[1]), 1.7);
         }
     }
 
@@ -197,11 +197,6 @@ namespace strait
           EXPECT_LE(fine.mesh_width, 5e-4);
           EXPECT_NEAR(coarse.rate / fine.rate, 1., 1e-2);
           EXPECT_LT(fine.relative_width(), .1);
-          std::printf("%g %g %g %llu\n",
-                      coarse.rate / fine.rate - 1,
-                      coarse.relative_width(),
-                      fine.relative_width(),
-                      fine.unknowns);
         }
     }
   } // namespace
