@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace strait
 {
@@ -16,6 +15,11 @@ namespace strait
     // it saves a fraction of an iteration, as half of it costs one; the bounds feel
     // neither.
     constexpr double linear_tolerance_factor = 1e-12;
+
+    // The same for what the last weights of a rarefied gas change of the leak rate. With
+    // a tenth of it there are one or two more rounds on each mesh, with ten times as much
+    // the mesh's bracket feels it.
+    constexpr double nonlinear_tolerance_factor = 1e-2;
 
     // What rounding may do to bounds of the same quantity, relative. Both ends would be
     // wrong by far more if the solver failed, so that half and double find the same.
@@ -168,107 +172,43 @@ namespace strait
            leakage.unknowns > most_growth * unknowns_needed;
   }
 
+  LinearAccuracy
+  ReynoldsSolver::accuracy() const
+  {
+    return {parameters.preconditioner,
+            linear_tolerance_factor * parameters.target_accuracy};
+  }
+
   LinearSolve
   ReynoldsSolver::solve(PotentialProblem &problem)
   {
+    if (gap_field.gas() != nullptr && &problem == &pressure_problem)
+      {
+        const bool starts_from_solution = pressure_is_known;
+        pressure_is_known               = true;
+        return solve_rarefied(problem,
+                              gap_field,
+                              accuracy(),
+                              nonlinear_tolerance_factor * parameters.target_accuracy,
+                              starts_from_solution);
+      }
     problem.set_up();
     problem.take_coefficient(gap_field);
-    if (&problem == &stream_problem)
-      problem.set_weights(pressure_problem.weights());
+    problem.set_weights(pressure_problem.weights());
     problem.assemble();
-    return problem.solve(parameters.preconditioner,
-                         linear_tolerance_factor * parameters.target_accuracy);
-  }
-
-  /** Solve for the pressure of a rarefied gas and the weights of its conductivity, which
-   *  both problems then have. */
-  LinearSolve
-  ReynoldsSolver::solve_rarefied()
-  {
-    // Of the target accuracy, for the change of the leak rate by the last weights, each
-    // of which is several times smaller than the one before. With a tenth of it there are
-    // one or two more rounds, with ten times as much the mesh's bracket feels it.
-    constexpr double       tolerance_factor = 1e-2;
-    constexpr unsigned int most_rounds      = 50;
-    LinearSolve            outcome;
-    pressure_problem.set_up();
-    pressure_problem.take_coefficient(gap_field);
-    if (pressure_is_known)
-      pressure_problem.set_weights(weights_of_gas());
-    pressure_is_known = true;
-    for (unsigned int round = 1;; ++round)
-      {
-        pressure_problem.set_up();
-        pressure_problem.assemble();
-        const LinearSolve solve =
-          pressure_problem.solve(parameters.preconditioner,
-                                 linear_tolerance_factor * parameters.target_accuracy);
-        outcome.iterations += solve.iterations;
-        outcome.error_energy = solve.error_energy;
-        const double before  = pressure_problem.energy();
-        pressure_problem.set_weights(weights_of_gas());
-        const double change = std::abs(pressure_problem.energy() / before - 1.);
-        outcome.converged =
-          solve.converged && change <= tolerance_factor * parameters.target_accuracy;
-        if (outcome.converged || !solve.converged || round == most_rounds)
-          return outcome;
-      }
-  }
-
-  std::vector<double>
-  ReynoldsSolver::weights_of_gas() const
-  {
-    const RarefiedFlow &gas = *gap_field.gas();
-    std::vector<double> weights, values;
-    for (const auto &cell : pressure_problem.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const std::size_t c = weights.size();
-          weights.push_back(1.);
-          if (!pressure_problem.is_active(c))
-            continue;
-          pressure_problem.cell_values(cell, values);
-          const double mean =
-            std::accumulate(values.begin(), values.end(), 0.) / values.size();
-          weights.back() =
-            gas.relative_weight(gap_field.gap_of(pressure_problem.unweighted_mean(c)),
-                                gas.pressure(mean));
-        }
-    return weights;
+    return problem.solve(accuracy().preconditioner, accuracy().energy);
   }
 
   /** Replace the bounds for the weights that were found by those for their extremes. */
   void
   ReynoldsSolver::enclose_rarefied(const Channel &channel, Leakage &leakage)
   {
-    leakage.mesh_width         = leakage.relative_width();
-    const FlowPath &path       = channel.paths.front();
-    const auto      bottleneck = static_cast<std::size_t>(
-      std::min_element(path.gaps.begin(), path.gaps.end()) - path.gaps.begin());
-    // In the middle of the steps of the path that meet there: at the outlet there may be
-    // vacuum.
-    const double before =
-      .5 * (path.resistances[bottleneck == 0 ? 0 : bottleneck - 1] +
-            path.resistances[std::min(bottleneck + 1, path.gaps.size() - 1)]);
-    leakage.knudsen =
-      gap_field.gas()->gas.knudsen_number(path.bottleneck_gap,
-                                          pressure_at(1. - before / path.resistance()));
-
-    PotentialProblem largest(PotentialProblem::Kind::pressure,
-                             flow_mesh,
-                             gap_field.moment_set(),
-                             GapField::Coefficient::largest_conductivity);
-    PotentialProblem least(PotentialProblem::Kind::stream_function,
-                           flow_mesh,
-                           gap_field.moment_set(),
-                           GapField::Coefficient::largest_resistivity);
-    for (PotentialProblem *problem : {&largest, &least})
-      leakage.iterations += solve(*problem).iterations;
-    const Bracket bracket =
-      correction ? corrected_bracket(flow_mesh, gap_field, largest, least, *correction)
-                 : plain_bracket(flow_mesh, largest, least);
-    leakage.lower = bracket.lower * std::abs(drive());
+    leakage.mesh_width    = leakage.relative_width();
+    leakage.knudsen       = knudsen_number(channel.paths.front(), *gap_field.gas());
+    const Bracket bracket = rarefied_bracket(
+      flow_mesh, gap_field, accuracy(), correction.get(), leakage.iterations);
     leakage.upper = bracket.upper * std::abs(drive());
+    leakage.lower = std::min(bracket.lower * std::abs(drive()), leakage.upper);
     // One weight for a cell is not the gas's own, which the bounds are of.
     const double rate = std::clamp(std::abs(leakage.rate), leakage.lower, leakage.upper);
     leakage.rate      = drive() < 0 ? -rate : rate;
@@ -299,13 +239,10 @@ namespace strait
   bool
   ReynoldsSolver::solve_on_mesh(Leakage &leakage)
   {
-    const bool is_rarefied = gap_field.gas() != nullptr;
-    bool       solved      = true;
+    bool solved = true;
     for (PotentialProblem *problem : {&pressure_problem, &stream_problem})
       {
-        const LinearSolve outcome = is_rarefied && problem == &pressure_problem
-                                      ? solve_rarefied()
-                                      : solve(*problem);
+        const LinearSolve outcome = solve(*problem);
         leakage.iterations += outcome.iterations;
         solved = solved && outcome.converged;
       }
@@ -324,7 +261,8 @@ namespace strait
     const bool first = leakage.upper == 0;
     const bool fit   = leakage.mesh_lower <= leakage.upper * (1 + rounding) &&
                      leakage.mesh_upper * (1 + rounding) >= leakage.lower;
-    if (first || !fit || is_rarefied) // whose weights are those of the mesh
+    // Those of a rarefied gas are for the weights of its mesh.
+    if (first || !fit || gap_field.gas() != nullptr)
       {
         leakage.upper = leakage.mesh_upper;
         leakage.lower = leakage.mesh_lower;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/flow/seal_mesh.h>
 #include <strait/flow/reynolds_solver.h>
+#include <strait/flow/seal_mesh.h>
 #include <strait/flow/solution_on_grid.h>
 #include <strait/percolation/bottleneck.h>
 #include <strait/run/disk_space.h>

@@ -5,7 +5,7 @@
 #include <strait/flow/bracket.h>
 #include <strait/flow/leakage.h>
 #include <strait/flow/potential_problem.h>
-#include <strait/percolation/channel.h>
+#include <strait/flow/rarefied_problem.h>
 
 #include <functional>
 #include <limits>
@@ -97,11 +97,10 @@ namespace strait
                              double             tolerance_factor,
                              unsigned long long most_unknowns);
 
-    LinearSolve         solve(PotentialProblem &problem);
-    LinearSolve         solve_rarefied();
-    std::vector<double> weights_of_gas() const;
-    void                enclose_rarefied(const Channel &channel, Leakage &leakage);
-    double              drive() const;
+    LinearAccuracy accuracy() const;
+    LinearSolve    solve(PotentialProblem &problem);
+    void           enclose_rarefied(const Channel &channel, Leakage &leakage);
+    double         drive() const;
 
     /** @return whether the linear solver converged; the bounds hold either way. */
     bool solve_on_mesh(Leakage &leakage);
