@@ -5,6 +5,7 @@
 #include <strait/base/units.h>
 
 #include <array>
+#include <cmath>
 
 namespace strait
 {
@@ -17,9 +18,11 @@ namespace strait
       double      viscosity;  // Pa s, at room temperature
     };
 
-    constexpr std::array<Gas, 3> gases = {{{"helium", 4.0026e-3, 19.6e-6},
+    constexpr std::array<Gas, 5> gases = {{{"helium", 4.0026e-3, 19.6e-6},
                                            {"air", 28.965e-3, 18.13e-6},
-                                           {"nitrogen", 28.0134e-3, 17.58e-6}}};
+                                           {"nitrogen", 28.0134e-3, 17.58e-6},
+                                           {"hydrogen", 2.0159e-3, 8.8e-6},
+                                           {"argon", 39.948e-3, 22.3e-6}}};
 
     const Gas *
     find_gas(const std::string &name)
@@ -91,7 +94,7 @@ namespace strait
       Names<bool>({{false, "liquid"}, {true, "gas"}}),
       "gas: pressures are absolute, leak_rate is the volume flow at their mean, and "
       "throughputs may be asked for with Output/Leak rate units. The flow is "
-      "viscous in either case.");
+      "viscous in either case unless Rarefaction says otherwise.");
     section.add(
       "Gas",
       gas,
@@ -109,6 +112,23 @@ namespace strait
                 temperature,
                 positive,
                 "T: of a gas, for its mean free path [K].");
+    section.add(
+      "Rarefaction",
+      rarefaction,
+      Names<Rarefaction>({{Rarefaction::none, "none"},
+                          {Rarefaction::slip, "slip"},
+                          {Rarefaction::transitional, "transitional"}}),
+      "Of a gas. none: it is viscous in any gap; slip: it slips along the walls, to first "
+      "order in the mean free path over the gap; transitional: from viscous to molecular "
+      "flow, by the linearised BGK equation between walls that reflect diffusely. Needs "
+      "Gas or Molar mass.");
+    section.add(
+      "Accommodation",
+      accommodation,
+      positive.at_most(1.),
+      "alpha: fraction of the molecules that the walls reflect diffusely, which "
+      "makes the coefficient of slip 1.1466 (2 - alpha)/alpha; for Rarefaction = "
+      "slip [1].");
     section.add("Surface tension",
                 surface_tension,
                 not_negative,
@@ -201,24 +221,53 @@ namespace strait
     if (!is_gas && (!gas.empty() || molar_mass > 0.))
       throw InputError(
         "Fluid/Gas and Molar mass are of a gas; set Fluid/State = gas, or remove them.");
-    if (gas.empty())
-      return;
-    const Gas &known = *find_gas(gas);
-    if (molar_mass > 0.)
+    const Gas *const known = find_gas(gas);
+    if (known != nullptr && molar_mass > 0.)
       throw InputError("Fluid/Gas and Molar mass are both given; remove one.");
-    molar_mass = known.molar_mass;
+    if (known != nullptr)
+      molar_mass = known->molar_mass;
+    constexpr double gas_constant = 8.314462618; // J/(mol K)
+    if (molar_mass > 0.)
+      thermal_speed = std::sqrt(2. * gas_constant * temperature / molar_mass) *
+                      seconds_in(units.time).value_or(1.) / units.length_in_metres();
+    if (known == nullptr)
+      return;
     if (viscosity != FluidParameters().viscosity)
       return;
     if (temperature != room_temperature)
       throw InputError("Fluid/Gas knows the viscosity of " + gas +
                        " at 293.15 K only; give Fluid/Viscosity at the temperature.");
-    viscosity = known.viscosity / (pascals_in(units.pressure).value_or(1.) *
-                                   seconds_in(units.time).value_or(1.));
+    viscosity = known->viscosity / (pascals_in(units.pressure).value_or(1.) *
+                                    seconds_in(units.time).value_or(1.));
+  }
+
+  void
+  FluidParameters::check_rarefaction() const
+  {
+    if (rarefaction == Rarefaction::none)
+      return;
+    if (!is_gas || molar_mass == 0.)
+      throw InputError(
+        "Fluid/Rarefaction needs a gas whose molecules are known; set "
+        "Fluid/State = gas and Fluid/Gas or Molar mass.");
+    if (has_slip())
+      throw InputError(
+        "Fluid/Slip length is an immobile layer of a liquid and Fluid/Rarefaction the slip "
+        "of a gas; give one of them.");
+    if (feedback.enabled)
+      throw InputError(
+        "Fluid/Wall feedback takes the fluid's pressure from a linear problem, which that "
+        "of a rarefied gas does not solve; switch it off or set Fluid/Rarefaction = none.");
+    if (rarefaction == Rarefaction::transitional && accommodation != 1.)
+      throw InputError(
+        "Fluid/Rarefaction = transitional is for walls that reflect diffusely; set "
+        "Fluid/Accommodation = 1, or Rarefaction = slip.");
   }
 
   void
   FluidParameters::check() const
   {
+    check_rarefaction();
     if (slip_lengths.empty())
       throw InputError(
         "Fluid/Slip length is empty; give 0 for a fluid that does not slip.");

@@ -215,6 +215,6 @@ namespace strait
       Text{"some of: " + leak_rate_unit_names(),
            [](const std::string &name) { return find_leak_rate_unit(name) != nullptr; }},
       "Columns with the leak rate in units of the trade; needs the section Units. "
-      "The last three are throughputs of a gas, for Fluid/State = gas.");
+      "The last four are throughputs of a gas, for Fluid/State = gas.");
   }
 } // namespace strait

@@ -259,6 +259,9 @@ namespace strait
       warnings.emplace_back(
         "whether the gas is rarefied is not checked, because neither Fluid/Gas nor Molar "
         "mass is given.");
+    if (theory.enabled && fluid.enabled && fluid.rarefaction != Rarefaction::none)
+      warnings.emplace_back(
+        "the theory's leak rate is of viscous flow, whatever Fluid/Rarefaction is.");
     return warnings;
   }
 

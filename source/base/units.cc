@@ -34,7 +34,7 @@ namespace strait
 
     constexpr double standard_atmosphere = 101325.; // Pa
 
-    constexpr std::array<LeakRateUnit, 8> leak_rate_units = {
+    constexpr std::array<LeakRateUnit, 9> leak_rate_units = {
       {{"ml/h", "leak_rate_ml_per_h", false, 1e-6 / 3600},
        {"ml/min", "leak_rate_ml_per_min", false, 1e-6 / 60},
        {"ul/min", "leak_rate_ul_per_min", false, 1e-9 / 60},
@@ -42,8 +42,9 @@ namespace strait
        {"l/min", "leak_rate_l_per_min", false, 1e-3 / 60},
        {"Pa m3/s", "leak_rate_Pa_m3_per_s", true, 1.},
        {"mbar l/s", "leak_rate_mbar_l_per_s", true, 0.1},
-       {"atm cm3/s", "leak_rate_atm_cm3_per_s", true, 1e-6 * standard_atmosphere}}};
-  } // namespace
+       {"atm cm3/s", "leak_rate_atm_cm3_per_s", true, 1e-6 * standard_atmosphere},
+       {"sccm", "leak_rate_sccm", true, 1e-6 / 60. * standard_atmosphere}}}; // at 0 °C
+  }                                                                          // namespace
 
   std::optional<double>
   metres_in(const std::string &unit)

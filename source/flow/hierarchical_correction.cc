@@ -31,14 +31,16 @@ namespace strait
     }
 
     RimSystems::Matrix
-    matrix_of(const CellCoefficient &coefficient, const std::size_t cell)
+    matrix_of(const CellCoefficient &coefficient,
+              const std::size_t      cell,
+              const double           weight)
     {
       RimSystems::Matrix         matrix;
       dealii::FullMatrix<double> full(matrix.size(), matrix.size());
       coefficient.stiffness(cell, full);
       for (unsigned int i = 0; i < matrix.size(); ++i)
         for (unsigned int j = 0; j < matrix.size(); ++j)
-          matrix[i][j] = full(i, j);
+          matrix[i][j] = weight * full(i, j);
       return matrix;
     }
 
@@ -147,7 +149,10 @@ namespace strait
     Vector              x(layout), r(layout), diagonal(layout);
     RimSystems          systems(nodes);
     std::vector<double> vertices;
-    const auto is_open = [&](const std::size_t c) { return coefficient->mean(c) > 0; };
+    const auto is_open   = [&](const std::size_t c) { return coefficient->mean(c) > 0; };
+    const auto matrix_on = [&](const std::size_t c) {
+      return matrix_of(*coefficient, c, problem.coefficient_weight(c));
+    };
     result.values.reserve(nodes.cells.size());
     for (const auto &cell : problem.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -155,7 +160,7 @@ namespace strait
           const std::size_t c = result.values.size();
           problem.cell_values(cell, vertices);
           result.values.push_back(interpolate(vertices));
-          systems.append(is_open(c) ? matrix_of(*coefficient, c) : RimSystems::Matrix(),
+          systems.append(is_open(c) ? matrix_on(c) : RimSystems::Matrix(),
                          result.values.back(),
                          !is_open(c),
                          is_pressure ? nodes.cells[c].at_reservoir
@@ -181,7 +186,7 @@ namespace strait
               cell->get_dof_indices(local);
               for (unsigned int node = 0; node < RimSystems::n_rim; ++node)
                 values[node] += x(local[node]);
-              const RimSystems::Matrix matrix    = matrix_of(*coefficient, c);
+              const RimSystems::Matrix matrix    = matrix_on(c);
               double                   at_centre = 0;
               for (unsigned int node = 0; node < RimSystems::n_rim; ++node)
                 at_centre -= matrix[RimSystems::centre][node] * values[node];

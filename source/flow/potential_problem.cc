@@ -18,7 +18,20 @@ namespace strait
   PotentialProblem::PotentialProblem(const Kind       kind_,
                                      FlowMesh        &mesh_,
                                      const MomentSet &set)
+    : PotentialProblem(kind_,
+                       mesh_,
+                       set,
+                       kind_ == Kind::pressure ? GapField::Coefficient::conductivity
+                                               : GapField::Coefficient::resistivity)
+  {
+  }
+
+  PotentialProblem::PotentialProblem(const Kind                  kind_,
+                                     FlowMesh                   &mesh_,
+                                     const MomentSet            &set,
+                                     const GapField::Coefficient coefficient_)
     : problem_kind(kind_)
+    , kind_of_coefficient(coefficient_)
     , mesh(mesh_)
     , element(set)
     , fe(set.degree())
@@ -41,7 +54,19 @@ namespace strait
     right_hand_side.reinit(owned, comm);
     distributed.reinit(owned, comm);
     ghosted.reinit(owned, relevant, comm);
+    if (transfer)
+      take_solution_of_coarser_mesh();
     is_numbered = true;
+  }
+
+  void
+  PotentialProblem::take_solution_of_coarser_mesh()
+  {
+    transfer->interpolate(distributed);
+    transfer.reset();
+    Vector complete(distributed);
+    constraints.distribute(complete);
+    ghosted = complete;
   }
 
   void
@@ -141,9 +166,15 @@ namespace strait
   }
 
   void
-  PotentialProblem::assemble(const GapField &gap, const Source &source)
+  PotentialProblem::take_coefficient(const GapField &gap)
   {
     coefficient->update(gap);
+    conductivity_weights.clear();
+  }
+
+  void
+  PotentialProblem::assemble(const Source &source)
+  {
     const unsigned int                   n = fe.n_dofs_per_cell();
     FullMatrix<double>                   local_matrix(n, n);
     dealii::Vector<double>               local_rhs(n);
@@ -159,6 +190,7 @@ namespace strait
           if (!is_active(here))
             continue;
           coefficient->stiffness(here, local_matrix);
+          local_matrix *= coefficient_weight(here);
           background(cell, affine);
           for (unsigned int i = 0; i < n; ++i)
             {
@@ -206,11 +238,6 @@ namespace strait
     // With half as many, systems pass for unsolvable on which the multigrid is merely
     // slow; twice as many take longer to say that one cannot be solved.
     constexpr unsigned int max_iterations = 500;
-    if (transfer)
-      {
-        transfer->interpolate(distributed);
-        transfer.reset();
-      }
     constraints.set_zero(distributed);
     for (const auto k : unreached)
       distributed(k) = 0.;
@@ -267,7 +294,7 @@ namespace strait
   {
     FullMatrix<double> local_matrix(fe.n_dofs_per_cell(), fe.n_dofs_per_cell());
     coefficient->stiffness(owned_cell, local_matrix);
-    return ElementMatrix::energy(local_matrix, values);
+    return coefficient_weight(owned_cell) * ElementMatrix::energy(local_matrix, values);
   }
 
   double

@@ -24,8 +24,35 @@ namespace strait
     , quadrature(fluid)
     , conductivity_of_one(1. / (12. * fluid.viscosity))
     , halvings(fluid.mesh_file.empty() ? layout->grid().n_halvings() : 0)
-    , conductivity{MomentPyramid(layout, moment_set(), halvings), {}}
   {
+  }
+
+  CoefficientLaw
+  GapField::law(const Coefficient coefficient) const
+  {
+    CoefficientLaw law{conductivity_of_one,
+                       floor_value,
+                       coefficient == Coefficient::resistivity ||
+                         coefficient == Coefficient::largest_resistivity};
+    if (rarefied)
+      law.factor =
+        coefficient == Coefficient::largest_conductivity  ? &rarefied->largest_weight
+        : coefficient == Coefficient::largest_resistivity ? &rarefied->least_weight
+                                                          : &rarefied->middle_weight;
+    return law;
+  }
+
+  double
+  GapField::gap_of(const double conductivity) const
+  {
+    // The factor of a rarefied gas falls no faster than 1/gap: the cubic root divides
+    // the error by three or more. After that many rounds it is 10⁻⁶.
+    double gap = std::cbrt(conductivity / conductivity_of_one);
+    if (rarefied)
+      for (int round = 0; round < 14; ++round)
+        gap =
+          std::cbrt(conductivity / conductivity_of_one / rarefied->middle_weight(gap));
+    return gap;
   }
 
   void
@@ -33,35 +60,43 @@ namespace strait
   {
     floor_value = conductivity_floor;
     levels.update(gap);
-    build(Coefficient::conductivity, conductivity);
-    if (floor_value > 0)
+    const auto is_used = [&](const Coefficient coefficient) {
+      return coefficient == Coefficient::conductivity ||
+             (floor_value > 0 && (coefficient == Coefficient::resistivity || rarefied));
+    };
+    for (const Coefficient coefficient : {Coefficient::conductivity,
+                                          Coefficient::resistivity,
+                                          Coefficient::largest_conductivity,
+                                          Coefficient::largest_resistivity})
       {
-        if (!resistivity)
-          resistivity.emplace(
+        std::optional<Known> &here = known[static_cast<std::size_t>(coefficient)];
+        if (!is_used(coefficient))
+          here.reset();
+        else if (!here)
+          here.emplace(
             Known{MomentPyramid(gap.layout_pointer(), moment_set(), halvings), {}});
-        build(Coefficient::resistivity, *resistivity);
+        if (here)
+          build(coefficient, *here);
       }
-    else
-      resistivity.reset();
   }
 
   void
-  GapField::build(const Coefficient coefficient, Known &known) const
+  GapField::build(const Coefficient coefficient, Known &result) const
   {
     const auto moments_of = [&](const LevelCell &cell, double *moments) {
-      return add_cell(coefficient, cell, Square(), known, moments);
+      return add_cell(coefficient, cell, Square(), result, moments);
     };
     // A window's cells are made of those of the windows in it, which come after it.
     const auto &windows = levels.layout().windows();
-    known.of_window_cells.assign(levels.n_window_points() * moment_set().size(), 0.);
+    result.of_window_cells.assign(levels.n_window_points() * moment_set().size(), 0.);
     for (int w = static_cast<int>(windows.size()) - 1; w >= 0; --w)
       for (int iy = 1; iy < windows[w].n_rows() - 2; ++iy)
         for (int ix = 1; ix < windows[w].n_columns() - 2; ++ix)
           moments_of({w, ix, iy},
-                     known.of_window_cells.data() +
+                     result.of_window_cells.data() +
                        levels.position({w, ix, iy}) * moment_set().size());
     const int first_row = levels.layout().first_row();
-    known.pyramid.build([&](const int ix, const int row, double *moments) {
+    result.pyramid.build([&](const int ix, const int row, double *moments) {
       return moments_of({-1, ix, first_row + row}, moments);
     });
   }
@@ -70,7 +105,7 @@ namespace strait
   GapField::add_cell(const Coefficient coefficient,
                      const LevelCell  &cell,
                      const Square     &square,
-                     const Known      &known,
+                     const Known      &of_grid,
                      double           *moments) const
   {
     const std::optional<LevelCell> first = levels.first_finer_cell(cell);
@@ -89,7 +124,7 @@ namespace strait
           if (part.x0 <= 0. && part.y0 <= 0. && right >= 1. && upper >= 1.)
             {
               moment_set().add_part(moments,
-                                    known.of_window_cells.data() +
+                                    of_grid.of_window_cells.data() +
                                       levels.position(finer) * moment_set().size(),
                                     -part.x0 / part.edge,
                                     -part.y0 / part.edge,
@@ -97,7 +132,7 @@ namespace strait
               adds = true;
             }
           else if (part.x0 < 1. && part.y0 < 1. && right > 0. && upper > 0.)
-            adds |= add_cell(coefficient, finer, part, known, moments);
+            adds |= add_cell(coefficient, finer, part, of_grid, moments);
         }
     return adds;
   }
@@ -107,11 +142,10 @@ namespace strait
                    const GridCell   &cell,
                    double           *moments) const
   {
-    const Known &known =
-      coefficient == Coefficient::conductivity ? conductivity : *resistivity;
+    const Known &of_grid = *known[static_cast<std::size_t>(coefficient)];
     if (cell.exponent > 0)
       {
-        std::copy_n(known.pyramid.moments(cell), moment_set().size(), moments);
+        std::copy_n(of_grid.pyramid.moments(cell), moment_set().size(), moments);
         return;
       }
     const int    shift = -cell.exponent;
@@ -120,7 +154,7 @@ namespace strait
     add_cell(coefficient,
              {-1, ix, iy},
              {(cell.i - (ix << shift)) * edge, (cell.j - (iy << shift)) * edge, edge},
-             known,
+             of_grid,
              moments);
   }
 
@@ -174,10 +208,10 @@ namespace strait
   GapField::memory_consumption() const
   {
     std::size_t bytes = levels.memory_consumption();
-    for (const Known *known : {&conductivity, resistivity ? &*resistivity : nullptr})
-      if (known != nullptr)
-        bytes += known->pyramid.memory_consumption() +
-                 known->of_window_cells.capacity() * sizeof(double);
+    for (const std::optional<Known> &each : known)
+      if (each)
+        bytes += each->pyramid.memory_consumption() +
+                 each->of_window_cells.capacity() * sizeof(double);
     return bytes;
   }
 } // namespace strait

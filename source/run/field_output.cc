@@ -249,9 +249,7 @@ namespace strait
   }
 
   void
-  write_flow_fields(const std::string     &directory,
-                    const Step            &step,
-                    const FluidParameters &fluid)
+  write_flow_fields(const std::string &directory, const Step &step)
   {
     if (!step.flow || !step.flow->solution)
       return;
@@ -262,8 +260,9 @@ namespace strait
     PotentialProblem::Vector owned_pressure(dofs.locally_owned_dofs(),
                                             step.state.gap().layout().communicator());
     owned_pressure = problem.solution();
-    owned_pressure *= fluid.inlet_pressure - fluid.outlet_pressure;
-    owned_pressure.add(fluid.outlet_pressure);
+    for (const auto k : dofs.locally_owned_dofs())
+      owned_pressure(k) = step.flow->solution->pressure_at(owned_pressure(k));
+    owned_pressure.compress(dealii::VectorOperation::insert);
     PotentialProblem::Vector pressure(problem.solution());
     pressure = owned_pressure;
 

@@ -97,9 +97,37 @@ namespace strait
               return in_trade_unit(rate, *unit, units, fluid);
             },
             std::string(unit->column) + " [" + unit->name + "]: " +
-              (unit->is_throughput ? "throughput of a gas, Q (p_in + p_out)/2"
-                                   : "`leak_rate` in this unit"));
+              (unit->is_throughput
+                 ? "throughput of a gas, Q (p_in + p_out)/2" +
+                     std::string(name == "sccm" ? ", at 0 °C and 101325 Pa" : "")
+                 : "`leak_rate` in this unit"));
         }
+      table
+        .when({"with `Fluid/Rarefaction`",
+               scene.fluid.enabled && scene.fluid.rarefaction != Rarefaction::none})
+        .add(
+          [=](const Step &step) {
+            return step.flow->leakage.rate * fluid.mean_pressure();
+          },
+          "throughput [pressure length³/time]: of the gas, `leak_rate` times the mean "
+          "pressure of the reservoirs")
+        .add(of_leakage(&Leakage::knudsen),
+             "knudsen [1]: mean free path over gap at the worst constriction, at the "
+             "pressure where the path of least resistance has as much of its resistance "
+             "before it")
+        .add(
+          [](const Step &step) {
+            return std::string(step.flow->channel.paths.empty() ? "none" : "any-order");
+          },
+          "bound: what `leak_rate_lower` and `leak_rate_upper` are: `any-order`, bounds "
+          "of the nonlinear problem that hold whichever gap the gas meets at which "
+          "pressure, with the mesh's error in them, or `none`; see "
+          "[gas](gas_and_metals.md#gas)")
+        .add(
+          of_leakage(&Leakage::mesh_width),
+          "mesh_error [1]: relative width of the bracket that the mesh alone leaves, if "
+          "the gas slips as it does in the solution; this is what `Target accuracy` is "
+          "for");
       table.when(with_flow)
         .add(
           [=](const Step &step) { return effective_gap(step.flow->leakage, fluid); },
@@ -144,8 +172,10 @@ namespace strait
     double in_si = leak_rate * std::pow(metres_in(units.length).value_or(1.), 3) /
                    seconds_in(units.time).value_or(1.);
     if (unit.is_throughput)
-      in_si *= 0.5 * (fluid.inlet_pressure + fluid.outlet_pressure) *
-               pascals_in(units.pressure).value_or(1.);
+      in_si *= fluid.mean_pressure() * pascals_in(units.pressure).value_or(1.);
+    // A gas that is counted by its volume at 0 °C, which is less than at its temperature.
+    if (std::string(unit.name) == "sccm")
+      in_si *= 273.15 / fluid.temperature;
     return in_si / unit.in_si;
   }
 

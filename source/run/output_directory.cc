@@ -181,7 +181,7 @@ namespace strait
       {
         if (!step.state.gap().empty())
           write_grid_fields(path, step);
-        write_flow_fields(path, step, scene.fluid);
+        write_flow_fields(path, step);
         write_gap_distributions(path, step, comm);
       }
     if (scene.output.pictures && !step.state.gap().empty())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/flow/reynolds_solver.h>
 #include <strait/flow/seal_mesh.h>
 #include <strait/flow/solution_on_grid.h>
 #include <strait/percolation/bottleneck.h>
@@ -86,7 +87,7 @@ namespace strait
 
     /** Collective; the result is complete on rank 0. */
     PictureFields
-    collect(const Step &step, const FluidParameters &fluid, const Raster &raster)
+    collect(const Step &step, const Raster &raster)
     {
       constexpr float   none   = std::numeric_limits<float>::quiet_NaN();
       const SlabLayout &layout = step.state.gap().layout();
@@ -101,13 +102,12 @@ namespace strait
 
       const FlowAtPoints flow =
         flow_at_points(*step.flow->solution, rows_of_grid(layout.grid(), raster.stride));
-      const double drop = fluid.inlet_pressure - fluid.outlet_pressure;
       const double leak = std::abs(step.flow->leakage.rate);
       for (std::size_t k = 0; k < fields.gap.size(); ++k)
         {
           const bool leaks = fields.open[k] == 2.F;
           fields.fluid_pressure.push_back(
-            leaks ? static_cast<float>(fluid.outlet_pressure + drop * flow.pressure[k])
+            leaks ? static_cast<float>(step.flow->solution->pressure_at(flow.pressure[k]))
                   : none);
           fields.current.push_back(leaks ? static_cast<float>(leak * flow.current[k])
                                          : none);
@@ -220,7 +220,7 @@ namespace strait
                      const FluidParameters &fluid)
   {
     const Raster        raster(step.state.gap().grid());
-    const PictureFields fields = collect(step, fluid, raster);
+    const PictureFields fields = collect(step, raster);
     MPI_Comm            comm   = step.state.gap().layout().communicator();
     const std::string   path =
       directory + "/picture-" + std::to_string(step.number) + ".h5";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/interface/rarefied_gas.h>
 #include <strait/run/rarefaction.h>
 
 #include <algorithm>
@@ -9,12 +10,7 @@ namespace strait
   double
   mean_free_path_times_pressure(const Scene &scene)
   {
-    constexpr double       gas_constant = 8.314462618; // J/(mol K)
-    const FluidParameters &fluid        = scene.fluid;
-    const double           speed =
-      std::sqrt(.5 * M_PI * gas_constant * fluid.temperature / fluid.molar_mass); // m/s
-    return fluid.viscosity * speed * seconds_in(scene.units.time).value_or(1.) /
-           scene.units.length_in_metres();
+    return RarefiedGas(scene.fluid).knudsen_number(1., 1.);
   }
 
   KnudsenNumbers

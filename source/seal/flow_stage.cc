@@ -194,7 +194,8 @@ namespace strait
   void
   FlowStage::update_bridge(const Channel &channel, const bool with_bounds)
   {
-    const auto   scope = timers.scope("bridge");
+    const auto scope = timers.scope("bridge");
+    gap_field.take_gas(make_rarefied_flow(parameters, channel.paths.front()));
     const double narrowest =
       gap_field.conductivity_of(channel.paths.front().bottleneck_gap);
     gap_field.update(channel.gap, with_bounds ? floor_fraction * narrowest : 0.);

@@ -73,6 +73,29 @@ TEST(Scene, YieldingAndWhatGoesWithIt)
               error_with({std::string("Load programme/Pressures=0.1, ") + pressure}));
 }
 
+TEST(Scene, RarefactionAndWhatGoesWithIt)
+{
+  const Overrides helium = {"Fluid/State=gas", "Fluid/Gas=helium"};
+  const auto      with   = [&](const std::string &kind, const std::string &other) {
+    Overrides all = helium;
+    all.push_back("Fluid/Rarefaction=" + kind);
+    all.push_back(other);
+    return all;
+  };
+  const FluidParameters fluid =
+    scene_of("", with("slip", "Fluid/Accommodation=0.9")).fluid;
+  EXPECT_EQ(fluid.rarefaction, Rarefaction::slip);
+  EXPECT_NEAR(fluid.thermal_speed, 1103.6, .05);
+  for (const char *other :
+       {"Fluid/Slip length=-1e-9", "Fluid/Wall feedback/Enabled=true"})
+    expect_in("Fluid/Rarefaction", error_of("", with("slip", other)));
+  expect_in("diffusely", error_of("", with("transitional", "Fluid/Accommodation=0.9")));
+  for (const Overrides &unknown :
+       {Overrides{"Fluid/Rarefaction=slip"},
+        Overrides{"Fluid/Rarefaction=slip", "Fluid/State=gas"}})
+    expect_in("molecules", error_of("", unknown));
+}
+
 TEST(Scene, Theory)
 {
   const Overrides on    = {"Theory/Enabled=true"};

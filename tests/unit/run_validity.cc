@@ -140,6 +140,11 @@ namespace
     EXPECT_EQ(verdict(scene_of("", gas), step_at(2e6, .1, 37e-6)), "rarefied");
     EXPECT_EQ(verdict(scene_of("", gas), step_at(2e6, .1, 1e-6)),
               "rarefied+rarefied-throat");
+    const Overrides slip = gas + Overrides{"Fluid/Rarefaction=slip"};
+    EXPECT_EQ(verdict(scene_of("", slip), step_at(2e6, .1, 4e-6)), "ok");
+    EXPECT_EQ(verdict(scene_of("", slip), step_at(2e6, .1, 3.5e-6)), "rarefied");
+    const Overrides any = gas + Overrides{"Fluid/Rarefaction=transitional"};
+    EXPECT_EQ(verdict(scene_of("", any), step_at(2e6, .1, 1e-9)), "ok");
     Step coarse                        = step_at(2e6, .1, 1e-6);
     coarse.flow->channel.throat.points = 2.9;
     EXPECT_EQ(verdict(scene_of("", water), coarse), "coarse-throat");

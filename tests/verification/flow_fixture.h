@@ -54,9 +54,11 @@ namespace strait
       : channel(make_channel(gap, 0., domain, 1))
       , field(gap.layout_pointer(), fluid)
     {
-      if (channel.percolates())
-        field.update(channel.gap,
-                     1e-8 * field.conductivity_of(channel.paths.front().bottleneck_gap));
+      if (!channel.percolates())
+        return;
+      field.take_gas(make_rarefied_flow(fluid, channel.paths.front()));
+      field.update(channel.gap,
+                   1e-8 * field.conductivity_of(channel.paths.front().bottleneck_gap));
     }
 
     Channel  channel;

@@ -58,6 +58,14 @@ namespace strait
     rigorous    // from their extremes
   };
 
+  /** What becomes of a gas where its mean free path is no longer small beside the gap. */
+  enum class Rarefaction
+  {
+    none,        // it is viscous throughout
+    slip,        // it slips along the walls, to first order
+    transitional // from viscous to molecular, by kinetic theory
+  };
+
   /** Which cells are refined: the marked ones or all. */
   enum class Refinement
   {
@@ -70,17 +78,20 @@ namespace strait
   {
     static constexpr double room_temperature = 293.15; // K
 
-    bool                enabled = true;
-    bool                is_gas  = false;
-    std::string         gas;                  // names a row of a table of gases, or empty
-    double              molar_mass      = 0.; // [kg/mol]; 0: not known
-    double              temperature     = room_temperature; // [K]
-    double              surface_tension = 0.;               // 0: not known
-    double              viscosity       = 1.;
-    double              inlet_pressure  = 1.;
-    double              outlet_pressure = 0.;
-    std::vector<double> slip_lengths    = {0.}; // <= 0, one row of results for each
-    FlowDirection       direction       = FlowDirection::x;
+    bool        enabled = true;
+    bool        is_gas  = false;
+    std::string gas;                  // names a row of a table of gases, or empty
+    double      molar_mass      = 0.; // [kg/mol]; 0: not known
+    double      temperature     = room_temperature; // [K]
+    Rarefaction rarefaction     = Rarefaction::none;
+    double      accommodation   = 1.; // of a gas that slips [1]
+    double      thermal_speed   = 0.; // √(2RT/M) in the scene's units; 0: not known
+    double      surface_tension = 0.; // 0: not known
+    double      viscosity       = 1.;
+    double      inlet_pressure  = 1.;
+    double      outlet_pressure = 0.;
+    std::vector<double> slip_lengths = {0.}; // <= 0, one row of results for each
+    FlowDirection       direction    = FlowDirection::x;
     std::string         mesh_file; // empty: the whole box
     unsigned int        element_degree   = 1;
     FlowPreconditioner  preconditioner   = FlowPreconditioner::boomeramg;
@@ -101,15 +112,25 @@ namespace strait
       return false;
     }
 
+    /** (p_in + p_out)/2, at which the volume of a gas is counted [pressure]. */
+    double
+    mean_pressure() const
+    {
+      return .5 * (inlet_pressure + outlet_pressure);
+    }
+
     void bind(ParameterSection section);
 
     /**
      * Where a gas is named, take its molar mass and, unless the scene gives one, its
-     * viscosity in the scene's @p units. Throws InputError where that contradicts the
-     * other values.
+     * viscosity in the scene's @p units; of any gas find the thermal speed. Throws
+     * InputError where that contradicts the other values.
      */
     void take_gas(const UnitParameters &units);
     void check() const;
+
+  private:
+    void check_rarefaction() const;
   };
 } // namespace strait
 

@@ -13,12 +13,17 @@ namespace strait
   {
     double rate  = 0.; // Q, the best value within the bounds [volume/time]
     double lower = 0.; // bounds of |Q|: from the stream function, best of all meshes …
-    double upper = 0.; // … and from the pressure, likewise
+    double upper = 0.; // … and from the pressure; of a rarefied gas see RarefiedFlow
     double mesh_lower = 0.; // the same on the last mesh alone
     double mesh_upper = 0.;
 
     /** K Δp/|Q| at a uniform conductivity K: of the box its length over its width. */
     double aspect = 1.;
+
+    /** Of a rarefied gas: relative width of the bracket that the last mesh leaves if the
+     *  gas has the weight that was found, and mean free path over gap in the throat. */
+    double mesh_width = 0.;
+    double knudsen    = 0.;
 
     /** What the linear solver leaves over, relative. */
     double linear_error = 0.;
@@ -38,7 +43,8 @@ namespace strait
     }
   };
 
-  /** The uniform gap that would leak as much, (12 η Q · aspect/Δp)^(1/3) [length]. */
+  /** The uniform gap that would leak as much [length]: (12 η Q · aspect/Δp)^(1/3), unless
+   *  the gas is rarefied. */
   double effective_gap(const Leakage &leakage, const FluidParameters &fluid);
 } // namespace strait
 

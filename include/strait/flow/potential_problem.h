@@ -46,22 +46,48 @@ namespace strait
     using Source   = std::function<double(const dealii::Point<2> &)>;
     using Iterator = dealii::DoFHandler<2>::active_cell_iterator;
 
+    /** With the conductivity or the resistivity, as it fits the kind. */
     PotentialProblem(Kind kind, FlowMesh &mesh, const MomentSet &set);
 
+    /** With another coefficient. */
+    PotentialProblem(Kind                  kind,
+                     FlowMesh             &mesh,
+                     const MomentSet      &set,
+                     GapField::Coefficient coefficient);
+
     /** Number the unknowns of the current mesh, unless that was done, and make room
-     *  for the matrix. The solution on the same mesh is kept as a start. Collective. */
+     *  for the matrix. The solution on the same mesh, or that interpolated from the mesh
+     *  before, is kept as a start. Collective. */
     void set_up();
 
-    /**
-     * Ask @p gap for the coefficient on all cells and assemble. @p source, if
-     * given, is the right-hand side f of −∇·(K∇p) = f (for verification).
-     * Collective.
-     */
-    void assemble(const GapField &gap, const Source &source = {});
+    /** Ask @p gap for the coefficient on all cells, which then have no weights.
+     *  Collective. */
+    void take_coefficient(const GapField &gap);
+
+    /** Multiply the conductivity of each owned cell with one of @p weights. */
+    void
+    set_weights(const std::vector<double> &weights)
+    {
+      conductivity_weights = weights;
+    }
 
     /**
-     * Solve from the interpolated solution of the mesh before, until the energy is
-     * known to the relative @p accuracy. Collective.
+     * Assemble the matrix. @p source, if given, is the right-hand side f of
+     * −∇·(K∇p) = f (for verification). Collective.
+     */
+    void assemble(const Source &source = {});
+
+    /** The same after take_coefficient(). */
+    void
+    assemble(const GapField &gap, const Source &source = {})
+    {
+      take_coefficient(gap);
+      assemble(source);
+    }
+
+    /**
+     * Solve from the solution that is there, until the energy is known to the relative
+     * @p accuracy. Collective.
      */
     LinearSolve solve(FlowPreconditioner preconditioner, double accuracy);
 
@@ -77,11 +103,36 @@ namespace strait
     /** Energy of the cell that is number @p owned_cell among the owned ones. */
     double cell_energy(std::size_t owned_cell, const std::vector<double> &values) const;
 
+    /** What the weights make of the coefficient of the owned cell number @p owned_cell.
+     */
+    double
+    coefficient_weight(const std::size_t owned_cell) const
+    {
+      if (conductivity_weights.empty())
+        return 1.;
+      const double weight = conductivity_weights[owned_cell];
+      return problem_kind == Kind::pressure ? weight : 1. / weight;
+    }
+
+    /** One for each owned cell, or none. */
+    const std::vector<double> &
+    weights() const
+    {
+      return conductivity_weights;
+    }
+
+    /** Mean of the coefficient over a cell, without weights. */
+    double
+    unweighted_mean(const std::size_t owned_cell) const
+    {
+      return coefficient->mean(owned_cell);
+    }
+
     /** Mean of the coefficient over the owned cell number @p owned_cell. */
     double
     mean_coefficient(const std::size_t owned_cell) const
     {
-      return coefficient->mean(owned_cell);
+      return coefficient_weight(owned_cell) * coefficient->mean(owned_cell);
     }
 
     /** True where the coefficient does not vanish. */
@@ -97,12 +148,11 @@ namespace strait
       return problem_kind;
     }
 
-    /** Conductivity for the pressure, resistivity for the stream function. */
+    /** What the coefficient is of the gap, apart from weights. */
     GapField::Coefficient
     coefficient_kind() const
     {
-      return problem_kind == Kind::pressure ? GapField::Coefficient::conductivity
-                                            : GapField::Coefficient::resistivity;
+      return kind_of_coefficient;
     }
 
     /** Unknowns that the solver really solves for. */
@@ -133,6 +183,7 @@ namespace strait
 
   private:
     void number_unknowns();
+    void take_solution_of_coarser_mesh();
     void make_constraints();
 
     /** Whether a constant may be added to the potential. */
@@ -152,6 +203,7 @@ namespace strait
                     dealii::Vector<double> &rhs) const;
 
     Kind                                         problem_kind;
+    GapField::Coefficient                        kind_of_coefficient;
     FlowMesh                                    &mesh;
     ElementMatrix                                element;
     dealii::FE_Q<2>                              fe;
@@ -162,6 +214,7 @@ namespace strait
     std::vector<dealii::types::global_dof_index> unreached; // by no open cell
     Vector                                       right_hand_side, distributed, ghosted;
     std::unique_ptr<CellCoefficient>             coefficient;
+    std::vector<double>                          conductivity_weights; // empty: all one
     std::optional<RingBackground>                ring; // of the stream function on one
     dealii::types::global_dof_index              n_active_unknowns = 0;
     bool                                         is_numbered       = false;

@@ -5,7 +5,7 @@
 #include <strait/flow/bracket.h>
 #include <strait/flow/leakage.h>
 #include <strait/flow/potential_problem.h>
-#include <strait/percolation/channel.h>
+#include <strait/flow/rarefied_problem.h>
 
 #include <functional>
 #include <limits>
@@ -26,6 +26,12 @@ namespace strait
    * two disagree marks it (hidden_flows()). K and 1/K are integrated from above, so that
    * both energies are still too large (CellQuadrature); a cell where that can be done
    * roughly only is marked as well, as it contributes to the difference.
+   *
+   * Of a rarefied gas Q is the volume at the mean pressure of the reservoirs. Its problem
+   * is not linear (RarefiedFlow): on each mesh pressure and weights follow from each
+   * other until they agree, with one weight for each cell. The bracket for these weights
+   * tells what the mesh leaves over, and where to refine; the bounds of the leak rate are
+   * those for the extremes of the weight, on the last mesh.
    */
   class ReynoldsSolver
   {
@@ -60,7 +66,12 @@ namespace strait
      */
     double solve_pressure();
 
-    /** The mesh and the pressure (1 at the inlet, 0 at the outlet) of run(). */
+    /** The fluid's pressure where the solution of the pressure problem is @p potential.
+     */
+    double pressure_at(double potential) const;
+
+    /** The mesh and the pressure (1 at the inlet, 0 at the outlet; of a rarefied gas Ψ)
+     * of run(). */
     const FlowMesh &
     mesh() const
     {
@@ -81,7 +92,15 @@ namespace strait
     }
 
   private:
-    LinearSolve solve(PotentialProblem &problem);
+    Leakage refine_to_target(const Channel     &channel,
+                             const Observer    &observer,
+                             double             tolerance_factor,
+                             unsigned long long most_unknowns);
+
+    LinearAccuracy accuracy() const;
+    LinearSolve    solve(PotentialProblem &problem);
+    void           enclose_rarefied(const Channel &channel, Leakage &leakage);
+    double         drive() const;
 
     /** @return whether the linear solver converged; the bounds hold either way. */
     bool solve_on_mesh(Leakage &leakage);
@@ -102,8 +121,9 @@ namespace strait
     PotentialProblem                        stream_problem;
     std::unique_ptr<HierarchicalCorrection> correction; // of solutions of degree 1
     std::vector<double>                     widths;     // log(upper/lower) on all meshes
-    Bracket            plain;               // without correction; says where to refine
-    unsigned long long unknowns_needed = 0; // for the target accuracy; 0: not known
+    Bracket            plain;                 // without correction; says where to refine
+    unsigned long long unknowns_needed   = 0; // for the target accuracy; 0: not known
+    bool               pressure_is_known = false; // of a rarefied gas, if but roughly
   };
 } // namespace strait
 

@@ -5,6 +5,7 @@
 #include <strait/base/fluid_parameters.h>
 #include <strait/interface/gap_interpolant.h>
 #include <strait/interface/moment_set.h>
+#include <strait/interface/rarefied_flow.h>
 
 #include <algorithm>
 #include <vector>
@@ -27,19 +28,23 @@ namespace strait
     double conductivity_floor;
     bool   is_resistivity;
 
+    const GapFactor *factor = nullptr; // of K for a rarefied gas; null: one
+
     /**
-     * K = g³/(12 η), or 1/K with K between the floor and 10¹⁴ times that. Beyond,
-     * rounding would spoil the solution: with ten times as much it still holds, with 10⁵
-     * times it was lost on a throat of 10⁻⁵ of the widest gap. Whatever is added where
-     * the gap is wide makes the energy larger by less than 10⁻⁵ of that of the throat.
-     * With a floor K itself is no more than 10²⁰ times that, for the same reason: one
-     * without such a limit was lost where the widest gap was 10⁵ times the throat's. What
-     * that resists beside the throat is less than 10⁻¹⁰ of it.
+     * K = g³/(12 η) times the factor, or 1/K with K between the floor and 10¹⁴ times
+     * that. Beyond, rounding would spoil the solution: with ten times as much it still
+     * holds, with 10⁵ times it was lost on a throat of 10⁻⁵ of the widest gap. Whatever
+     * is added where the gap is wide makes the energy larger by less than 10⁻⁵ of that of
+     * the throat. With a floor K itself is no more than 10²⁰ times that, for the same
+     * reason: one without such a limit was lost where the widest gap was 10⁵ times the
+     * throat's. What that resists beside the throat is less than 10⁻¹⁰ of it.
      */
     double
     operator()(const double gap) const
     {
-      const double k = conductivity_of_one * gap * gap * gap;
+      double k = conductivity_of_one * gap * gap * gap;
+      if (factor != nullptr && gap > 0.)
+        k *= (*factor)(gap);
       if (is_resistivity)
         return 1. / std::clamp(k, conductivity_floor, 1e14 * conductivity_floor);
       return conductivity_floor > 0. ? std::min(k, 1e20 * conductivity_floor) : k;

@@ -7,7 +7,10 @@
 #include <strait/interface/moment_pyramid.h>
 #include <strait/spectral/grid_cell.h>
 
+#include <array>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace strait
@@ -47,7 +50,9 @@ namespace strait
    * proportion to the cells, never to the grid.
    *
    * The coefficient is the conductivity K = g³/(12 η), or its reciprocal
-   * 1/max(K, K_floor) for the lower bound. Cells of at least two grid spacings are
+   * 1/max(K, K_floor) for the lower bound. Of a rarefied gas K is that at the pressure
+   * half way, and there are its largest and least values at any pressure as well, the
+   * least as the largest resistivity. Cells of at least two grid spacings are
    * looked up in a pyramid of moments, where K was integrated on each cell of the grid
    * (CellQuadrature); smaller ones are integrated directly. Where the gap
    * has windows of finer points K is that of the finest level present: a cell of the grid
@@ -65,10 +70,26 @@ namespace strait
     enum class Coefficient
     {
       conductivity,
-      resistivity
+      resistivity,
+      largest_conductivity,
+      largest_resistivity
     };
 
     GapField(SlabLayoutPtr layout, const FluidParameters &fluid);
+
+    /** What flows in the gaps from the next update() on; null: it is viscous. */
+    void
+    take_gas(std::shared_ptr<const RarefiedFlow> gas)
+    {
+      rarefied = std::move(gas);
+    }
+
+    /** The rarefied gas that flows; null: it is viscous. */
+    const RarefiedFlow *
+    gas() const
+    {
+      return rarefied.get();
+    }
 
     /**
      * Take a new gap (percolating_gap()), on the same grid, whatever its windows;
@@ -121,6 +142,9 @@ namespace strait
       return coefficient_of(Coefficient::conductivity, gap);
     }
 
+    /** The gap of a @p conductivity that is not zero. */
+    double gap_of(double conductivity) const;
+
     /** Bytes of this rank. */
     std::size_t memory_consumption() const;
 
@@ -133,32 +157,28 @@ namespace strait
     };
 
     /** Find the moments of @p coefficient on the grid and on the windows. Collective. */
-    void build(Coefficient coefficient, Known &known) const;
+    void build(Coefficient coefficient, Known &result) const;
 
-    CoefficientLaw
-    law(const Coefficient coefficient) const
-    {
-      return {conductivity_of_one, floor_value, coefficient == Coefficient::resistivity};
-    }
+    CoefficientLaw law(Coefficient coefficient) const;
 
     /** Add to the moments of @p square what a cell that windows may replace has of it.
      *  Returns whether there is anything. */
     bool add_cell(Coefficient      coefficient,
                   const LevelCell &cell,
                   const Square    &square,
-                  const Known     &known,
+                  const Known     &of_grid,
                   double          *moments) const;
 
     /** Find the moments, zero so far, of a cell that this rank owns. */
     void answer(Coefficient coefficient, const GridCell &cell, double *moments) const;
 
-    GapLevels            levels;
-    CellQuadrature       quadrature;
-    double               conductivity_of_one;
-    double               floor_value = 0.;
-    int                  halvings    = 0;
-    Known                conductivity;
-    std::optional<Known> resistivity;
+    GapLevels                           levels;
+    CellQuadrature                      quadrature;
+    double                              conductivity_of_one;
+    double                              floor_value = 0.;
+    int                                 halvings    = 0;
+    std::shared_ptr<const RarefiedFlow> rarefied;
+    std::array<std::optional<Known>, 4> known; // of each coefficient that is in use
   };
 } // namespace strait
 

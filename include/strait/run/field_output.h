@@ -24,9 +24,7 @@ namespace strait
    * whether it leaks; where it does not, the pressure has no meaning.
    * Nothing where nothing percolates. Collective.
    */
-  void write_flow_fields(const std::string     &directory,
-                         const Step            &step,
-                         const FluidParameters &fluid);
+  void write_flow_fields(const std::string &directory, const Step &step);
 
   /**
    * Add the group gap_distribution to fields-STEP.h5 in @p directory, or begin that file

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_interface_rarefied_gas_h
+#define strait_interface_rarefied_gas_h
+
+#include <strait/base/fluid_parameters.h>
+
+namespace strait
+{
+  /**
+   * What an ideal gas at one temperature carries between parallel walls, from viscous to
+   * molecular flow. Its throughput per width is −a ∇p [pressure length²/time] with
+   *   a(g, p) = g² v0/2 · Q_P(δ),   δ = p g/(η v0),   v0 = √(2RT/M).
+   * Viscous flow has Q_P = δ/6, so that a = p g³/(12 η); with slip at the walls
+   * Q_P = δ/6 + σ √π/2 with σ = 1.1466 (2 − α)/α of accommodation α.
+   */
+  class RarefiedGas
+  {
+  public:
+    /** @p fluid must know its thermal speed, unless the gas is viscous. */
+    explicit RarefiedGas(const FluidParameters &fluid);
+
+    /**
+     * Q_P at @p delta > 0 [1]. Transitional: of the linearised BGK equation between walls
+     * that reflect diffusely, interpolated to 10⁻⁵ of a solution of its integral equation
+     * (tools/bgk_poiseuille.py), and its asymptotes beyond.
+     */
+    double poiseuille_coefficient(double delta) const;
+
+    /**
+     * a over the viscous conductivity g³/(12 η) [pressure]: p of a viscous gas, p + r/g
+     * with slip. Where a transitional gas is so thin that molecules fly a million times
+     * the gap it is taken to be no thinner; without an end it would grow with the
+     * logarithm of that. Half and double of it change a leak against vacuum by less than
+     * 10⁻⁶ of itself.
+     */
+    double mobility(double gap, double p) const;
+
+    /** ∫ mobility dp from @p low to @p high [pressure²]: the throughput between plates,
+     *  per length and viscous conductivity. */
+    double drive(double gap, double low, double high) const;
+
+    /** Mean free path over @p gap at @p p, λ = (√π/2) η v0/p [1]. */
+    double knudsen_number(double gap, double p) const;
+
+  private:
+    Rarefaction kind;
+    double      scale; // η v0 [pressure length]
+    double      slip;  // σ √π/2
+  };
+} // namespace strait
+
+#endif

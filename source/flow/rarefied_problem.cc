@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/flow/rarefied_problem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace strait
+{
+  namespace
+  {
+    /** The weight of each owned cell, at the mean of its pressure and for the gap that
+     *  conducts as its mean does; in proportion to that of RarefiedFlow::middle_weight,
+     * which the coefficient has. */
+    std::vector<double>
+    weights_of_cells(const PotentialProblem &pressure, const GapField &gap)
+    {
+      const RarefiedFlow &gas = *gap.gas();
+      std::vector<double> weights, values;
+      for (const auto &cell : pressure.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const std::size_t c = weights.size();
+            weights.push_back(1.);
+            if (!pressure.is_active(c))
+              continue;
+            pressure.cell_values(cell, values);
+            const double mean = std::accumulate(values.begin(), values.end(), 0.) /
+                                static_cast<double>(values.size());
+            weights.back() = gas.relative_weight(gap.gap_of(pressure.unweighted_mean(c)),
+                                                 gas.pressure(mean));
+          }
+      return weights;
+    }
+  } // namespace
+
+  LinearSolve
+  solve_rarefied(PotentialProblem     &pressure,
+                 const GapField       &gap,
+                 const LinearAccuracy &accuracy,
+                 const double          tolerance,
+                 const bool            starts_from_solution)
+  {
+    // Each round changes the weights several times less than the one before; more than a
+    // few on the first mesh and two or three on others were not seen.
+    constexpr unsigned int most_rounds = 50;
+    LinearSolve            outcome;
+    pressure.set_up();
+    pressure.take_coefficient(gap);
+    if (starts_from_solution)
+      pressure.set_weights(weights_of_cells(pressure, gap));
+    for (unsigned int round = 1;; ++round)
+      {
+        pressure.set_up();
+        pressure.assemble();
+        const LinearSolve solve =
+          pressure.solve(accuracy.preconditioner, accuracy.energy);
+        outcome.iterations += solve.iterations;
+        outcome.error_energy = solve.error_energy;
+        const double before  = pressure.energy();
+        pressure.set_weights(weights_of_cells(pressure, gap));
+        const double change = std::abs(pressure.energy() / before - 1.);
+        outcome.converged   = solve.converged && change <= tolerance;
+        if (outcome.converged || !solve.converged || round == most_rounds)
+          return outcome;
+      }
+  }
+
+  Bracket
+  rarefied_bracket(FlowMesh               &mesh,
+                   const GapField         &gap,
+                   const LinearAccuracy   &accuracy,
+                   HierarchicalCorrection *correction,
+                   unsigned int           &iterations)
+  {
+    PotentialProblem largest(PotentialProblem::Kind::pressure,
+                             mesh,
+                             gap.moment_set(),
+                             GapField::Coefficient::largest_conductivity);
+    PotentialProblem least(PotentialProblem::Kind::stream_function,
+                           mesh,
+                           gap.moment_set(),
+                           GapField::Coefficient::largest_resistivity);
+    for (PotentialProblem *problem : {&largest, &least})
+      {
+        problem->set_up();
+        problem->assemble(gap);
+        iterations += problem->solve(accuracy.preconditioner, accuracy.energy).iterations;
+      }
+    return correction != nullptr
+             ? corrected_bracket(mesh, gap, largest, least, *correction)
+             : plain_bracket(mesh, largest, least);
+  }
+
+  double
+  knudsen_number(const FlowPath &path, const RarefiedFlow &gas)
+  {
+    const auto bottleneck = static_cast<std::size_t>(
+      std::min_element(path.gaps.begin(), path.gaps.end()) - path.gaps.begin());
+    // In the middle of the steps of the path that meet there: at the outlet there may be
+    // vacuum.
+    const double before =
+      .5 * (path.resistances[bottleneck == 0 ? 0 : bottleneck - 1] +
+            path.resistances[std::min(bottleneck + 1, path.gaps.size() - 1)]);
+    return gas.gas.knudsen_number(path.bottleneck_gap,
+                                  gas.pressure(1. - before / path.resistance()));
+  }
+} // namespace strait

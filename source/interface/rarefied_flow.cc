@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/interface/rarefied_flow.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace strait
+{
+  namespace
+  {
+    // What stands for the error of tables, in the gap and in the pressure, in bounds.
+    constexpr double margin = 3e-5;
+
+    std::vector<double>
+    logarithms(std::vector<double> values)
+    {
+      for (double &value : values)
+        value = std::log(value);
+      return values;
+    }
+
+    /** A potential Ψ for one of the bounds, as a factor of Ψ' for the reference gap that
+     *  is linear in its Ψ between nodes. */
+    class FreePotential
+    {
+    public:
+      /** Nodes are where the reference's Ψ is @p potentials, from 0 to 1, and the weights
+       *  of the parts there are @p weights[part][node]. */
+      FreePotential(const std::vector<PathPart>            &parts,
+                    const std::vector<std::vector<double>> &weights,
+                    const std::vector<double>              &potentials,
+                    bool                                    is_largest);
+
+      /** At the nodes. */
+      const std::vector<double> &
+      factors() const
+      {
+        return best;
+      }
+
+    private:
+      void relax(double temperature);
+      void keep_if_better();
+
+      const std::vector<PathPart>            &parts;
+      const std::vector<std::vector<double>> &weights;
+      std::vector<std::vector<double>>        log_weights;
+      const double        sign;    // 1: of the upper bound, −1: the lower
+      std::vector<double> lengths; // ΔΨ around the nodes
+      std::vector<double> trial, best;
+      double              best_bound = 0.;
+    };
+
+    FreePotential::FreePotential(const std::vector<PathPart>            &parts_,
+                                 const std::vector<std::vector<double>> &weights_,
+                                 const std::vector<double>              &potentials,
+                                 const bool                              is_largest)
+      : parts(parts_)
+      , weights(weights_)
+      , sign(is_largest ? 1. : -1.)
+      , lengths(potentials.size(), 0.)
+      , trial(potentials.size(), 1.)
+      , best(trial)
+    {
+      for (std::size_t i = 1; i < lengths.size(); ++i)
+        for (const std::size_t end : {i - 1, i})
+          lengths[end] += .5 * (potentials[i] - potentials[i - 1]);
+      for (const std::vector<double> &of_part : weights)
+        log_weights.push_back(logarithms(of_part));
+      keep_if_better();
+      // Half as many rounds or temperatures leave bounds that are further apart by a
+      // tenth of a percent of the leak rate, twice as many take twice the time.
+      constexpr int rounds = 40;
+      for (const double temperature : {.03, .01, .003})
+        for (int round = 0; round < rounds; ++round)
+          {
+            relax(temperature);
+            keep_if_better();
+          }
+    }
+
+    /** A part goes to where its factor over weight is extreme, within @p temperature, and
+     *  raises or lowers the factor there by what it is too crowded. */
+    void
+    FreePotential::relax(const double temperature)
+    {
+      std::vector<double>       loads(trial.size(), 0.), places(trial.size());
+      const std::vector<double> log_trial = logarithms(trial);
+      double                    total     = 0.;
+      for (std::size_t k = 0; k < parts.size(); ++k)
+        {
+          const auto place = [&](const std::size_t i) {
+            return sign / temperature * (log_weights[k][i] - log_trial[i]);
+          };
+          double highest = place(0), sum = 0.;
+          for (std::size_t i = 0; i < trial.size(); ++i)
+            highest = std::max(highest, places[i] = place(i));
+          for (std::size_t i = 0; i < trial.size(); ++i)
+            sum += places[i] = lengths[i] * std::exp(places[i] - highest);
+          for (std::size_t i = 0; i < trial.size(); ++i)
+            {
+              const double load = parts[k].resistance * places[i] / sum / weights[k][i];
+              loads[i] += load;
+              total += load;
+            }
+        }
+      constexpr double emptiest = 1e-3; // at once
+      for (std::size_t i = 0; i < trial.size(); ++i)
+        trial[i] *= std::pow(std::max(loads[i] / (total * lengths[i]), emptiest),
+                             sign * temperature);
+    }
+
+    /** Compare what flows through the parts in a row with the extremes of their weights.
+     */
+    void
+    FreePotential::keep_if_better()
+    {
+      double drive = 0., resistance = 0.;
+      for (std::size_t i = 0; i < trial.size(); ++i)
+        drive += trial[i] * lengths[i];
+      for (std::size_t k = 0; k < parts.size(); ++k)
+        {
+          double extreme = 0.;
+          for (std::size_t i = 0; i < trial.size(); ++i)
+            {
+              const double here = weights[k][i] / trial[i];
+              if (i == 0 || sign * (here - extreme) > 0.)
+                extreme = here;
+            }
+          resistance += parts[k].resistance / extreme;
+        }
+      const double bound = drive / resistance;
+      if (best_bound != 0. && sign * (best_bound - bound) < 0.)
+        return;
+      best_bound = bound;
+      best       = trial;
+      for (double &factor : best)
+        factor /= drive;
+    }
+
+    double
+    median_gap(const std::vector<PathPart> &parts)
+    {
+      double total = 0., below = 0.;
+      for (const PathPart &part : parts)
+        total += part.resistance;
+      for (const PathPart &part : parts)
+        if ((below += part.resistance) >= .5 * total)
+          return part.gap;
+      return parts.back().gap;
+    }
+  } // namespace
+
+  GapFactor::GapFactor(const double                         reference,
+                       const std::function<double(double)> &function)
+    : first(std::log2(reference) - octaves)
+  {
+    for (int k = 0; k <= 2 * octaves * entries_per_octave; ++k)
+      values.push_back(
+        function(std::exp2(first + k / static_cast<double>(entries_per_octave))));
+  }
+
+  RarefiedFlow::RarefiedFlow(const FluidParameters       &fluid,
+                             const std::vector<PathPart> &parts)
+    : gas(fluid)
+    , low(std::min(fluid.inlet_pressure, fluid.outlet_pressure))
+    , high(std::max(fluid.inlet_pressure, fluid.outlet_pressure))
+    , reference_gap(median_gap(parts))
+    , total_drive(gas.drive(reference_gap, low, high))
+    , falls(fluid.inlet_pressure > fluid.outlet_pressure)
+  {
+    pressure_drive = (falls ? total_drive : -total_drive) / fluid.mean_pressure();
+    tabulate_potential();
+    const double middle = pressure(.5);
+    middle_weight =
+      GapFactor(reference_gap, [&](const double gap) { return weight(gap, middle); });
+    choose_bounds(parts);
+  }
+
+  void
+  RarefiedFlow::choose_bounds(const std::vector<PathPart> &parts)
+  {
+    std::vector<std::vector<double>> weights;
+    for (const PathPart &part : parts)
+      {
+        weights.emplace_back();
+        for (const double p : pressures)
+          weights.back().push_back(weight(part.gap, p));
+      }
+    for (const bool is_largest : {false, true})
+      (is_largest ? largest_weight : least_weight) =
+        extreme_weight(FreePotential(parts, weights, potentials, is_largest).factors(),
+                       is_largest);
+  }
+
+  /** For a Ψ' that is the reference's times factors that are linear in the reference's Ψ
+   *  between the pressures of the table. */
+  GapFactor
+  RarefiedFlow::extreme_weight(const std::vector<double> &potential_factors,
+                               const bool                 is_largest) const
+  {
+    // The extremes are close to these pressures, unless the mobility varies with the
+    // logarithm of the pressure, where they need others in between.
+    constexpr double    step = 1.15, lowest = 1e-9;
+    std::vector<double> samples{low};
+    std::vector<double> values{gas.mobility(reference_gap, low) * potential_factors[0]};
+    for (std::size_t i = 1; i < pressures.size(); ++i)
+      for (double p = pressures[i]; p > pressures[i - 1] && p > lowest * high; p /= step)
+        {
+          const double t = gas.drive(reference_gap, pressures[i - 1], p) /
+                           (total_drive * (potentials[i] - potentials[i - 1]));
+          samples.push_back(p);
+          values.push_back(
+            gas.mobility(reference_gap, p) *
+            ((1. - t) * potential_factors[i - 1] + t * potential_factors[i]));
+        }
+    return GapFactor(reference_gap, [&](const double gap) {
+      double extreme = 0.;
+      for (std::size_t i = 0; i < samples.size(); ++i)
+        {
+          const double here = gas.mobility(gap, samples[i]) / values[i];
+          if (i == 0 || (is_largest ? here > extreme : here < extreme))
+            extreme = here;
+        }
+      return extreme * (is_largest ? 1. + margin : 1. - margin);
+    });
+  }
+
+  void
+  RarefiedFlow::tabulate_potential()
+  {
+    // Closer and closer to the lower pressure, where a mobility may vary with the
+    // logarithm of the pressure. With half as many bounds are further apart by 10⁻³.
+    constexpr int n = 128;
+    for (int i = 0; i <= n; ++i)
+      {
+        const double t = static_cast<double>(i) / n;
+        const double p = low + (high - low) * t * t * t;
+        potentials.push_back(i == 0 ? 0.
+                                    : potentials.back() +
+                                        gas.drive(reference_gap, pressures.back(), p) /
+                                          total_drive);
+        pressures.push_back(p);
+        slopes.push_back(total_drive / gas.mobility(reference_gap, p));
+      }
+  }
+
+  double
+  RarefiedFlow::weight(const double gap, const double p) const
+  {
+    return gas.mobility(gap, p) / gas.mobility(reference_gap, p);
+  }
+
+  double
+  RarefiedFlow::pressure(const double potential) const
+  {
+    const double value = falls ? potential : 1. - potential;
+    const auto   above =
+      std::clamp(std::upper_bound(potentials.begin(), potentials.end(), value),
+                 potentials.begin() + 1,
+                 potentials.end() - 1);
+    // The cubic with the slopes at both ends.
+    const auto   i     = static_cast<std::size_t>(above - potentials.begin());
+    const double width = potentials[i] - potentials[i - 1];
+    const double t     = std::clamp((value - potentials[i - 1]) / width, 0., 1.);
+    return pressures[i - 1] * (1. + 2. * t) * (1. - t) * (1. - t) +
+           pressures[i] * (3. - 2. * t) * t * t +
+           width * t * (1. - t) * (slopes[i - 1] * (1. - t) - slopes[i] * t);
+  }
+
+  std::shared_ptr<const RarefiedFlow>
+  make_rarefied_flow(const FluidParameters &fluid, const FlowPath &path)
+  {
+    if (fluid.rarefaction == Rarefaction::none)
+      return {};
+    std::vector<PathPart> steps;
+    for (std::size_t k = 0; k + 1 < path.gaps.size(); ++k)
+      steps.push_back({std::sqrt(path.gaps[k] * path.gaps[k + 1]),
+                       path.resistances[k + 1] - path.resistances[k]});
+    std::sort(steps.begin(), steps.end(), [](const auto &a, const auto &b) {
+      return a.gap < b.gap;
+    });
+    // Of the path's resistance at most, unless a single step has more. With half as many
+    // parts the bounds are further apart by a thousandth of the leak rate, twice as many
+    // take twice the time.
+    constexpr double      fraction = 1. / 64;
+    std::vector<PathPart> parts;
+    for (const PathPart &step : steps)
+      if (parts.empty() ||
+          parts.back().resistance + step.resistance > fraction * path.resistance())
+        parts.push_back(step);
+      else
+        {
+          PathPart    &part  = parts.back();
+          const double total = part.resistance + step.resistance;
+          part.gap = (part.gap * part.resistance + step.gap * step.resistance) / total;
+          part.resistance = total;
+        }
+    return std::make_shared<const RarefiedFlow>(fluid, parts);
+  }
+} // namespace strait
