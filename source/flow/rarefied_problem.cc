@@ -41,8 +41,8 @@ namespace strait
                  const double          tolerance,
                  const bool            starts_from_solution)
   {
-    // Each round changes the weights several times less than the one before; more than a
-    // few on the first mesh and two or three on others were not seen.
+    // Each round changes the weights several times less than the one before: half of this
+    // and double of it are as far beyond what it takes.
     constexpr unsigned int most_rounds = 50;
     LinearSolve            outcome;
     pressure.set_up();
