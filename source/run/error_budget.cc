@@ -109,10 +109,15 @@ namespace strait
   ErrorBudget::assess(const Step &step, const Transition *counted_from)
   {
     StepErrors     errors;
-    const Leakage &leakage = step.flow->leakage;
-    const double   by_wall = step.state.fluid ? step.state.fluid->mesh_error : 0.;
-    errors.items.push_back(
-      {"mesh", .5 * leakage.relative_width() - by_wall, "Fluid/Target accuracy"});
+    const Leakage &leakage     = step.flow->leakage;
+    const double   by_wall     = step.state.fluid ? step.state.fluid->mesh_error : 0.;
+    const bool     is_rarefied = scene.fluid.rarefaction != Rarefaction::none;
+    const double   of_mesh = is_rarefied ? leakage.mesh_width : leakage.relative_width();
+    errors.items.push_back({"mesh", .5 * of_mesh - by_wall, "Fluid/Target accuracy"});
+    if (is_rarefied)
+      errors.items.push_back({"order of gaps",
+                              .5 * (leakage.relative_width() - of_mesh),
+                              "Fluid/Rarefaction"});
     errors.items.push_back(
       {"linear solver", leakage.linear_error, "Fluid/Target accuracy"});
     if (step.state.contact)

@@ -17,6 +17,8 @@ namespace strait
    * the parameter that would reduce it.
    *
    * - mesh: half the width of the bracket;
+   * - order of gaps: of a rarefied gas, the rest of that half, as its bounds do not know
+   *   which gap lies at which pressure;
    * - linear solver: the share of the energy at which it stops;
    * - contact tolerance: the gap is known to the residual times the rms height, the
    *   leak rate to three times that over the narrowest gap.
