@@ -342,7 +342,8 @@ class Survival(unittest.TestCase):
                 self.assert_same(self.path(name + "-reference"), output)
 
     def test_other_numbers_of_ranks(self):
-        scene = self.scene(DRY)
+        # Where in its bracket a critical load lies hangs on the last digits of the gap.
+        scene = self.scene(DRY.replace("Threshold tolerance = 1e-3", "Threshold tolerance = 1e-7"))
         reference = self.reference(scene)
         output = self.path("moved")
         options = []

@@ -161,22 +161,31 @@ namespace strait
       return upwards ? edge * factor : edge / factor;
     }
 
-    /** What to ask between the two sides: beyond @p guess, seen from the side that it
-     *  comes from, so that the transition comes to lie between, or the middle. */
+    /**
+     * What to ask between the two sides: beyond @p guess, seen from the side that it
+     * comes from, so that the transition comes to lie between; or the middle. The more
+     * often in a row the last @p n_astray estimates were no good, the farther beyond.
+     */
     double
     value_between(const Known                   &known,
                   const std::optional<Estimate> &guess,
+                  const int                      n_astray,
                   const double                   tolerance)
     {
       const double lower = known.open.back().value, upper = known.sealed.back().value;
+      const double middle = .5 * (lower + upper);
       // Two values on both sides of the transition at this distance end the search.
       const double margin = std::min(.5 * tolerance * upper, .5 * (upper - lower));
-      double       aim    = .5 * (lower + upper);
+      double       aim    = middle;
       if (guess)
         {
-          const double doubt = std::max(guess->doubt, .8 * margin);
-          aim                = guess->value + (guess->is_above ? -doubt : doubt);
-          if (!(aim > lower && aim < upper))
+          const double beyond = n_astray > 0 ? std::ldexp(guess->reach, n_astray - 1)
+                                             : std::max(guess->doubt, .8 * margin);
+          aim                 = guess->value + (guess->is_above ? -beyond : beyond);
+          const bool is_far   = guess->is_above ? aim < middle : aim > middle;
+          if (n_astray > 0 && is_far)
+            aim = middle;
+          else if (!(aim > lower && aim < upper))
             aim = guess->value;
         }
       return std::clamp(aim, lower + margin, upper - margin);
@@ -201,26 +210,27 @@ namespace strait
   Passage
   TransitionSearch::enclose(const SearchStart first, const double level)
   {
-    bool  bisect = false;
-    Known known  = known_at(asked, level);
+    int   n_astray = 0;
+    Known known    = known_at(asked, level);
     while (!known.has_both() || known.width() > tolerance * known.sealed.back().value)
       {
-        const double                  width = known.width();
-        const std::optional<Estimate> guess =
-          known.has_both() && !bisect ? estimate(known) : std::nullopt;
-        const double value = known.has_both() ? value_between(known, guess, tolerance)
-                                              : value_outside(known, first);
+        const double width = known.width();
+        const auto   guess = known.has_both() ? estimate(known) : std::nullopt;
+        const double reach = guess ? guess->reach : 0.;
+        const double value = known.has_both()
+                               ? value_between(known, guess, n_astray, tolerance)
+                               : value_outside(known, first);
         if (!(value < widest_range * first.value && value * widest_range > first.value))
           throw ComputationError(
             std::string("The threshold was not found: the contact ") +
             (known.sealed.empty() ? "still leaks" : "is still sealed") +
             " at a load of " + to_text(value) + ".");
         ask_at(value);
-        known = known_at(asked, level);
-        // Where the estimate led astray, halve the bracket.
+        known           = known_at(asked, level);
         const auto next = known.has_both() ? estimate(known) : std::nullopt;
-        bisect          = known.width() > .5 * width &&
-                 !(guess && next && next->reach < .5 * guess->reach);
+        const bool advances =
+          known.width() <= .5 * width || (next && next->reach < .5 * reach);
+        n_astray = advances || !known.has_both() ? 0 : n_astray + 1;
       }
     return {known.open.back().value, known.sealed.back().value};
   }
