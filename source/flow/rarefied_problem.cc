@@ -41,8 +41,8 @@ namespace strait
                  const double          tolerance,
                  const bool            starts_from_solution)
   {
-    // Each round changes the weights several times less than the one before: half of this
-    // and double of it are as far beyond what it takes.
+    // Each round changes the weights several times less than the one before: two or three
+    // are usual, and this ends what does not converge.
     constexpr unsigned int most_rounds = 50;
     LinearSolve            outcome;
     pressure.set_up();

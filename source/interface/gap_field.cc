@@ -25,6 +25,7 @@ namespace strait
     , conductivity_of_one(1. / (12. * fluid.viscosity))
     , halvings(fluid.mesh_file.empty() ? layout->grid().n_halvings() : 0)
   {
+    known.front().emplace(Known{MomentPyramid(layout, moment_set(), halvings), {}});
   }
 
   CoefficientLaw

@@ -229,7 +229,8 @@ namespace strait
   RarefiedFlow::tabulate_potential()
   {
     // Closer and closer to the lower pressure, where a mobility may vary with the
-    // logarithm of the pressure. With half as many bounds are further apart by 10⁻³.
+    // logarithm of the pressure. Fewer leave bounds that are further apart, more take
+    // longer to tabulate.
     constexpr int n = 128;
     for (int i = 0; i <= n; ++i)
       {
