@@ -19,7 +19,8 @@ namespace strait
 
     // How far the critical load of every second point is off, relative, where no two
     // coarser grids tell: mostly less on sixteen random surfaces, 6e-3 on one of them.
-    // Half and double of it take a solve more as often as one less.
+    // A smaller one takes more solves where the two are farther apart, a larger one
+    // begins with a wider bracket.
     constexpr double first_step = 2e-4;
   } // namespace
 

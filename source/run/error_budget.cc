@@ -13,16 +13,17 @@ namespace strait
 {
   namespace
   {
-    /** The leak rate of a gap; 0 if it seals. */
+    /** The leak rate of @p in, a gap with its slip length or a channel; 0 if it seals. */
+    template <class... In>
     double
-    leak_rate_of(const SlabField       &gap,
-                 const double           slip_length,
-                 const FluidParameters &fluid)
+    leak_rate_of(const FluidParameters &fluid,
+                 const SlabLayoutPtr   &layout,
+                 const In &...in)
     {
-      Log       silent(gap.layout().communicator(), true);
+      Log       silent(layout->communicator(), true);
       Timers    timers;
-      FlowStage flow(fluid, gap.layout_pointer(), silent, timers);
-      return flow.solve(gap, slip_length).leakage.rate;
+      FlowStage flow(fluid, layout, silent, timers);
+      return flow.solve(in...).leakage.rate;
     }
   } // namespace
 
@@ -42,18 +43,19 @@ namespace strait
     std::vector<double> leaks;
     if (step.state.contact)
       for (int h = 1; h <= std::min(coarser.size(), n_compared_grids(scene)); ++h)
-        leaks.push_back(
-          leak_rate_of(coarser.gap(h,
-                                   step.state.control,
-                                   by_reduced_load ? step.reduced_load : std::nullopt),
-                       slip,
-                       scene.fluid));
+        {
+          const SlabField gap =
+            coarser.gap(h,
+                        step.state.control,
+                        by_reduced_load ? step.reduced_load : std::nullopt);
+          leaks.push_back(leak_rate_of(scene.fluid, gap.layout_pointer(), gap, slip));
+        }
     else
       for (SlabField gap = step.state.gap();
            leaks.size() < 2 && can_be_coarsened(gap.grid());)
         {
           gap = restrict_by_injection(gap);
-          leaks.push_back(leak_rate_of(gap, slip, scene.fluid));
+          leaks.push_back(leak_rate_of(scene.fluid, gap.layout_pointer(), gap, slip));
         }
     return leaks;
   }
@@ -96,10 +98,8 @@ namespace strait
     other.interpolation   = scene.fluid.interpolation == GapInterpolation::monotone_cubic
                               ? GapInterpolation::bilinear
                               : GapInterpolation::monotone_cubic;
-    Log          silent(step.state.gap().layout().communicator(), true);
-    Timers       timers;
-    FlowStage    flow(other, step.state.gap().layout_pointer(), silent, timers);
-    const double leak = flow.solve(step.flow->channel).leakage.rate;
+    const double leak =
+      leak_rate_of(other, step.state.gap().layout_pointer(), step.flow->channel);
     errors.items.push_back({"gap interpolation",
                             std::abs(leak / step.flow->leakage.rate - 1.),
                             "Contact/Grid points"});

@@ -123,11 +123,13 @@ namespace strait
       return known;
     }
 
-    /** That of the side which has it nearer, if it lies between the two. */
+    /** That of the side which has it nearer, if there are two and it lies between. */
     std::optional<Estimate>
     estimate(const Known &known)
     {
       std::optional<Estimate> nearest;
+      if (!known.has_both())
+        return nearest;
       for (const std::vector<Point> *side : {&known.open, &known.sealed})
         if (const auto guess = estimate(*side);
             guess && guess->value > known.open.back().value &&
@@ -212,10 +214,10 @@ namespace strait
   {
     int   n_astray = 0;
     Known known    = known_at(asked, level);
+    auto  guess    = estimate(known);
     while (!known.has_both() || known.width() > tolerance * known.sealed.back().value)
       {
         const double width = known.width();
-        const auto   guess = known.has_both() ? estimate(known) : std::nullopt;
         const double reach = guess ? guess->reach : 0.;
         const double value = known.has_both()
                                ? value_between(known, guess, n_astray, tolerance)
@@ -226,10 +228,10 @@ namespace strait
             (known.sealed.empty() ? "still leaks" : "is still sealed") +
             " at a load of " + to_text(value) + ".");
         ask_at(value);
-        known           = known_at(asked, level);
-        const auto next = known.has_both() ? estimate(known) : std::nullopt;
+        known = known_at(asked, level);
+        guess = estimate(known);
         const bool advances =
-          known.width() <= .5 * width || (next && next->reach < .5 * reach);
+          known.width() <= .5 * width || (guess && guess->reach < .5 * reach);
         n_astray = advances || !known.has_both() ? 0 : n_astray + 1;
       }
     return {known.open.back().value, known.sealed.back().value};

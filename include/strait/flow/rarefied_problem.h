@@ -27,8 +27,7 @@ namespace strait
                              bool                  starts_from_solution);
 
   /** The bracket of the conductance between the extremes of the weight (RarefiedFlow),
-   * with
-   *  @p correction unless that is null. Adds to @p iterations. Collective. */
+   *  with @p correction unless that is null. Adds to @p iterations. Collective. */
   Bracket rarefied_bracket(FlowMesh               &mesh,
                            const GapField         &gap,
                            const LinearAccuracy   &accuracy,

@@ -31,8 +31,8 @@ namespace strait
    *   throats have windows every second point is enough, with windows of its own and a
    *   third of the points along throats, so that this is the error of the windows' points
    *   as well, and the difference counts three times. A load that was named by its
-   * distance from the critical load is as far from that of the coarser grid: most of what
-   * a grid does is to shift both;
+   *   distance from the critical load is as far from that of the coarser grid: most of
+   *   what a grid does is to shift both;
    * - gap interpolation: bilinear in place of monotone cubic, or the reverse.
    *
    * Near a critical load:
