@@ -153,12 +153,14 @@ namespace strait
         refuse(
           "would indent the surface by pressures of contact and fluid that do not agree "
           "yet; switch Fluid/Wall feedback off.");
-      if (scene.programme.find_threshold && scene.programme.path == LoadPath::unloading)
+      const std::vector<double> &pressures = scene.programme.pressures;
+      if (scene.programme.find_threshold && scene.programme.path == LoadPath::unloading &&
+          pressures.front() != *std::max_element(pressures.begin(), pressures.end()))
         refuse(
-          "opens the later the larger the load was before, which a search that begins "
-          "sealed does not know; search on Load programme/Path = loading, or list loads "
-          "of a cycle.");
-      for (const double pressure : scene.programme.pressures)
+          "opens the later the larger the load was before: where Load programme/Path = "
+          "unloading, a search for the threshold begins with the first of "
+          "Load programme/Pressures, which must be the largest.");
+      for (const double pressure : pressures)
         if (!(pressure < contact.hardness))
           throw InputError("Load programme/Pressures contains " + to_text(pressure) +
                            ", which Contact/Hardness = " + to_text(contact.hardness) +

@@ -79,12 +79,9 @@ namespace strait
                     const PotentialProblem &stream_function,
                     HierarchicalCorrection &correction)
   {
-    // Half as many steps leave a wider bracket and hence more cells, twice as many cost
-    // more than the cells that they save; each costs about as much as the one before.
-    constexpr unsigned int n_steps = 4;
     correction.set_up();
-    const CorrectedSolution p       = correction.relax(pressure, gap, n_steps);
-    const CorrectedSolution psi     = correction.relax(stream_function, gap, n_steps);
+    const CorrectedSolution p       = correction.relax(pressure, gap);
+    const CorrectedSolution psi     = correction.relax(stream_function, gap);
     Bracket                 bracket = bracket_of(p.energy, psi.energy);
     bracket.contributions.reinit(mesh.triangulation().n_active_cells());
     std::size_t c = 0;

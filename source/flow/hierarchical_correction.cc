@@ -139,10 +139,12 @@ namespace strait
 
   CorrectedSolution
   HierarchicalCorrection::relax(const PotentialProblem &problem,
-                                const GapField         &gap,
-                                const unsigned int      n_steps) const
+                                const GapField         &gap) const
   {
-    const bool is_pressure = problem.kind() == PotentialProblem::Kind::pressure;
+    // Half as many steps leave a wider bracket and hence more cells, twice as many cost
+    // more than the cells that they save; each costs about as much as the one before.
+    constexpr unsigned int n_steps = 4;
+    const bool is_pressure         = problem.kind() == PotentialProblem::Kind::pressure;
     const auto coefficient = make_child_coefficient(mesh, fe, problem.coefficient_kind());
     coefficient->update(gap);
     CorrectedSolution   result;

@@ -66,30 +66,45 @@ namespace strait
       }
   }
 
-  Bracket
-  rarefied_bracket(FlowMesh               &mesh,
-                   const GapField         &gap,
-                   const LinearAccuracy   &accuracy,
-                   HierarchicalCorrection *correction,
-                   unsigned int           &iterations)
+  void
+  bound_rarefied(FlowMesh                     &mesh,
+                 const GapField               &gap,
+                 const LinearAccuracy         &accuracy,
+                 const HierarchicalCorrection *correction,
+                 Leakage                      &leakage)
   {
-    PotentialProblem largest(PotentialProblem::Kind::pressure,
-                             mesh,
-                             gap.moment_set(),
-                             GapField::Coefficient::largest_conductivity);
-    PotentialProblem least(PotentialProblem::Kind::stream_function,
-                           mesh,
-                           gap.moment_set(),
-                           GapField::Coefficient::largest_resistivity);
-    for (PotentialProblem *problem : {&largest, &least})
+    using Coefficient       = GapField::Coefficient;
+    const auto least_energy = [&](const Coefficient coefficient) {
+      PotentialProblem problem(coefficient == Coefficient::largest_conductivity
+                                 ? PotentialProblem::Kind::pressure
+                                 : PotentialProblem::Kind::stream_function,
+                               mesh,
+                               gap.moment_set(),
+                               coefficient);
+      problem.set_up();
+      problem.assemble(gap);
+      leakage.iterations +=
+        problem.solve(accuracy.preconditioner, accuracy.energy).iterations;
+      return correction != nullptr ? correction->relax(problem, gap).energy
+                                   : problem.energy();
+    };
+    const RarefiedFlow &gas   = *gap.gas();
+    const double        drive = std::abs(gas.drive());
+    leakage.upper             = drive * least_energy(Coefficient::largest_conductivity);
+    leakage.lower             = drive / least_energy(Coefficient::largest_resistivity);
+    leakage.bound             = "any-order";
+    if (gas.molecular_weight)
       {
-        problem->set_up();
-        problem->assemble(gap);
-        iterations += problem->solve(accuracy.preconditioner, accuracy.energy).iterations;
+        const double least =
+          gas.least_of_two(1. / least_energy(Coefficient::viscous_resistivity),
+                           1. / least_energy(Coefficient::molecular_resistivity));
+        if (least > leakage.lower)
+          {
+            leakage.lower = least;
+            leakage.bound = "two-gases";
+          }
       }
-    return correction != nullptr
-             ? corrected_bracket(mesh, gap, largest, least, *correction)
-             : plain_bracket(mesh, largest, least);
+    leakage.lower = std::min(leakage.lower, leakage.upper);
   }
 
   double

@@ -203,12 +203,9 @@ namespace strait
   void
   ReynoldsSolver::enclose_rarefied(const Channel &channel, Leakage &leakage)
   {
-    leakage.mesh_width    = leakage.relative_width();
-    leakage.knudsen       = knudsen_number(channel.paths.front(), *gap_field.gas());
-    const Bracket bracket = rarefied_bracket(
-      flow_mesh, gap_field, accuracy(), correction.get(), leakage.iterations);
-    leakage.upper = bracket.upper * std::abs(drive());
-    leakage.lower = std::min(bracket.lower * std::abs(drive()), leakage.upper);
+    leakage.mesh_width = leakage.relative_width();
+    leakage.knudsen    = knudsen_number(channel.paths.front(), *gap_field.gas());
+    bound_rarefied(flow_mesh, gap_field, accuracy(), correction.get(), leakage);
     // One weight for a cell is not the gas's own, which the bounds are of.
     const double rate = std::clamp(std::abs(leakage.rate), leakage.lower, leakage.upper);
     leakage.rate      = drive() < 0 ? -rate : rate;

@@ -25,7 +25,7 @@ namespace strait
     , conductivity_of_one(1. / (12. * fluid.viscosity))
     , halvings(fluid.mesh_file.empty() ? layout->grid().n_halvings() : 0)
   {
-    known.front().emplace(Known{MomentPyramid(layout, moment_set(), halvings), {}});
+    known[0].emplace(Known{MomentPyramid(layout, moment_set(), halvings), {}});
   }
 
   CoefficientLaw
@@ -33,13 +33,25 @@ namespace strait
   {
     CoefficientLaw law{conductivity_of_one,
                        floor_value,
-                       coefficient == Coefficient::resistivity ||
-                         coefficient == Coefficient::largest_resistivity};
+                       coefficient != Coefficient::conductivity &&
+                         coefficient != Coefficient::largest_conductivity};
     if (rarefied)
-      law.factor =
-        coefficient == Coefficient::largest_conductivity  ? &rarefied->largest_weight
-        : coefficient == Coefficient::largest_resistivity ? &rarefied->least_weight
-                                                          : &rarefied->middle_weight;
+      switch (coefficient)
+        {
+          case Coefficient::largest_conductivity:
+            law.factor = &rarefied->largest_weight;
+            break;
+          case Coefficient::largest_resistivity:
+            law.factor = &rarefied->least_weight;
+            break;
+          case Coefficient::molecular_resistivity:
+            law.factor = &*rarefied->molecular_weight;
+            break;
+          case Coefficient::viscous_resistivity:
+            break;
+          default:
+            law.factor = &rarefied->middle_weight;
+        }
     return law;
   }
 
@@ -61,29 +73,21 @@ namespace strait
   {
     floor_value = conductivity_floor;
     levels.update(gap);
-    const auto is_used = [&](const Coefficient coefficient) {
-      return coefficient == Coefficient::conductivity ||
-             (floor_value > 0 && (coefficient == Coefficient::resistivity || rarefied));
-    };
-    for (const Coefficient coefficient : {Coefficient::conductivity,
-                                          Coefficient::resistivity,
-                                          Coefficient::largest_conductivity,
-                                          Coefficient::largest_resistivity})
-      {
-        std::optional<Known> &here = known[static_cast<std::size_t>(coefficient)];
-        if (!is_used(coefficient))
-          here.reset();
-        else if (!here)
-          here.emplace(
-            Known{MomentPyramid(gap.layout_pointer(), moment_set(), halvings), {}});
-        if (here)
-          build(coefficient, *here);
-      }
+    build(Coefficient::conductivity, known[0]);
+    if (floor_value > 0)
+      build(Coefficient::resistivity, known[1]);
+    else
+      known[1].reset();
+    known_other.reset();
   }
 
   void
-  GapField::build(const Coefficient coefficient, Known &result) const
+  GapField::build(const Coefficient coefficient, std::optional<Known> &here) const
   {
+    if (!here)
+      here.emplace(
+        Known{MomentPyramid(levels.layout_pointer(), moment_set(), halvings), {}});
+    Known     &result     = *here;
     const auto moments_of = [&](const LevelCell &cell, double *moments) {
       return add_cell(coefficient, cell, Square(), result, moments);
     };
@@ -143,7 +147,7 @@ namespace strait
                    const GridCell   &cell,
                    double           *moments) const
   {
-    const Known &of_grid = *known[static_cast<std::size_t>(coefficient)];
+    const Known &of_grid = *known_of(coefficient);
     if (cell.exponent > 0)
       {
         std::copy_n(of_grid.pyramid.moments(cell), moment_set().size(), moments);
@@ -162,6 +166,9 @@ namespace strait
   CellAnswers
   GapField::ask(const Coefficient coefficient, const std::vector<GridCell> &cells) const
   {
+    if (static_cast<std::size_t>(coefficient) >= known.size() &&
+        !(known_other && other == coefficient))
+      build(other = coefficient, known_other);
     namespace mpi = dealii::Utilities::MPI;
     using Words   = std::map<unsigned int, std::vector<int>>;
     using Numbers = std::map<unsigned int, std::vector<double>>;
@@ -209,10 +216,14 @@ namespace strait
   GapField::memory_consumption() const
   {
     std::size_t bytes = levels.memory_consumption();
-    for (const std::optional<Known> &each : known)
+    const auto  add   = [&](const std::optional<Known> &each) {
       if (each)
         bytes += each->pyramid.memory_consumption() +
                  each->of_window_cells.capacity() * sizeof(double);
+    };
+    add(known[0]);
+    add(known[1]);
+    add(known_other);
     return bytes;
   }
 } // namespace strait

@@ -165,15 +165,20 @@ namespace strait
     , low(std::min(fluid.inlet_pressure, fluid.outlet_pressure))
     , high(std::max(fluid.inlet_pressure, fluid.outlet_pressure))
     , reference_gap(median_gap(parts))
+    , mean_pressure(fluid.mean_pressure())
     , total_drive(gas.drive(reference_gap, low, high))
     , falls(fluid.inlet_pressure > fluid.outlet_pressure)
   {
-    pressure_drive = (falls ? total_drive : -total_drive) / fluid.mean_pressure();
+    pressure_drive = (falls ? total_drive : -total_drive) / mean_pressure;
     tabulate_potential();
     const double middle = pressure(.5);
     middle_weight =
       GapFactor(reference_gap, [&](const double gap) { return weight(gap, middle); });
     choose_bounds(parts);
+    if (fluid.rarefaction == Rarefaction::slip)
+      molecular_weight = GapFactor(reference_gap, [&](const double gap) {
+        return gas.mobility(gap, 0.) / gas.mobility(reference_gap, 0.);
+      });
   }
 
   void
@@ -190,6 +195,18 @@ namespace strait
       (is_largest ? largest_weight : least_weight) =
         extreme_weight(FreePotential(parts, weights, potentials, is_largest).factors(),
                        is_largest);
+  }
+
+  double
+  RarefiedFlow::least_of_two(const double viscous, const double molecular) const
+  {
+    const double mixed = 2. / 3. * (std::pow(high, 1.5) - std::pow(low, 1.5));
+    const double a     = .5 * (high * high - low * low) * viscous;
+    const double k     = gas.mobility(reference_gap, 0.) * molecular;
+    const double b     = (high - low) * k;
+    return (1. - margin) / mean_pressure *
+           (.5 * (a + b) +
+            std::sqrt(.25 * (a - b) * (a - b) + viscous * k * mixed * mixed));
   }
 
   /** For a Ψ' that is the reference's times factors that are linear in the reference's Ψ

@@ -116,12 +116,11 @@ namespace strait
              "pressure where the path of least resistance has as much of its resistance "
              "before it")
         .add(
-          [](const Step &step) {
-            return std::string(step.flow->channel.paths.empty() ? "none" : "any-order");
-          },
-          "bound: what `leak_rate_lower` and `leak_rate_upper` are: `any-order`, bounds "
-          "of the nonlinear problem that hold whichever gap the gas meets at which "
-          "pressure, with the mesh's error in them, or `none`; see "
+          of_leakage(&Leakage::bound),
+          "bound: which bounds of the nonlinear problem `leak_rate_lower` and "
+          "`leak_rate_upper` are, the mesh's error included: `any-order`, which hold "
+          "whichever gap the gas meets at which pressure, `two-gases`, with the lower one "
+          "that of a viscous and a molecular gas side by side, or `none`; see "
           "[gas](gas_and_metals.md#gas)")
         .add(
           of_leakage(&Leakage::mesh_width),

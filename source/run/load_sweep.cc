@@ -82,19 +82,41 @@ namespace strait
   const std::vector<Transition> &
   LoadSweep::find_thresholds()
   {
-    // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
-    // saddle at 0.229: start a little to the side that the scene names.
-    const double factor = scene.programme.path == LoadPath::unloading ? .28 : .2;
-    const auto   scope  = timers.scope("threshold");
-    thresholds          = search->find_critical_loads(
-      coarser->find_critical_loads({factor * contact.pressure_scale(rms_slope)}));
-    // A channel that a fluid has opened is not closed again before the first step, and
-    // the throat is seen on the points that it was lost on; a path on which contacts
-    // alone remember begins without a past.
+    const auto scope = timers.scope("threshold");
+    thresholds =
+      search->find_critical_loads(coarser->find_critical_loads(search_start()));
+    // A channel that a fluid has opened is not closed again before the first step, the
+    // throat is seen on the points that it was lost on, and what opens again keeps its
+    // indentations; a path on which contacts alone remember begins without a past.
     if ((scene.fluid.feedback.enabled && !scene.contact.adhesion.enabled) ||
-        scene.contact.zoom.enabled)
+        begins_where_search_ended())
       start = search->take_state();
     return thresholds;
+  }
+
+  /** Where the search for the first critical load begins. */
+  SearchStart
+  LoadSweep::search_start() const
+  {
+    const bool unloads = scene.programme.path == LoadPath::unloading;
+    if (contact.yields() && unloads)
+      {
+        const double largest = scene.programme.pressures.front();
+        return {largest, .2, largest};
+      }
+    // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
+    // saddle at 0.229: start a little to the side that the scene names.
+    const SearchStart start((unloads ? .28 : .2) * contact.pressure_scale(rms_slope));
+    return contact.yields() ? SearchStart{start.value, start.step, contact.hardness}
+                            : start;
+  }
+
+  /** Whether loads that are counted from a critical one begin where its search ended. */
+  bool
+  LoadSweep::begins_where_search_ended() const
+  {
+    return scene.contact.zoom.enabled ||
+           (contact.yields() && scene.programme.path == LoadPath::unloading);
   }
 
   std::vector<BlowOut>
@@ -145,18 +167,18 @@ namespace strait
         step.state.contact_seconds = 0.;
         return true;
       }
-    // Windows shift the critical load a little: steps that are counted from it keep those
-    // that it was found with.
-    const bool has_its_points = scene.contact.zoom.enabled && stop.is_reduced;
-    const auto start_time     = Timers::Clock::now();
+    // Windows shift the critical load a little, and indentations a lot: steps that are
+    // counted from it keep those that it was found with.
+    const bool returns    = begins_where_search_ended() && stop.is_reduced;
+    const auto start_time = Timers::Clock::now();
     const auto scope =
       timers.scope(scene.fluid.feedback.enabled ? "coupling" : "contact");
     step.flow.reset(); // its mesh was made for another gap
     Arrival arrival = follow(*seal,
                              control,
-                             is_first && !start           ? nullptr
-                             : is_first || has_its_points ? &*start
-                                                          : &step.state,
+                             is_first && !start    ? nullptr
+                             : is_first || returns ? &*start
+                                                   : &step.state,
                              flow ? Aim::leak_rate : Aim::verdict,
                              jump_search(scene));
     for (const Jump &jump : arrival.jumps)
@@ -170,7 +192,7 @@ namespace strait
     step.state = std::move(*arrival.state);
     // Where the fluid presses on the walls most of its flow is solved on the way.
     step.flow_seconds = Timers::seconds_since(start_time) - step.state.contact_seconds;
-    if (!scene.contact.zoom.enabled)
+    if (!begins_where_search_ended())
       start.reset();
     return true;
   }

@@ -265,11 +265,13 @@ namespace strait
   SealSearch::probe(const Control &control, const Side path_comes_from)
   {
     const std::optional<SealState> &near = place_of(path_comes_from);
-    // A path leads on from where it was, not back.
+    // A path leads on from where it was, not back, unless it is the way back from a load
+    // that left its indentations, along which none are added.
     const bool is_ahead =
       near &&
       (!model.depends_on_path() || control.target == near->control.target ||
-       (path_comes_from == Side::open) == (near->control.target < control.target));
+       (path_comes_from == Side::open) == (near->control.target < control.target) ||
+       (path_comes_from == Side::sealed && scene.contact.yields()));
     SealState state = model.solve(control, is_ahead ? &*near : nullptr, Aim::verdict);
 
     Probe result;

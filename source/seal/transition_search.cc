@@ -160,7 +160,8 @@ namespace strait
             towards          = upwards ? aim / edge : edge / aim;
             towards > 1)
           factor = std::clamp(towards, smallest_step, largest_step);
-      return upwards ? edge * factor : edge / factor;
+      // Half of the way to the end is left to the next steps.
+      return upwards ? std::min(edge * factor, .5 * (edge + first.end)) : edge / factor;
     }
 
     /**
@@ -222,7 +223,10 @@ namespace strait
         const double value = known.has_both()
                                ? value_between(known, guess, n_astray, tolerance)
                                : value_outside(known, first);
-        if (!(value < widest_range * first.value && value * widest_range > first.value))
+        const bool   ends =
+          known.sealed.empty() && !known.open.empty() && known.open.back().value == value;
+        if (ends ||
+            !(value < widest_range * first.value && value * widest_range > first.value))
           throw ComputationError(
             std::string("The threshold was not found: the contact ") +
             (known.sealed.empty() ? "still leaks" : "is still sealed") +

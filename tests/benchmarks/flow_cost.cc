@@ -139,7 +139,7 @@ namespace
         pressure.assemble(prepared.field);
         pressure.solve(fluid.preconditioner, 1e-12 * accuracy);
         correction.set_up();
-        const CorrectedSolution corrected = correction.relax(pressure, prepared.field, 4);
+        const CorrectedSolution corrected = correction.relax(pressure, prepared.field);
         cost.flow.upper = cost.flow.rate = corrected.energy;
         cost.flow.unknowns               = pressure.n_unknowns();
         if (std::abs(corrected.energy / reference - 1) <= accuracy)

@@ -248,6 +248,7 @@ namespace strait
     {
       std::mt19937 random(1);
       double       widths = 0., widest = 0.;
+      int          n_closer = 0;
       for (int n = 0; n < 200; ++n)
         {
           FluidParameters fluid =
@@ -263,11 +264,35 @@ namespace strait
           const double upper = flow.drive() * network.conductance(flow.largest_weight);
           EXPECT_LE(lower, exact) << n;
           EXPECT_GE(upper, exact) << n;
+          ASSERT_EQ(flow.molecular_weight.has_value(), n % 2 == 0);
+          if (flow.molecular_weight)
+            {
+              const GapFactor one(1e-7, [](double) { return 1.; });
+              const double    viscous   = network.conductance(one);
+              const double    molecular = network.conductance(*flow.molecular_weight);
+              const double    of_two    = flow.least_of_two(viscous, molecular);
+              EXPECT_LE(of_two, exact) << n;
+              n_closer += of_two > lower ? 1 : 0;
+              // Each of the gases alone, and what the other adds at least to it.
+              const double p_in = fluid.inlet_pressure, p_out = fluid.outlet_pressure;
+              const double theta =
+                8. / 9. * std::pow(std::pow(p_in, 1.5) - std::pow(p_out, 1.5), 2) /
+                ((p_in - p_out) * (p_in * p_in - p_out * p_out));
+              const double r = flow.gas.mobility(1e-7, 0.) /
+                               (*flow.molecular_weight)(1e-7); // of the reference gap
+              const double of_viscous = (p_in - p_out) * viscous;
+              const double of_molecular =
+                (p_in - p_out) * r * molecular / fluid.mean_pressure();
+              EXPECT_GE(of_two * 1.0001,
+                        std::max(of_viscous + theta * of_molecular,
+                                 theta * of_viscous + of_molecular));
+            }
           widths += (upper - lower) / upper / 200.;
           widest = std::max(widest, (upper - lower) / upper);
         }
       EXPECT_LT(widths, .02);
       EXPECT_LT(widest, .2);
+      EXPECT_GT(n_closer, 10);
     }
 
     // Of channels in a row the bounds are what flows there, either way round.

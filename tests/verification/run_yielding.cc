@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Loads, searches and theory of a contact that flows at the hardness.
+#include <strait/base/exceptions.h>
+
 #include <gtest/gtest.h>
 
 #include "run_fixture.h"
@@ -44,6 +46,59 @@ namespace strait
       const std::vector<Row> around  = sweep(scene);
       EXPECT_GT(around[1].leak_rate, 0.);
       EXPECT_EQ(around[2].leak_rate, 0.);
+    }
+
+    // It opens again at a lower load than it closed at, the lower the larger the load
+    // was.
+    TEST(YieldingSeal, OpensWhereTheLargestLoadSays)
+    {
+      Scene scene                    = yielding_scene(.3);
+      scene.programme.find_threshold = true;
+      scene.programme.pressures      = {.05};
+      const double closes            = run_sweep(scene).thresholds.front().middle();
+      scene.programme.path           = LoadPath::unloading;
+      EXPECT_THROW(run_sweep(scene), ComputationError);
+      double opens = closes;
+      for (const double largest : {1.05 * closes, 1.4 * closes})
+        {
+          scene.programme.pressures     = {largest, .5 * closes};
+          scene.programme.reduced_loads = {.05, .1};
+          const Sweep      searched     = run_sweep(scene);
+          const Transition found        = searched.thresholds.front();
+          EXPECT_LT(found.relative_width(), 1e-4);
+          EXPECT_LT(found.upper, .95 * opens);
+          opens = found.lower;
+
+          // The same loads one after the other on the way back.
+          ASSERT_EQ(searched.rows.size(), 4U);
+          Scene without                    = scene;
+          without.programme.find_threshold = false;
+          without.programme.reduced_loads  = {};
+          without.programme.pressures      = {largest,
+                                              found.upper * (1 + 1e-3),
+                                              found.lower * (1 - 1e-3),
+                                              .95 * found.middle(),
+                                              .9 * found.middle(),
+                                              .5 * closes};
+          const std::vector<Row> rows      = sweep(without);
+          EXPECT_EQ(rows[1].leak_rate, 0.);
+          EXPECT_GT(rows[2].leak_rate, 0.);
+          EXPECT_NEAR(searched.rows[2].mean_gap / rows[3].mean_gap, 1., 1e-6);
+          EXPECT_NEAR(searched.rows[3].mean_gap / rows[4].mean_gap, 1., 1e-6);
+          EXPECT_NEAR(searched.rows[1].mean_gap / rows[5].mean_gap, 1., 1e-6);
+        }
+    }
+
+    // Nothing bears loads of the hardness, however little of it that is.
+    TEST(YieldingSeal, SearchStaysBelowTheHardness)
+    {
+      const double hardness          = .02;
+      Scene        scene             = yielding_scene(hardness);
+      scene.programme.find_threshold = true;
+      scene.programme.pressures      = {.1 * hardness};
+      const Transition found         = run_sweep(scene).thresholds.front();
+      EXPECT_LT(found.upper, .7 * hardness);
+      EXPECT_GT(found.lower, .3 * hardness);
     }
 
     TEST(YieldingSeal, StaysTightWhenUnloaded)

@@ -44,9 +44,7 @@ namespace strait
 
     /** Relax the solution of @p problem, with its coefficient taken anew from @p gap.
      *  Collective. */
-    CorrectedSolution relax(const PotentialProblem &problem,
-                            const GapField         &gap,
-                            unsigned int            n_steps) const;
+    CorrectedSolution relax(const PotentialProblem &problem, const GapField &gap) const;
 
     /** ∫ ∇u·curl v over an owned cell of two corrected solutions. */
     double gradient_times_curl(const CorrectedSolution::Nodes &u,

@@ -21,9 +21,11 @@ namespace strait
     double aspect = 1.;
 
     /** Of a rarefied gas: relative width of the bracket that the last mesh leaves if the
-     *  gas has the weight that was found, and mean free path over gap in the throat. */
-    double mesh_width = 0.;
-    double knudsen    = 0.;
+     *  gas has the weight that was found, mean free path over gap in the throat, and
+     * which lower bound is the larger one, `any-order` or `two-gases`. */
+    double      mesh_width = 0.;
+    double      knudsen    = 0.;
+    std::string bound      = "none";
 
     /** What the linear solver leaves over, relative. */
     double linear_error = 0.;

@@ -2,7 +2,8 @@
 #ifndef strait_flow_rarefied_problem_h
 #define strait_flow_rarefied_problem_h
 
-#include <strait/flow/bracket.h>
+#include <strait/flow/hierarchical_correction.h>
+#include <strait/flow/leakage.h>
 #include <strait/percolation/channel.h>
 
 namespace strait
@@ -26,13 +27,14 @@ namespace strait
                              double                tolerance,
                              bool                  starts_from_solution);
 
-  /** The bracket of the conductance between the extremes of the weight (RarefiedFlow),
-   *  with @p correction unless that is null. Adds to @p iterations. Collective. */
-  Bracket rarefied_bracket(FlowMesh               &mesh,
-                           const GapField         &gap,
-                           const LinearAccuracy   &accuracy,
-                           HierarchicalCorrection *correction,
-                           unsigned int           &iterations);
+  /** Replace the bounds of @p leakage by those of the nonlinear problem of the gas of
+   *  @p gap (RarefiedFlow), from linear problems on @p mesh; with @p correction, set up
+   *  for that mesh, unless that is null. Collective. */
+  void bound_rarefied(FlowMesh                     &mesh,
+                      const GapField               &gap,
+                      const LinearAccuracy         &accuracy,
+                      const HierarchicalCorrection *correction,
+                      Leakage                      &leakage);
 
   /** Mean free path over gap of the gas of @p gap in the throat of @p path, at the
    * pressure that the path's resistances give. */

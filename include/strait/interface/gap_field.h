@@ -51,8 +51,9 @@ namespace strait
    *
    * The coefficient is the conductivity K = g³/(12 η), or its reciprocal
    * 1/max(K, K_floor) for the lower bound. Of a rarefied gas K is that at the pressure
-   * half way, and there are its largest and least values at any pressure as well, the
-   * least as the largest resistivity. Cells of at least two grid spacings are
+   * half way, and what its bounds need is made when it is asked for: its largest and
+   * least values at any pressure, the least as the largest resistivity, and the two
+   * parts into which it may be split (RarefiedFlow). Cells of at least two grid spacings are
    * looked up in a pyramid of moments, where K was integrated on each cell of the grid
    * (CellQuadrature); smaller ones are integrated directly. Where the gap
    * has windows of finer points K is that of the finest level present: a cell of the grid
@@ -72,7 +73,9 @@ namespace strait
       conductivity,
       resistivity,
       largest_conductivity,
-      largest_resistivity
+      largest_resistivity,
+      viscous_resistivity,
+      molecular_resistivity
     };
 
     GapField(SlabLayoutPtr layout, const FluidParameters &fluid);
@@ -157,7 +160,15 @@ namespace strait
     };
 
     /** Find the moments of @p coefficient on the grid and on the windows. Collective. */
-    void build(Coefficient coefficient, Known &result) const;
+    void build(Coefficient coefficient, std::optional<Known> &result) const;
+
+    /** Those that are known; must be after build(). */
+    const std::optional<Known> &
+    known_of(const Coefficient coefficient) const
+    {
+      const auto index = static_cast<std::size_t>(coefficient);
+      return index < known.size() ? known[index] : known_other;
+    }
 
     CoefficientLaw law(Coefficient coefficient) const;
 
@@ -178,7 +189,10 @@ namespace strait
     double                              floor_value = 0.;
     int                                 halvings    = 0;
     std::shared_ptr<const RarefiedFlow> rarefied;
-    std::array<std::optional<Known>, 4> known; // of each coefficient that is in use
+    std::array<std::optional<Known>, 2> known; // of the conductivity and the resistivity
+    // Of another coefficient, the last that was asked for since the update().
+    mutable std::optional<Known> known_other;
+    mutable Coefficient          other = Coefficient::conductivity;
   };
 } // namespace strait
 

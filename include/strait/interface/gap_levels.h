@@ -39,6 +39,12 @@ namespace strait
       return *slab_layout;
     }
 
+    const SlabLayoutPtr &
+    layout_pointer() const
+    {
+      return slab_layout;
+    }
+
     /** The lower left one of the 3 × 3 cells by which a window replaces @p cell, if one
      *  does. */
     std::optional<LevelCell> first_finer_cell(const LevelCell &cell) const;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace strait
@@ -66,6 +67,14 @@ namespace strait
    * pressure: the best choice makes them the least and the most that would flow if the
    * parts of the path lay in a row in any order. It is found by what is the dual problem,
    * to place the parts at pressures such that the most flows, or the least.
+   *
+   * With slip there is another lower bound, which knows nothing of the path: m = p + r(g)
+   * is that of a viscous gas and of a molecular one side by side. Whatever Ψ' is,
+   * ∫ K p Ψ' |∇p|² is at least the square of ∫ √(p Ψ') dp times the conductance of K, and
+   * ∫ K r Ψ' |∇p|² that of ∫ √Ψ' dp times the conductance of K r. The best Ψ' makes of
+   * this the larger eigenvalue of
+   *   ( J_v  √(θ J_v J_m) ; √(θ J_v J_m)  J_m ),   θ = (∫ √p dp)²/(Δp ∫ p dp),
+   * with the throughputs J_v and J_m of each of the two gases alone.
    */
   class RarefiedFlow
   {
@@ -98,6 +107,14 @@ namespace strait
      */
     GapFactor least_weight, largest_weight;
 
+    /** With slip, r of a gap over that of the reference gap. */
+    std::optional<GapFactor> molecular_weight;
+
+    /** The least that leaks of two gases side by side, as a volume at the mean pressure
+     *  of the reservoirs, if @p viscous and @p molecular are the conductances of K and of
+     *  K molecular_weight. */
+    double least_of_two(double viscous, double molecular) const;
+
     /** The gas itself. */
     const RarefiedGas gas;
 
@@ -110,6 +127,7 @@ namespace strait
 
     double              low, high; // pressures
     double              reference_gap;
+    double              mean_pressure;      // of the reservoirs
     double              total_drive;        // ΔΨ [pressure²]
     double              pressure_drive;     // over the mean pressure, as it falls
     bool                falls;              // from the inlet to the outlet

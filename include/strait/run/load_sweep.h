@@ -117,11 +117,13 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    bool press(Step &step, const LoadStop &stop);
-    void leak(Step &step);
-    void judge(Step &step, const LoadStop &stop);
-    void compare_with_threshold(Step &step) const;
-    void compare_with_theory(Step &step);
+    SearchStart search_start() const;
+    bool        begins_where_search_ended() const;
+    bool        press(Step &step, const LoadStop &stop);
+    void        leak(Step &step);
+    void        judge(Step &step, const LoadStop &stop);
+    void        compare_with_threshold(Step &step) const;
+    void        compare_with_theory(Step &step);
 
     const Scene                      &scene;
     Log                              &log;

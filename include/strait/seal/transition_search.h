@@ -6,6 +6,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <vector>
@@ -33,14 +34,18 @@ namespace strait
   /** Where a search begins. */
   struct SearchStart
   {
-    SearchStart(const double value_, const double step_ = .2)
+    SearchStart(const double value_,
+                const double step_ = .2,
+                const double end_  = std::numeric_limits<double>::infinity())
       : value(value_)
       , step(step_)
+      , end(end_)
     {
     }
 
     double value;
     double step; // to the next value if both are on one side, relative to the first
+    double end;  // all values are below it, but for the first, which it may be
   };
 
   /**
@@ -71,8 +76,8 @@ namespace strait
 
     /**
      * Enclose the value above which the openness is no more than @p level, beginning with
-     * @p first. Throws ComputationError if no value within a factor of 10⁶ of the first
-     * brackets it. Collective if asking is.
+     * @p first. Throws ComputationError if no value within a factor of 10⁶ of the first,
+     * and below its end, brackets it. Collective if asking is.
      */
     Passage enclose(SearchStart first, double level);
 
