@@ -143,8 +143,10 @@ def draw_guides(axes, table):
 
 def fitted_exponents(table):
     """One line for each exponent of the leak rate in the table fit.csv."""
-    wanted = (table["quantity"] == "leak_rate") & (table["kind"] == "fit") if table else []
-    several = len(set(column(table, "slip_length", 0.))) > 1 if table else False
+    if not table or len(table["quantity"]) == 0:
+        return []
+    wanted = (table["quantity"] == "leak_rate") & (table["kind"] == "fit")
+    several = len(set(column(table, "slip_length", 0.))) > 1
     return [(f"$d_0$ = {scientific(table['slip_length'][k])}: " if several else "") +
             rf"$\beta$ = {table['exponent'][k]:.3f}" +
             (rf" $\pm$ {table['error'][k]:.3f}, " if table["points"][k] > 2 else ", ") +
