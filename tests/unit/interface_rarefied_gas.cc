@@ -9,31 +9,12 @@
 #include <cmath>
 #include <random>
 
+#include "helium.h"
+
 namespace strait
 {
   namespace
   {
-    FluidParameters
-    helium(const Rarefaction rarefaction)
-    {
-      FluidParameters fluid;
-      fluid.is_gas         = true;
-      fluid.rarefaction    = rarefaction;
-      fluid.viscosity      = 19.6e-6;
-      fluid.thermal_speed  = std::sqrt(2. * 8.314462618 * 293.15 / 4.0026e-3);
-      fluid.inlet_pressure = 2e5;
-      return fluid;
-    }
-
-    /** Whose coefficient of slip is one. */
-    FluidParameters
-    slipping_helium()
-    {
-      FluidParameters fluid = helium(Rarefaction::slip);
-      fluid.accommodation   = 2. * 1.1466 / 2.1466;
-      return fluid;
-    }
-
     TEST(RarefiedGas, SolutionOfTheBgkEquation)
     {
       const RarefiedGas gas(helium(Rarefaction::transitional));
