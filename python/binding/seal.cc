@@ -146,7 +146,7 @@ namespace strait::python
     {
       const py::object category = py::module_::import("strait").attr("SceneWarning");
       for (; n_warnings < log.warnings().size(); ++n_warnings)
-        if (PyErr_WarnEx(category.ptr(), log.warnings()[n_warnings].c_str(), 1) != 0)
+        if (PyErr_WarnEx(category.ptr(), log.warnings()[n_warnings].c_str(), 2) != 0)
           throw py::error_already_set();
     }
 

@@ -34,6 +34,9 @@ from .scene import Scene, statistics  # noqa: E402
 from .seal import Path, Seal, flow_in_gap  # noqa: E402
 from .sweep import sweep  # noqa: E402
 
+for _class in (BlowOut, Control, Flow, Jump, NotConverged, SceneError, State, Transition):
+    _class.__module__ = "strait"  # where users find it
+
 __all__ = ["BlowOut", "Control", "Flow", "Jump", "NotConverged", "Path", "Run", "Scene",
            "SceneError", "SceneWarning", "Seal", "State", "Table", "Transition", "__version__",
            "flow_in_gap", "read_table", "statistics", "sweep"]

@@ -95,7 +95,7 @@ class Scene(_core.Scene):
     (128, (0.05, 0.1))
     >>> Scene({"Contact/Grid pints": 128})
     Traceback (most recent call last):
-    strait._core.SceneError: --set "Contact/Grid pints=128": ...
+    strait.SceneError: --set "Contact/Grid pints=128": ...
     """
 
     def __init__(self, parameters: Mapping[str, Any] | None = None, /, **more: Any):
