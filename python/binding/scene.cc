@@ -142,33 +142,49 @@ namespace strait::python
   void
   bind_scene(py::module_ &module)
   {
-    py::class_<SceneSource, std::shared_ptr<SceneSource>>(module, "Scene")
+    py::class_<SceneSource, std::shared_ptr<SceneSource>>(
+      module, "Scene", "A scene file, and what it says.")
       .def(py::init(&make), py::arg("path"), py::arg("overrides"))
       .def_readonly("path", &SceneSource::path)
       .def_readonly("overrides", &SceneSource::overrides)
-      .def_property_readonly("values", &values)
-      .def_property_readonly("text",
-                             [](const SceneSource &source) {
-                               return source.scene.resolved;
-                             })
+      .def_property_readonly("values",
+                             &values,
+                             "All parameters by their names, as texts.")
+      .def_property_readonly(
+        "text",
+        [](const SceneSource &source) { return source.scene.resolved; },
+        "The scene file, every default filled in.")
       .def_property_readonly("directory",
                              [](const SceneSource &source) {
                                return source.scene.output.directory;
                              })
-      .def_property_readonly("shape",
-                             [](const SceneSource &source) {
-                               const PeriodicGrid grid = grid_of(source.scene);
-                               return py::make_tuple(grid.ny, grid.nx);
-                             })
-      .def_property_readonly("size",
-                             [](const SceneSource &source) {
-                               const PeriodicGrid grid = grid_of(source.scene);
-                               return py::make_tuple(grid.lx, grid.ly);
-                             })
-      .def("unit", &unit, py::arg("dimension"))
-      .def("heights", &heights, py::arg("comm") = py::none())
-      .def("describe", &describe_scene)
-      .def("run", &run, py::arg("verbose"), py::arg("resume"), py::arg("force"));
+      .def_property_readonly(
+        "shape",
+        [](const SceneSource &source) {
+          const PeriodicGrid grid = grid_of(source.scene);
+          return py::make_tuple(grid.ny, grid.nx);
+        },
+        "(ny, nx) of the grid, as of arrays.")
+      .def_property_readonly(
+        "size",
+        [](const SceneSource &source) {
+          const PeriodicGrid grid = grid_of(source.scene);
+          return py::make_tuple(grid.lx, grid.ly);
+        },
+        "(Lx, Ly) of the box.")
+      .def("unit",
+           &unit,
+           py::arg("dimension"),
+           "The unit of a dimension such as 'length³/time'.")
+      .def(
+        "heights",
+        &heights,
+        py::arg("comm") = py::none(),
+        "The surface, an array of shape (ny, nx), or the rows of one of the ranks of comm.")
+      .def("describe",
+           &describe_scene,
+           "Print what a run would do: sizes, memory, time, warnings.")
+      .def("_run", &run, py::arg("verbose"), py::arg("resume"), py::arg("force"));
     module.def("statistics", &statistics_of, py::arg("heights"), py::arg("size"));
     module.def("broadcast", &broadcast_text);
     module.def("rank", &rank);

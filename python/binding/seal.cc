@@ -319,12 +319,16 @@ namespace strait::python
            &Seal::control,
            py::arg("target"),
            py::arg("inlet_pressure") = py::none(),
-           py::arg("slip_length")    = py::none())
+           py::arg("slip_length")    = py::none(),
+           "A control whose other parts are those of the scene.")
       .def("solve", &Seal::solve, py::arg("control") = 0., py::arg("from_") = State())
-      .def("follow", &Seal::follow, py::arg("controls"), py::arg("from_") = State())
+      .def("_follow", &Seal::follow, py::arg("controls"), py::arg("from_") = State())
       .def("flow", &Seal::flow, py::arg("state"), py::arg("fields") = false)
-      .def("find_transitions", &Seal::find_transitions, py::arg("first") = py::none())
+      .def("find_transitions",
+           &Seal::find_transitions,
+           py::arg("first") = py::none(),
+           "The critical load of each slip length of the scene.")
       .def("find_blow_outs", &Seal::find_blow_outs, py::arg("loads"))
-      .def_property_readonly("rms_slope", &Seal::rms_slope);
+      .def_property_readonly("rms_slope", &Seal::rms_slope, "Of the surface.");
   }
 } // namespace strait::python

@@ -108,6 +108,7 @@ class Run:
         # Absent while the run goes on.
         self.record = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
         self.table = self.csv("leakage.csv")
+        self.keeper = None  # of a folder that is to last as long as this
 
     def csv(self, name):
         """The columns of a table by their names."""

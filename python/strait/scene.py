@@ -170,7 +170,7 @@ class Scene(_core.Scene):
         else:
             scene = self
         keeper = _TemporaryFolder(temporary) if temporary and _core.rank() == 0 else None
-        converged = _core.Scene.run(scene, verbose, resume, force or temporary is not None)
+        converged = scene._run(verbose, resume, force or temporary is not None)
         run = Run(scene.directory)
         run.keeper = keeper
         if not converged:

@@ -62,7 +62,7 @@ class Seal(_core.Seal):
                from_: _core.State | None = None) -> Path:
         """The states at each of `controls`, each reached from the one before. Jumps of an
         adhesive contact are enclosed. A path that ends in tension may be shorter."""
-        return Path(*super().follow(list(controls), from_))
+        return Path(*self._follow(list(controls), from_))
 
     def flow(self, state: _core.State, fields: bool = False) -> _core.Flow:
         """Percolation and leak rate in the gap of a state, to Fluid/Target accuracy. With
@@ -82,7 +82,7 @@ class Seal(_core.Seal):
 
 
 def flow_in_gap(gap: np.ndarray, size: float | tuple[float, float] = 1.,
-                parameters: Mapping[str, Any] | None = None, /, *, fields: bool = False,
+                parameters: Mapping[str, Any] | None = None, *, fields: bool = False,
                 **more: Any) -> _core.Flow:
     """The flow through a given gap, an array of shape (ny, nx), on a box of `size`: closed
     where it is not positive. Further parameters are those of a Scene.

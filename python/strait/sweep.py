@@ -41,7 +41,7 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
                   for values in itertools.product(*parameters.values())]
     else:
         points = [dict(point) for point in parameters]
-    jobs = []
+    jobs: list[tuple] = []
     for number, point in enumerate(points, 1):
         own = scene.replace(point)  # what is wrong with a scene is said before the first run
         folder = None if output is None else pathlib.Path(output) / str(number)

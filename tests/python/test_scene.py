@@ -43,7 +43,7 @@ class Scenes(unittest.TestCase):
 
     def test_errors_are_the_programs(self):
         for parameters, sentence in [({"Contact/Grid pints": 8}, "did you mean 'Grid points'"),
-                                     (dict(contact=dict(grid_pints=8)), "did you mean 'Grid points'"),
+                                     (dict(contact=dict(grid_pints=8)), "mean 'Grid points'"),
                                      ({"Contact/Grid points": -8}, "expected one or two integers"),
                                      ({"nonsense": 8}, "expected .Section/Parameter=value.")]:
             with self.assertRaisesRegex(strait.SceneError, sentence):
