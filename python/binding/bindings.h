@@ -3,10 +3,10 @@
 #define strait_python_bindings_h
 
 #include <strait/base/scene.h>
-#include <strait/flow/leakage.h>
 #include <strait/seal/path.h>
 #include <strait/seal/seal_search.h>
 #include <strait/seal/seal_state.h>
+#include <strait/seal/step_flow.h>
 
 #include <pybind11/pybind11.h>
 
@@ -51,6 +51,16 @@ namespace strait::python
      *  leak rate per length. */
     std::optional<SlabField> pressure, current;
   };
+
+  /** What is left of @p flow without its mesh: on the points of @p grid, which has no
+   *  windows, as the places in it are among @p points, which may have some. */
+  std::shared_ptr<Flow> record_of(const StepFlow        &flow,
+                                  const SlabLayout      &points,
+                                  const SlabLayoutPtr   &grid,
+                                  const FluidParameters &fluid);
+
+  /** Pressure and current of @p flow, which @p solver has found. Collective. */
+  void add_fields(Flow &flow, const ReynoldsSolver &solver);
 
   void bind_scene(py::module_ &module);
   void bind_states(py::module_ &module);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
 #include <strait/base/timers.h>
-#include <strait/flow/reynolds_solver.h>
-#include <strait/flow/solution_on_grid.h>
 #include <strait/run/load_sweep.h>
 #include <strait/seal/make_seal.h>
 #include <strait/surface/make_surface.h>
@@ -11,7 +9,6 @@
 
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <sstream>
 #include <tuple>
 #include <variant>
@@ -216,63 +213,18 @@ namespace strait::python
       return path;
     }
 
-    /** The values of @p whole, complete on rank 0, at the points of the grid where @p
-     * flow leaks. Collective. */
-    template <typename Transform>
-    SlabField
-    where_it_leaks(const Flow               &flow,
-                   const std::vector<float> &whole,
-                   const Transform          &transform)
-    {
-      SlabField field =
-        scatter_from_root(flow.layout, std::vector<double>(whole.begin(), whole.end()));
-      constexpr auto leaks = static_cast<std::uint8_t>(NodeState::percolating);
-      for (std::size_t k = 0; k < field.size(); ++k)
-        field[k] = flow.clusters[k] == leaks ? transform(field[k])
-                                             : std::numeric_limits<double>::quiet_NaN();
-      return field;
-    }
-
     std::shared_ptr<Flow>
     Seal::flow(const State &state, const bool with_fields)
     {
       require_fluid();
-      auto result = std::make_shared<Flow>();
+      std::shared_ptr<Flow> result;
       {
         const Computing computing;
         stage->set_inlet_pressure(state->control.inlet_pressure);
-        const StepFlow flow   = leak_through(*state, scene, *stage);
-        result->leakage       = flow.leakage;
-        result->percolates    = flow.channel.percolates();
-        result->effective_gap = effective_gap(flow.leakage, stage->fluid());
-        result->layout        = layout;
-        for (std::size_t k = 0; k < layout->n_values(); ++k) // without windows
-          result->clusters.push_back(
-            static_cast<std::uint8_t>(flow.channel.clusters.states[k]));
-        if (!flow.channel.paths.empty())
-          {
-            const FlowPath &path = flow.channel.paths.front();
-            const auto [x, y]    = state->gap().layout().position(path.bottleneck.window,
-                                                               path.bottleneck.ix,
-                                                               path.bottleneck.iy);
-            result->x            = x;
-            result->y            = y;
-            result->gap          = path.bottleneck_gap;
-          }
+        const StepFlow flow = leak_through(*state, scene, *stage);
+        result = record_of(flow, state->gap().layout(), layout, stage->fluid());
         if (with_fields && flow.solution)
-          {
-            const ReynoldsSolver &solver = *flow.solution;
-            const double          rate   = std::abs(flow.leakage.rate);
-            const FlowAtPoints    fields =
-              flow_at_points(solver, rows_of_grid(layout->grid(), 1));
-            result->pressure =
-              where_it_leaks(*result, fields.pressure, [&](double value) {
-                return solver.pressure_at(value);
-              });
-            result->current = where_it_leaks(*result, fields.current, [&](double value) {
-              return rate * value;
-            });
-          }
+          add_fields(*result, *flow.solution);
       }
       pass_warnings_on();
       return result;

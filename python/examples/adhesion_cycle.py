@@ -27,4 +27,4 @@ for jump in jumps:
 plt.xlabel("pressure")
 plt.ylabel("contact area")
 plt.legend()
-plt.savefig("adhesion_cycle.png")
+plt.savefig("adhesion_cycle.png", bbox_inches="tight")

@@ -30,4 +30,4 @@ print(f"rarefied over viscous: {rarefied[0] / viscous[0]:.3g} at 1 kPa, "
 plt.xlabel("inlet pressure (Pa), against vacuum")
 plt.ylabel("throughput (Pa m³/s)")
 plt.legend(title="rarefaction")
-plt.savefig("gas.png")
+plt.savefig("gas.png", bbox_inches="tight")

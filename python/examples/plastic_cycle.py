@@ -26,4 +26,4 @@ print(f"contact area at {up[0]}: {loading[0].contact_area:.4f}, "
 left.set(xlabel="pressure / E*", ylabel="contact area")
 right.set(xlabel="pressure / E*", ylabel="leak rate")
 left.legend()
-plt.savefig("plastic_cycle.png")
+plt.savefig("plastic_cycle.png", bbox_inches="tight")

@@ -25,4 +25,4 @@ plt.imshow(np.where(state.gap > 0, np.nan, 0.), cmap="gray", origin="lower", ext
 plt.imshow(flow.pressure, origin="lower", extent=(0, 1, 0, 1))
 plt.colorbar(label="pressure of the fluid")
 plt.plot(flow.constriction_x, flow.constriction_y, "ro", fillstyle="none", markersize=15)
-plt.savefig("ring.png")
+plt.savefig("ring.png", bbox_inches="tight")

@@ -27,4 +27,4 @@ plt.loglog(reduced, np.exp(offset) * reduced**exponent, label=f"exponent {expone
 plt.xlabel("1 − p/p_c")
 plt.ylabel("leak rate")
 plt.legend()
-plt.savefig("saddle_exponents.png")
+plt.savefig("saddle_exponents.png", bbox_inches="tight")

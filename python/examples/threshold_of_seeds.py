@@ -21,4 +21,4 @@ for seed, x, y in zip(table["Surface/Seed"], load, table["contact_area"]):
     plt.annotate(f" {seed}", (x, y))
 plt.xlabel("critical load / E*")
 plt.ylabel("contact area there")
-plt.savefig("threshold_of_seeds.png")
+plt.savefig("threshold_of_seeds.png", bbox_inches="tight")
