@@ -4,7 +4,7 @@
 
     from strait import Run            # or from strait_results, which needs numpy alone
     run = Run("output/quickstart")
-    run.table["leak_rate"]            # one array a column of leakage.csv
+    run.table["leak_rate"]            # one array a column of leakage.csv, or ensemble.csv
     run.unit("leak_rate")             # "m³/s"; "" if the scene states no units
     run.csv("fit.csv")                # any other table of the folder, units likewise
     run.table.to_pandas()             # as a DataFrame, where pandas is installed
@@ -107,7 +107,9 @@ class Run:
         record = self.folder / "run.json"
         # Absent while the run goes on.
         self.record = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
-        self.table = self.csv("leakage.csv")
+        # Of several realisations each has a folder with a table of its own.
+        is_ensemble = (self.folder / "ensemble.csv").exists()
+        self.table = self.csv("ensemble.csv" if is_ensemble else "leakage.csv")
         self.keeper = None  # of a folder that is to last as long as this
 
     def csv(self, name):

@@ -92,6 +92,12 @@ class Runs(unittest.TestCase):
                 other.run(folder)
             self.assertEqual(other.run(folder, force=True).table.n_rows, 2)
 
+    def test_realisations(self):
+        run = strait.Scene({**SMALL, "Realisations/Seeds": [3, 4], "Load programme/Pressures": 0.1,
+                            "Load programme/Find threshold": True}).run()
+        self.assertEqual(run.table["seed"].tolist(), [3, 4])
+        self.assertEqual(strait.Run(run.folder / "realisation-2").table.n_rows, 1)
+
     def test_not_converged_comes_with_its_results(self):
         with self.assertRaises(strait.NotConverged) as context:
             strait.Scene({**SMALL, "Contact/Maximum iterations": 2}).run()
