@@ -129,12 +129,14 @@ namespace strait::python
       return broadcast(MPI_COMM_WORLD, text);
     }
 
-    int
+    /** The number of this rank, and how many there are. */
+    std::pair<int, int>
     rank()
     {
       start();
-      int result = 0;
-      MPI_Comm_rank(MPI_COMM_WORLD, &result);
+      std::pair<int, int> result{0, 1};
+      MPI_Comm_rank(MPI_COMM_WORLD, &result.first);
+      MPI_Comm_size(MPI_COMM_WORLD, &result.second);
       return result;
     }
   } // namespace

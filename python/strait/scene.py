@@ -163,13 +163,13 @@ class Scene(_core.Scene):
         temporary = None
         if output is None and self["Output/Directory"] == "output":
             temporary = _core.broadcast(tempfile.mkdtemp(prefix="strait-")
-                                        if _core.rank() == 0 else "")
+                                        if _core.rank()[0] == 0 else "")
             scene = self.replace({"Output/Directory": temporary, "Output/Pictures": False})
         elif output is not None:
             scene = self.replace({"Output/Directory": output})
         else:
             scene = self
-        keeper = _TemporaryFolder(temporary) if temporary and _core.rank() == 0 else None
+        keeper = _TemporaryFolder(temporary) if temporary and _core.rank()[0] == 0 else None
         converged = scene._run(verbose, resume, force or temporary is not None)
         run = Run(scene.directory)
         run.keeper = keeper

@@ -20,6 +20,11 @@ from .results import Table
 from .scene import Scene
 
 
+# Variables of mpirun with which another process would take itself for this rank.
+OF_A_RANK = ("OMPI_COMM_", "OMPI_UNIVERSE_", "OMPI_MCA_orte_", "OMPI_MCA_ess", "OMPI_MCA_pmix",
+             "PMIX_")
+
+
 def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mapping[str, Any]], *,
           processes: int = 1, table: str = "leakage.csv",
           output: str | os.PathLike | None = None) -> Table:
@@ -47,6 +52,9 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
         folder = None if output is None else pathlib.Path(output) / str(number)
         jobs.append((own.path, own.overrides, folder, table))
     if processes > 1:
+        if _core.rank()[1] > 1:
+            raise _core.SceneError("On several ranks a sweep runs one scene after the other, each "
+                                   "on all ranks; leave out processes, or mpirun.")
         tables = _run_in_processes(jobs, processes)
     else:
         tables = [_run(*job) for job in jobs]
@@ -112,7 +120,7 @@ class _Worker:
 
     def __init__(self):
         environment = {name: value for name, value in os.environ.items()
-                       if not name.startswith(("OMPI_COMM_", "OMPI_UNIVERSE_", "PMIX_"))}
+                       if not name.startswith(OF_A_RANK)}
         environment.update(OMP_NUM_THREADS="1",
                            PYTHONPATH=os.pathsep.join(filter(None, map(str, [
                                pathlib.Path(__file__).parents[1],

@@ -145,6 +145,15 @@ class Ranks(unittest.TestCase):
             self.assertEqual(sorted(ended.stdout.splitlines()),
                              ["(128, 128) False", "(128, 128) True"])
 
+    def test_sweeps(self):
+        script = """
+            table = strait.sweep(scene, {"Surface/Seed": [1, 2]}, processes=%d)
+            sys.stdout.write(f"{table['leak_rate'][3]:.1e}\\n")
+            """
+        rate = run(script % 2, "mpirun", "-n", "1").stdout
+        self.assertEqual(self.run_on_two(script % 1).stdout, 2 * rate)
+        self.assertIn("leave out processes", self.run_on_two(script % 2).stderr)
+
     def test_one_rank_that_fails_ends_all(self):
         began = time.monotonic()
         ended = self.run_on_two("""
