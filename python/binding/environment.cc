@@ -76,7 +76,7 @@ namespace strait::python
     }
   } // namespace
 
-  std::mutex Computing::mutex;
+  std::recursive_mutex Computing::mutex;
 
   void
   start()

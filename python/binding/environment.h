@@ -32,14 +32,15 @@ namespace strait::python
 
   /**
    * While this exists other threads of Python run and this one computes. Only one at a
-   * time does, for neither MPI nor the planner of FFTW can be shared.
+   * time does, for neither MPI nor the planner of FFTW can be shared. A handler of a
+   * signal, or an object that it lets go, may compute again in the same thread.
    */
   class Computing
   {
-    py::gil_scoped_release      released;
-    std::lock_guard<std::mutex> alone{mutex};
+    py::gil_scoped_release                released;
+    std::lock_guard<std::recursive_mutex> alone{mutex};
 
-    static std::mutex mutex;
+    static std::recursive_mutex mutex;
   };
 
   /** Let Python act on signals; throws what its handlers raise. While Computing. */

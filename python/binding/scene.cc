@@ -76,14 +76,15 @@ namespace strait::python
     {
       start();
       require(array.ndim() == 2, "The heights must be an array of two dimensions.");
-      const PeriodicGrid grid{static_cast<int>(array.shape(1)),
+      const PeriodicGrid      grid{static_cast<int>(array.shape(1)),
                               static_cast<int>(array.shape(0)),
                               size[0],
                               size[1]};
-      const SlabField    field =
-        as_field(make_layout(grid, MPI_COMM_SELF), array, "heights");
-      const SurfaceStatistics all = statistics(field);
-      py::dict                result;
+      const SurfaceStatistics all = [&]() {
+        const Computing computing;
+        return statistics(as_field(make_layout(grid, MPI_COMM_SELF), array, "heights"));
+      }();
+      py::dict result;
       result["rms_height"]    = all.rms_height;
       result["rms_slope"]     = all.rms_slope;
       result["rms_curvature"] = all.rms_curvature;
@@ -126,7 +127,16 @@ namespace strait::python
     broadcast_text(const std::string &text)
     {
       start();
+      const Computing computing;
       return broadcast(MPI_COMM_WORLD, text);
+    }
+
+    void
+    wait_for_all_ranks()
+    {
+      start();
+      const Computing computing;
+      MPI_Barrier(MPI_COMM_WORLD);
     }
 
     /** The number of this rank, and how many there are. */
@@ -190,5 +200,6 @@ namespace strait::python
     module.def("statistics", &statistics_of, py::arg("heights"), py::arg("size"));
     module.def("broadcast", &broadcast_text);
     module.def("rank", &rank);
+    module.def("wait_for_all_ranks", &wait_for_all_ranks);
   }
 } // namespace strait::python

@@ -89,12 +89,12 @@ namespace strait::python
       // decide.
       scene.programme.find_threshold = scene.contact.enabled && scene.fluid.enabled &&
                                        scene.contact.control == ContactControl::load;
-      SlabField heights;
-      if (array)
-        heights = as_field(layout, *array, "heights");
       {
         const Computing computing;
-        if (!array)
+        SlabField       heights;
+        if (array)
+          heights = as_field(layout, *array, "heights");
+        else
           {
             const auto surface = make_surface(scene.surface, communicator);
             heights            = surface->heights(layout);
@@ -114,6 +114,10 @@ namespace strait::python
     Seal::~Seal()
     {
       forget_at_exit(this);
+      if (!model) // was freed at exit
+        return;
+      const Computing computing;
+      free();
     }
 
     void

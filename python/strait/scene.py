@@ -150,9 +150,9 @@ class Scene(_core.Scene):
         """Run the scene as the program does; collective on all ranks.
 
         Results go to the folder `output`, or where the scene says; where neither says
-        anything, to a temporary folder that lasts as long as what is returned. `verbose` shows
-        the log, `resume` and `force` are the options of the program. Ctrl-C ends the run
-        after a step; it can be resumed. Raises NotConverged, whose attribute `run` has the
+        anything, to a temporary folder that lasts as long as what is returned, on the first
+        rank. `verbose` shows the log, `resume` and `force` are the options of the program.
+        Ctrl-C ends the run after a step; it can be resumed. Raises NotConverged, whose attribute `run` has the
         results, if a step did not reach what was asked.
 
         >>> run = Scene(contact=dict(grid_points=64, enabled=False), fluid=dict(viscosity=1/12),
@@ -173,6 +173,7 @@ class Scene(_core.Scene):
         converged = scene._run(verbose, resume, force or temporary is not None)
         run = Run(scene.directory)
         run.keeper = keeper
+        _core.wait_for_all_ranks()  # the folder may go when the first of them is done with it
         if not converged:
             error = _core.NotConverged(
                 "Some steps did not reach what was asked; the column status of the table "

@@ -70,7 +70,9 @@ def _run(path: str, overrides: list[str], folder: os.PathLike | None, table: str
         if not hasattr(error, "run"):
             return Table({"status": np.array(["failed"])})
         run = error.run
-    return run.csv(table)
+    result = run.csv(table)
+    _core.wait_for_all_ranks()  # before a temporary folder goes
+    return result
 
 
 def _under_each_other(points: list[dict[str, Any]], tables: list[Table]) -> Table:

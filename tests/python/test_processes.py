@@ -32,7 +32,7 @@ class Interrupted(unittest.TestCase):
             process.send_signal(signal.SIGINT)
             began = time.monotonic()
             printed, _ = process.communicate(timeout=60)
-        self.assertLess(time.monotonic() - began, 10)
+        self.assertLess(time.monotonic() - began, 30)
         self.assertEqual(process.returncode, 0, printed)
         return printed
 

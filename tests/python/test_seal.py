@@ -148,6 +148,21 @@ class Seals(unittest.TestCase):
                          [0.05, 0.1, 0.15])
         self.assertGreater(len(counted), 3)
 
+    def test_threads_make_and_drop_seals(self):
+        areas = []
+
+        def work():
+            for _ in range(5):
+                areas.append(strait.Seal(self.scene, self.scene.heights()).solve(0.1).contact_area)
+
+        threads = [threading.Thread(target=work) for _ in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(len(areas), 15)
+        self.assertEqual(len(set(areas)), 1)
+
     def test_memory_does_not_grow(self):
         for _ in range(50):
             self.seal.solve(0.1)
