@@ -28,7 +28,7 @@ def main():
         print("clang-format 14 is not installed: the format is not checked")
         return 77
     files = [os.path.join(path, name)
-             for folder in ("include", "source", "tests")
+             for folder in ("include", "source", "python", "tests")
              for path, _, names in os.walk(os.path.join(project, folder))
              for name in sorted(names) if name.endswith((".h", ".cc"))]
     output = subprocess.run([program, "--dry-run"] + files, check=False,

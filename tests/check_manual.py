@@ -98,9 +98,9 @@ def pages_of(project):
     return [project / "README.md"] + sorted((project / "doc").glob("*.md"))
 
 
-def make_copy(project, folder):
+def make_copy(project, folder, package):
     shutil.rmtree(folder, ignore_errors=True)
-    for name in ("README.md", "prm", "tools", "doc", "tests"):
+    for name in ("README.md", "prm", "tools", "doc", "tests", "python", "meshes"):
         source = project / name
         if source.is_dir():
             shutil.copytree(source, folder / name, ignore=shutil.ignore_patterns("fuzz", "*.cc"))
@@ -109,6 +109,8 @@ def make_copy(project, folder):
             shutil.copy(source, folder / name)
     (folder / "tools" / "setup").write_text("#!/bin/sh\n", "utf-8")
     (folder / "build").mkdir()
+    if package.is_dir():
+        (folder / "build" / "python").symlink_to(package)
 
 
 def install_program(program, folder, arguments):
@@ -140,9 +142,12 @@ def run(block, program, folder):
 
 
 def check_commands(project, program, folder):
-    make_copy(project, folder)
+    package = program.parent / "python"
+    make_copy(project, folder, package)
     n_run, problems = 0, []
     for page in pages_of(project):
+        if page.name == "python.md" and not package.is_dir():
+            continue
         shutil.rmtree(folder / "output", ignore_errors=True)
         for block in blocks_of(page):
             problem = block.problem

@@ -6,6 +6,7 @@
 
 Status 77 (a skipped test) where Debian's tools for packages are missing.
 """
+import os
 import re
 import shutil
 import subprocess
@@ -51,6 +52,14 @@ def main():
     results = folder / "output" / "measured_surface"
     if not (results / "leakage.png").exists():
         sys.exit("FAILED: the unpacked program drew no picture")
+    modules = root / "usr/lib/python3/dist-packages"
+    if modules.exists():
+        path = {**os.environ, "PYTHONPATH": str(modules)}
+        seed = run("/usr/bin/python3", "-c",
+                   "import strait; print(strait.__file__, strait.Scene(surface=dict(seed=7))"
+                   "['Surface/Seed'])", cwd=folder, env=path)
+        if seed.split() != [str(modules / "strait/__init__.py"), "7"]:
+            sys.exit(f"FAILED: the package for Python says {seed}")
     if "leak_rate (m³/s)" not in run(root / "usr/share/strait/strait_results.py", results):
         sys.exit("FAILED: the reader of results shows no leak rate")
     shutil.rmtree(folder)

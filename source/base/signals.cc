@@ -19,6 +19,7 @@ namespace strait
   void
   catch_signals()
   {
+    caught = 0;
     for (const int number : {SIGTERM, SIGINT, SIGUSR1})
       {
         struct sigaction action = {};

@@ -31,6 +31,23 @@ namespace strait
     }
   } // namespace
 
+  StepFlow
+  leak_through(const SealState &state, const Scene &scene, FlowStage &flow)
+  {
+    const double accuracy = scene.fluid.target_accuracy;
+    StepFlow     result =
+      state.fluid && state.fluid->lifted_off
+            ? unlimited_flow(state.gap().size())
+            : flow.solve(state.gap(),
+                     state.control.slip_length,
+                     scene.contact.zoom.enabled ? share_of_mesh
+                                                    : share_of_bracket(state, accuracy));
+    if (state.fluid && result.solution)
+      allow_for_feedback(result.leakage, *state.fluid, accuracy);
+    flow.warn_of_width(result.leakage);
+    return result;
+  }
+
   LoadSweep::LoadSweep(const Scene &scene_,
                        SlabField    heights,
                        Log         &log_,
@@ -203,20 +220,9 @@ namespace strait
   {
     if (!flow)
       return;
-    const auto   scope    = timers.scope("flow");
-    const auto   start    = Timers::Clock::now();
-    const double accuracy = scene.fluid.target_accuracy;
-    if (step.state.fluid && step.state.fluid->lifted_off)
-      step.flow = unlimited_flow(step.state.gap().size());
-    else
-      step.flow =
-        flow->solve(step.state.gap(),
-                    step.state.control.slip_length,
-                    scene.contact.zoom.enabled ? share_of_mesh
-                                               : share_of_bracket(step.state, accuracy));
-    if (step.state.fluid && step.flow->solution)
-      allow_for_feedback(step.flow->leakage, *step.state.fluid, accuracy);
-    flow->warn_of_width(step.flow->leakage);
+    const auto scope = timers.scope("flow");
+    const auto start = Timers::Clock::now();
+    step.flow        = leak_through(step.state, scene, *flow);
     step.flow_seconds += Timers::seconds_since(start);
   }
 

@@ -10,8 +10,9 @@ namespace strait
 {
   /**
    * From now on SIGTERM, SIGINT and SIGUSR1 do not end the program but are noted for
-   * stop_requested(); a second one ends it at once. A file that grows beyond what the
-   * system allows makes its writing fail rather than end the program.
+   * stop_requested(); a second one ends it at once. Those before are forgotten. A file
+   * that grows beyond what the system allows makes its writing fail rather than end the
+   * program.
    */
   void catch_signals();
 

@@ -21,6 +21,12 @@
 namespace strait
 {
   /**
+   * The channel and the leak rate in the gap of @p state, to the accuracy that @p scene
+   * asks for. Collective.
+   */
+  StepFlow leak_through(const SealState &state, const Scene &scene, FlowStage &flow);
+
+  /**
    * The method in one place: for each load of the programme, press the surface
    * against the elastic half-space, ask whether a channel percolates through the
    * gap, and solve for the flow through it. If the scene asks for the critical load or

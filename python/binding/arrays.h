@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_python_arrays_h
+#define strait_python_arrays_h
+
+#include <strait/spectral/slab_field.h>
+
+#include <pybind11/numpy.h>
+
+namespace strait::python
+{
+  namespace py = pybind11;
+
+  using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+  /** The rows of this rank as an array of shape (rows, nx) that is not to be written to.
+   *  It shares @p values, which @p owner keeps alive. */
+  template <typename Number>
+  py::array
+  as_array(const SlabLayout &layout, const Number *values, const py::handle &owner)
+  {
+    py::array_t<Number> array({layout.n_rows(), layout.grid().nx}, values, owner);
+    array.attr("setflags")(py::arg("write") = false);
+    return std::move(array);
+  }
+
+  /** The same of a field that nobody owns yet. */
+  py::array as_array(SlabField field);
+
+  /** A field of the values of @p array, which holds the whole grid or the rows of this
+   *  rank. Throws InputError for another shape or a value that is not finite; @p what
+   *  names the array. Collective. */
+  SlabField as_field(const SlabLayoutPtr &layout, const Array &array, const char *what);
+} // namespace strait::python
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_python_bindings_h
+#define strait_python_bindings_h
+
+#include <strait/base/scene.h>
+#include <strait/seal/path.h>
+#include <strait/seal/seal_search.h>
+#include <strait/seal/seal_state.h>
+#include <strait/seal/step_flow.h>
+
+#include <pybind11/pybind11.h>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace strait::python
+{
+  namespace py = pybind11;
+
+  /** A scene and what it was made of. */
+  struct SceneSource
+  {
+    std::string path; // of the scene file
+    Overrides   overrides;
+    Scene       scene;
+  };
+
+  /** States are shared with the arrays that show their fields. */
+  using State = std::shared_ptr<SealState>;
+
+  /** What the fluid does in one gap, without the mesh that it was found on. */
+  struct Flow
+  {
+    Leakage                   leakage;
+    bool                      percolates    = false;
+    double                    effective_gap = 0.;
+    SlabLayoutPtr             layout;
+    std::vector<std::uint8_t> clusters; // NodeState of each point
+
+    /** The narrowest point of the path of least resistance; not numbers if there is none.
+     */
+    double x   = std::numeric_limits<double>::quiet_NaN();
+    double y   = std::numeric_limits<double>::quiet_NaN();
+    double gap = std::numeric_limits<double>::quiet_NaN();
+
+    /** At the points that leak, if asked for; elsewhere not a number. The current is the
+     *  leak rate per length. */
+    std::optional<SlabField> pressure, current;
+  };
+
+  /** What is left of @p flow without its mesh: on the points of @p grid, which has no
+   *  windows, as the places in it are among @p points, which may have some. */
+  std::shared_ptr<Flow> record_of(const StepFlow        &flow,
+                                  const SlabLayout      &points,
+                                  const SlabLayoutPtr   &grid,
+                                  const FluidParameters &fluid);
+
+  /** Pressure and current of @p flow, which @p solver has found. Collective. */
+  void add_fields(Flow &flow, const ReynoldsSolver &solver);
+
+  void bind_scene(py::module_ &module);
+  void bind_states(py::module_ &module);
+  void bind_seal(py::module_ &module);
+} // namespace strait::python
+
+#endif

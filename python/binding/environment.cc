@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "environment.h"
+
+#include <strait/base/signals.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/vector_memory.h>
+
+#include <p4est.h>
+#include <sc.h>
+
+#include <map>
+#include <memory>
+
+namespace strait::python
+{
+  namespace
+  {
+    /** All of deal.II's start, if MPI was not running; else empty. */
+    std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> own_mpi;
+
+    std::map<void *, std::function<void()>> &
+    live_objects()
+    {
+      static std::map<void *, std::function<void()>> objects;
+      return objects;
+    }
+
+    /** Where an MPI runs already: what else MPI_InitFinalize does. */
+    void
+    join_mpi()
+    {
+      sc_init(MPI_COMM_WORLD, 0, 0, nullptr, SC_LP_SILENT);
+      p4est_init(nullptr, SC_LP_SILENT);
+      dealii::MultithreadInfo::set_thread_limit(1);
+    }
+
+    /** The reverse; vectors that are kept for later use know communicators. */
+    void
+    leave_mpi()
+    {
+      using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+      dealii::GrowingVectorMemory<Vector>::release_unused_memory();
+      dealii::GrowingVectorMemory<
+        dealii::TrilinosWrappers::MPI::Vector>::release_unused_memory();
+      sc_finalize();
+    }
+
+    /**
+     * Whether the script ends with an exception on one of several ranks: the others may
+     * wait for it for ever.
+     */
+    bool
+    leaves_others_behind()
+    {
+      int n_ranks = 1;
+      MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+      return n_ranks > 1 && py::hasattr(py::module_::import("sys"), "last_type");
+    }
+
+    void
+    stop()
+    {
+      if (leaves_others_behind())
+        MPI_Abort(MPI_COMM_WORLD, 1);
+      for (const auto &object : live_objects())
+        object.second();
+      live_objects().clear();
+      if (own_mpi)
+        own_mpi.reset();
+      else
+        leave_mpi();
+    }
+  } // namespace
+
+  std::recursive_mutex Computing::mutex;
+
+  void
+  start()
+  {
+    static bool is_started = false;
+    if (is_started)
+      return;
+    is_started     = true;
+    int is_running = 0;
+    MPI_Initialized(&is_running);
+    if (is_running != 0)
+      join_mpi();
+    else
+      {
+        int    argc = 0;
+        char **argv = nullptr;
+        own_mpi =
+          std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
+      }
+    py::module_::import("atexit").attr("register")(py::cpp_function(&stop));
+  }
+
+  void
+  free_at_exit(void *object, std::function<void()> free)
+  {
+    live_objects()[object] = std::move(free);
+  }
+
+  void
+  forget_at_exit(void *object)
+  {
+    live_objects().erase(object);
+  }
+
+  MPI_Comm
+  communicator_of(const py::object &comm)
+  {
+    start();
+    if (comm.is_none())
+      return MPI_COMM_WORLD;
+    return MPI_Comm_f2c(comm.attr("py2f")().cast<MPI_Fint>());
+  }
+
+  void
+  check_signals()
+  {
+    const py::gil_scoped_acquire held;
+    if (PyErr_CheckSignals() != 0)
+      throw py::error_already_set();
+  }
+
+  SignalsOfProgram::SignalsOfProgram()
+  {
+    sigaction(SIGINT, nullptr, &interrupt);
+    sigaction(SIGTERM, nullptr, &terminate);
+    sigaction(SIGUSR1, nullptr, &user);
+    sigaction(SIGXFSZ, nullptr, &file_size);
+    catch_signals();
+  }
+
+  SignalsOfProgram::~SignalsOfProgram()
+  {
+    sigaction(SIGINT, &interrupt, nullptr);
+    sigaction(SIGTERM, &terminate, nullptr);
+    sigaction(SIGUSR1, &user, nullptr);
+    sigaction(SIGXFSZ, &file_size, nullptr);
+  }
+} // namespace strait::python

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/base/log.h>
+#include <strait/base/scene_text.h>
+#include <strait/base/table.h>
+#include <strait/base/text.h>
+#include <strait/run/earlier_results.h>
+#include <strait/run/ensemble.h>
+#include <strait/run/simulation.h>
+#include <strait/surface/make_surface.h>
+#include <strait/surface/read_scene.h>
+#include <strait/surface/resolution.h>
+#include <strait/surface/statistics.h>
+
+#include <pybind11/iostream.h>
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "environment.h"
+
+namespace strait::python
+{
+  namespace
+  {
+    SceneSource
+    make(const std::string &path, const Overrides &overrides)
+    {
+      start();
+      const Computing computing;
+      return {path, overrides, read_scene(path, overrides)};
+    }
+
+    /** All parameters, "Section/Name", and their values as they stand in a scene file. */
+    py::dict
+    values(const SceneSource &source)
+    {
+      py::dict result;
+      for (const SceneEntry &entry : lex_scene(source.scene.resolved, "", ""))
+        if (!entry.name.empty())
+          result[py::str(join(entry.section, "/") + "/" + entry.name)] = entry.value;
+      return result;
+    }
+
+    /** The unit of a dimension such as "length³/time"; empty if the scene does not state
+     *  what that needs. */
+    std::string
+    unit(const SceneSource &source, const std::string &dimension)
+    {
+      const UnitParameters &units = source.scene.units;
+      const auto            lacks = [&](const char *quantity, const std::string &own) {
+        return own.empty() && dimension.find(quantity) != std::string::npos;
+      };
+      return lacks("length", units.length) || lacks("pressure", units.pressure) ||
+                 lacks("time", units.time)
+               ? ""
+               : in_units_of(dimension, units);
+    }
+
+    py::array
+    heights(const SceneSource &source, const py::object &comm)
+    {
+      MPI_Comm  communicator = communicator_of(comm);
+      SlabField field;
+      {
+        const Computing     computing;
+        const SlabLayoutPtr layout = make_layout(grid_of(source.scene), communicator);
+        field = make_surface(source.scene.surface, communicator)->heights(layout);
+      }
+      return as_array(std::move(field));
+    }
+
+    py::dict
+    statistics_of(const Array &array, const std::array<double, 2> &size)
+    {
+      start();
+      require(array.ndim() == 2, "The heights must be an array of two dimensions.");
+      const PeriodicGrid      grid{static_cast<int>(array.shape(1)),
+                              static_cast<int>(array.shape(0)),
+                              size[0],
+                              size[1]};
+      const SurfaceStatistics all = [&]() {
+        const Computing computing;
+        return statistics(as_field(make_layout(grid, MPI_COMM_SELF), array, "heights"));
+      }();
+      py::dict result;
+      result["rms_height"]    = all.rms_height;
+      result["rms_slope"]     = all.rms_slope;
+      result["rms_curvature"] = all.rms_curvature;
+      result["highest"]       = all.highest;
+      result["lowest"]        = all.lowest;
+      return result;
+    }
+
+    /** What main() does with a scene. Returns whether all steps converged. */
+    bool
+    run(const SceneSource &source,
+        const bool         verbose,
+        const bool         resume,
+        const bool         force)
+    {
+      py::detail::pythonbuf  buffer(py::module_::import("sys").attr("stdout"));
+      std::ostream           screen(&buffer);
+      const SignalsOfProgram signals;
+      const Computing        computing;
+      Log log(MPI_COMM_WORLD, screen, verbose ? Log::Screen::plain : Log::Screen::silent);
+      if (!force && !resume)
+        refuse_results_of_another_scene(source.scene, MPI_COMM_WORLD);
+      const bool converged =
+        run_all_realisations(source.path, source.overrides, source.scene, log, resume);
+      MPI_Barrier(MPI_COMM_WORLD); // all ranks may read what rank 0 wrote
+      return converged;
+    }
+
+    void
+    describe_scene(const SceneSource &source)
+    {
+      py::detail::pythonbuf buffer(py::module_::import("sys").attr("stdout"));
+      std::ostream          screen(&buffer);
+      const Computing       computing;
+      Log                   log(MPI_COMM_WORLD, screen, Log::Screen::plain);
+      describe(source.scene, log);
+    }
+
+    std::string
+    broadcast_text(const std::string &text)
+    {
+      start();
+      const Computing computing;
+      return broadcast(MPI_COMM_WORLD, text);
+    }
+
+    void
+    wait_for_all_ranks()
+    {
+      start();
+      const Computing computing;
+      MPI_Barrier(MPI_COMM_WORLD);
+    }
+
+    /** The number of this rank, and how many there are. */
+    std::pair<int, int>
+    rank()
+    {
+      start();
+      std::pair<int, int> result{0, 1};
+      MPI_Comm_rank(MPI_COMM_WORLD, &result.first);
+      MPI_Comm_size(MPI_COMM_WORLD, &result.second);
+      return result;
+    }
+  } // namespace
+
+  void
+  bind_scene(py::module_ &module)
+  {
+    py::class_<SceneSource, std::shared_ptr<SceneSource>>(
+      module, "Scene", "A scene file, and what it says.")
+      .def(py::init(&make), py::arg("path"), py::arg("overrides"))
+      .def_readonly("path", &SceneSource::path)
+      .def_readonly("overrides", &SceneSource::overrides)
+      .def_property_readonly("values",
+                             &values,
+                             "All parameters by their names, as texts.")
+      .def_property_readonly(
+        "text",
+        [](const SceneSource &source) { return source.scene.resolved; },
+        "The scene file, every default filled in.")
+      .def_property_readonly("directory",
+                             [](const SceneSource &source) {
+                               return source.scene.output.directory;
+                             })
+      .def_property_readonly(
+        "shape",
+        [](const SceneSource &source) {
+          const PeriodicGrid grid = grid_of(source.scene);
+          return py::make_tuple(grid.ny, grid.nx);
+        },
+        "(ny, nx) of the grid, as of arrays.")
+      .def_property_readonly(
+        "size",
+        [](const SceneSource &source) {
+          const PeriodicGrid grid = grid_of(source.scene);
+          return py::make_tuple(grid.lx, grid.ly);
+        },
+        "(Lx, Ly) of the box.")
+      .def("unit",
+           &unit,
+           py::arg("dimension"),
+           "The unit of a dimension such as 'length³/time'.")
+      .def(
+        "heights",
+        &heights,
+        py::arg("comm") = py::none(),
+        "The surface, an array of shape (ny, nx), or the rows of one of the ranks of comm.")
+      .def("describe",
+           &describe_scene,
+           "Print what a run would do: sizes, memory, time, warnings.")
+      .def("_run", &run, py::arg("verbose"), py::arg("resume"), py::arg("force"));
+    module.def("statistics", &statistics_of, py::arg("heights"), py::arg("size"));
+    module.def("broadcast", &broadcast_text);
+    module.def("rank", &rank);
+    module.def("wait_for_all_ranks", &wait_for_all_ranks);
+  }
+} // namespace strait::python

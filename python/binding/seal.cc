@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/base/timers.h>
+#include <strait/run/load_sweep.h>
+#include <strait/seal/make_seal.h>
+#include <strait/surface/make_surface.h>
+#include <strait/surface/resolution.h>
+#include <strait/surface/statistics.h>
+
+#include <pybind11/stl.h>
+
+#include <sstream>
+#include <tuple>
+#include <variant>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "environment.h"
+
+namespace strait::python
+{
+  namespace
+  {
+    /**
+     * The seal of a scene: its model, and the flow through the gaps that the model makes.
+     * A load alone is a control with what else the scene prescribes. All is collective.
+     */
+    class Seal
+    {
+    public:
+      using LoadOrControl = std::variant<double, Control>;
+
+      /** States, jumps between them, and whether the surfaces parted before the last. */
+      using Followed = std::tuple<std::vector<State>, std::vector<Jump>, bool>;
+
+      Seal(const SceneSource          &source,
+           const std::optional<Array> &heights,
+           const py::object           &comm);
+      ~Seal();
+      Seal(const Seal &)            = delete;
+      Seal &operator=(const Seal &) = delete;
+
+      Control control(double                target,
+                      std::optional<double> inlet_pressure,
+                      std::optional<double> slip_length) const;
+
+      State    solve(const LoadOrControl &at, const State &from);
+      Followed follow(const std::vector<LoadOrControl> &through, const State &from);
+      std::shared_ptr<Flow>   flow(const State &state, bool with_fields);
+      std::vector<Transition> find_transitions(std::optional<double> first);
+      std::vector<BlowOut>    find_blow_outs(const std::vector<double> &loads);
+
+      double
+      rms_slope() const
+      {
+        return slope;
+      }
+
+    private:
+      Control    control_of(const LoadOrControl &at) const;
+      Aim        aim() const;
+      SealModel &open();
+      void       require_fluid();
+      void       free();
+      void       pass_warnings_on();
+
+      Scene                      scene;
+      MPI_Comm                   communicator;
+      std::ostringstream         nowhere;
+      Log                        log;
+      Timers                     timers;
+      SlabLayoutPtr              layout;
+      double                     slope = 0.; // of the surface, rms
+      ContactParameters          contact;
+      std::unique_ptr<FlowStage> stage;          // unless the fluid is off
+      std::unique_ptr<SealModel> model;          // null once MPI has ended
+      std::size_t                n_warnings = 0; // that were passed on
+    };
+
+    Seal::Seal(const SceneSource          &source,
+               const std::optional<Array> &array,
+               const py::object           &comm)
+      : scene(source.scene)
+      , communicator(communicator_of(comm))
+      , log(communicator, nowhere, Log::Screen::silent)
+      , layout(make_layout(grid_of(scene), communicator))
+    {
+      // Loads are searched on request, and what is left over by the solver must never
+      // decide.
+      scene.programme.find_threshold = scene.contact.enabled && scene.fluid.enabled &&
+                                       scene.contact.control == ContactControl::load;
+      {
+        const Computing computing;
+        SlabField       heights;
+        if (array)
+          heights = as_field(layout, *array, "heights");
+        else
+          {
+            const auto surface = make_surface(scene.surface, communicator);
+            heights            = surface->heights(layout);
+            for (const std::string &warning : surface->remarks().warnings)
+              log.warn(warning);
+          }
+        slope   = statistics(heights).rms_slope;
+        contact = complete_contact(scene, heights, 0., log);
+        if (scene.fluid.enabled)
+          stage = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
+        model = make_seal(scene, contact, std::move(heights), stage.get(), log);
+      }
+      free_at_exit(this, [this]() { free(); });
+      pass_warnings_on();
+    }
+
+    Seal::~Seal()
+    {
+      forget_at_exit(this);
+      if (!model) // was freed at exit
+        return;
+      const Computing computing;
+      free();
+    }
+
+    void
+    Seal::free()
+    {
+      model.reset();
+      stage.reset();
+    }
+
+    SealModel &
+    Seal::open()
+    {
+      if (!model)
+        throw std::runtime_error("MPI has ended, and with it this seal.");
+      return *model;
+    }
+
+    void
+    Seal::require_fluid()
+    {
+      open();
+      require(stage != nullptr, "Fluid/Enabled is false, so there is no flow.");
+    }
+
+    void
+    Seal::pass_warnings_on()
+    {
+      const py::object category = py::module_::import("strait").attr("SceneWarning");
+      for (; n_warnings < log.warnings().size(); ++n_warnings)
+        if (PyErr_WarnEx(category.ptr(), log.warnings()[n_warnings].c_str(), 2) != 0)
+          throw py::error_already_set();
+    }
+
+    Control
+    Seal::control(const double                target,
+                  const std::optional<double> inlet_pressure,
+                  const std::optional<double> slip_length) const
+    {
+      return {target,
+              inlet_pressure.value_or(scene.fluid.inlet_pressure),
+              slip_length.value_or(scene.fluid.slip_lengths.front())};
+    }
+
+    Control
+    Seal::control_of(const LoadOrControl &at) const
+    {
+      const auto *const target = std::get_if<double>(&at);
+      return target != nullptr ? control(*target, {}, {}) : std::get<Control>(at);
+    }
+
+    Aim
+    Seal::aim() const
+    {
+      return stage ? Aim::leak_rate : Aim::verdict;
+    }
+
+    State
+    Seal::solve(const LoadOrControl &at, const State &from)
+    {
+      State state;
+      {
+        SealModel      &seal = open();
+        const Computing computing;
+        state =
+          std::make_shared<SealState>(seal.solve(control_of(at), from.get(), aim()));
+      }
+      pass_warnings_on();
+      return state;
+    }
+
+    Seal::Followed
+    Seal::follow(const std::vector<LoadOrControl> &through, const State &from)
+    {
+      Followed path;
+      auto &[states, jumps, parted] = path;
+      {
+        SealModel      &seal = open();
+        const Computing computing;
+        scene.programme.pressures.clear(); // the measure of the tolerance of jumps
+        for (const LoadOrControl &at : through)
+          scene.programme.pressures.push_back(control_of(at).target);
+        State last = from;
+        for (const LoadOrControl &at : through)
+          {
+            Arrival arrival =
+              strait::follow(seal, control_of(at), last.get(), aim(), jump_search(scene));
+            jumps.insert(jumps.end(), arrival.jumps.begin(), arrival.jumps.end());
+            parted = !arrival.state;
+            if (parted)
+              break;
+            last = std::make_shared<SealState>(std::move(*arrival.state));
+            states.push_back(last);
+            check_signals();
+          }
+      }
+      pass_warnings_on();
+      return path;
+    }
+
+    std::shared_ptr<Flow>
+    Seal::flow(const State &state, const bool with_fields)
+    {
+      require_fluid();
+      std::shared_ptr<Flow> result;
+      {
+        const Computing computing;
+        stage->set_inlet_pressure(state->control.inlet_pressure);
+        const StepFlow flow = leak_through(*state, scene, *stage);
+        result = record_of(flow, state->gap().layout(), layout, stage->fluid());
+        if (with_fields && flow.solution)
+          add_fields(*result, *flow.solution);
+      }
+      pass_warnings_on();
+      return result;
+    }
+
+    std::vector<Transition>
+    Seal::find_transitions(const std::optional<double> first)
+    {
+      require_fluid();
+      require(scene.programme.find_threshold,
+              "A critical load needs Contact/Enabled and Contact/Control = load.");
+      const Computing computing;
+      SealSearch      search(scene, open(), layout, stage->domain(), log);
+      search.after_probe(check_signals);
+      // Rough surfaces seal at about 0.24 E* times their rms slope.
+      return search.find_critical_loads(
+        {first.value_or(.2 * contact.pressure_scale(slope))});
+    }
+
+    std::vector<BlowOut>
+    Seal::find_blow_outs(const std::vector<double> &loads)
+    {
+      require_fluid();
+      require(scene.fluid.feedback.enabled && scene.programme.find_threshold,
+              "A blow-out pressure needs Fluid/Wall feedback/Enabled and "
+              "Contact/Control = load.");
+      const Computing computing;
+      scene.programme.pressures = loads;
+      SealSearch search(scene, open(), layout, stage->domain(), log);
+      search.after_probe(check_signals);
+      return search.find_blow_outs();
+    }
+  } // namespace
+
+  void
+  bind_seal(py::module_ &module)
+  {
+    py::class_<Seal>(module, "Seal")
+      .def(py::init<const SceneSource &, std::optional<Array>, py::object>(),
+           py::arg("scene"),
+           py::arg("heights") = py::none(),
+           py::arg("comm")    = py::none())
+      .def("control",
+           &Seal::control,
+           py::arg("target"),
+           py::arg("inlet_pressure") = py::none(),
+           py::arg("slip_length")    = py::none(),
+           "A control whose other parts are those of the scene.")
+      .def("solve", &Seal::solve, py::arg("control") = 0., py::arg("from_") = State())
+      .def("_follow", &Seal::follow, py::arg("controls"), py::arg("from_") = State())
+      .def("flow", &Seal::flow, py::arg("state"), py::arg("fields") = false)
+      .def("find_transitions",
+           &Seal::find_transitions,
+           py::arg("first") = py::none(),
+           "The critical load of each slip length of the scene.")
+      .def("find_blow_outs", &Seal::find_blow_outs, py::arg("loads"))
+      .def_property_readonly("rms_slope", &Seal::rms_slope, "Of the surface.");
+  }
+} // namespace strait::python

@@ -1,0 +1,151 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Read the results of a run of strait: tables, units and fields, as numpy arrays.
+
+    from strait import Run            # or from strait_results, which needs numpy alone
+    run = Run("output/quickstart")
+    run.table["leak_rate"]            # one array a column of leakage.csv, or ensemble.csv
+    run.unit("leak_rate")             # "m³/s"; "" if the scene states no units
+    run.csv("fit.csv")                # any other table of the folder, units likewise
+    run.table.to_pandas()             # as a DataFrame, where pandas is installed
+    run.fields(4)["gap"]              # fields-4.h5: gap, pressure, labels of shape (ny, nx)
+    run.picture(4)["fluid_pressure"]  # picture-4.h5: the same thinned out, with the flow
+
+On the command line it prints the table of a run, numbers shortened:
+
+    strait_results.py OUTPUT_DIR
+"""
+import csv
+import json
+import pathlib
+import sys
+
+import numpy as np
+
+
+def _number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def _column(texts):
+    numbers = [_number(text) for text in texts]
+    if any(texts) and all(number is None for number in numbers):
+        return np.array(texts)
+    return np.array([np.nan if number is None else number for number in numbers])
+
+
+class Table(dict):
+    """Columns by their names, arrays of equal length.
+
+    >>> table = Table({"seed": np.array([1, 1, 2]), "leak_rate": np.array([3., 2., 5.])},
+    ...               {"leak_rate": "m³/s"})
+    >>> print(table)
+    seed                             1 1 2
+    leak_rate (m³/s)                 3 2 5
+    >>> for seed, rows in table.groups("seed"):
+    ...     print(seed, rows["leak_rate"])
+    1 [3. 2.]
+    2 [5.]
+    """
+
+    def __init__(self, columns=(), units=None):
+        super().__init__(columns)
+        self.units = {name: unit for name, unit in (units or {}).items() if name in self}
+
+    @property
+    def n_rows(self):
+        """The length of the columns."""
+        return len(next(iter(self.values()))) if self else 0
+
+    def rows(self, which):
+        """The rows that an index, a slice or an array of truth values names."""
+        return Table({name: values[which] for name, values in self.items()}, self.units)
+
+    def groups(self, column):
+        """Each value of a column with the rows that have it, in the order of the table."""
+        values = list(dict.fromkeys(self[column].tolist()))
+        return [(value, self.rows(self[column] == value)) for value in values]
+
+    def to_pandas(self):
+        """A DataFrame, its units in `attrs["units"]`; needs pandas."""
+        import pandas
+        frame = pandas.DataFrame(dict(self))
+        frame.attrs["units"] = dict(self.units)
+        return frame
+
+    def __str__(self):
+        lines = []
+        for name, values in self.items():
+            unit = self.units.get(name, "")
+            title = name + (f" ({unit})" if unit not in ("", "1") else "")
+            cells = [f"{value:.6g}" if isinstance(value, float) else str(value)
+                     for value in values.tolist()]
+            lines.append(f"{title:32} {' '.join(cells)}")
+        return "\n".join(lines)
+
+    def __reduce__(self):
+        return Table, (dict(self), self.units)
+
+
+def read_table(path, units=None):
+    """The columns of a table: texts where there are some and no number, else numbers or NaN."""
+    with open(path, newline="", encoding="utf-8", errors="replace") as file:
+        reader = csv.DictReader(file, skipinitialspace=True)
+        names, rows = reader.fieldnames or [], list(reader)
+    return Table({name: _column([(row[name] or "").strip() for row in rows])
+                  for name in names if name}, units)
+
+
+class Run:
+    """The results in one output folder."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        record = self.folder / "run.json"
+        # Absent while the run goes on.
+        self.record = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
+        # Of several realisations each has a folder with a table of its own.
+        is_ensemble = (self.folder / "ensemble.csv").exists()
+        self.table = self.csv("ensemble.csv" if is_ensemble else "leakage.csv")
+        self.keeper = None  # of a folder that is to last as long as this
+
+    def csv(self, name):
+        """The columns of a table by their names."""
+        return read_table(self.folder / name, self.record.get("column_units"))
+
+    def unit(self, column):
+        """The unit of a column of any table, empty of texts and where the scene states none."""
+        return self.record.get("column_units", {}).get(column, "")
+
+    def fields(self, step):
+        """All data sets of fields-STEP.h5, and its attributes under "attributes"."""
+        return self._datasets(f"fields-{step}.h5")
+
+    def picture(self, step):
+        """The same of picture-STEP.h5."""
+        return self._datasets(f"picture-{step}.h5")
+
+    def _datasets(self, name):
+        import h5py  # not needed for tables
+        with h5py.File(self.folder / name, "r") as file:
+            result = {key: file[key][()] for key in file}
+            result["attributes"] = dict(file.attrs)
+        return result
+
+
+def main(arguments):
+    """Print the table of a run."""
+    if len(arguments) != 1:
+        sys.exit(__doc__)
+    try:
+        run = Run(arguments[0])
+    except OSError as error:
+        sys.exit(f"strait_results.py: {error}")
+    print(run.table)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Many scenes with one call."""
+from __future__ import annotations
+
+import itertools
+import os
+import pathlib
+import pickle
+import queue
+import subprocess
+import sys
+from collections.abc import Iterable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import numpy as np
+
+from . import _core
+from .results import Table
+from .scene import Scene
+
+
+# Variables of mpirun with which another process would take itself for this rank.
+OF_A_RANK = ("OMPI_COMM_", "OMPI_UNIVERSE_", "OMPI_MCA_orte_", "OMPI_MCA_ess", "OMPI_MCA_pmix",
+             "PMIX_")
+
+
+def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mapping[str, Any]], *,
+          processes: int = 1, table: str = "leakage.csv",
+          output: str | os.PathLike | None = None) -> Table:
+    """Run a scene for all combinations of some parameters' values, or for each mapping of a
+    list, and put the tables of the runs under each other.
+
+    The first columns are the parameters. `table` names the file of each run that is read;
+    `output` a folder that keeps the runs, numbered from 1; `processes` how many run side by
+    side. Steps that fail say so in the column status, as do runs that fail altogether.
+
+    >>> scene = Scene(contact=dict(grid_points=64), fluid=dict(enabled=False),
+    ...               surface=dict(short_cut_off_wavelength=0.125))
+    >>> table = sweep(scene, {"Surface/Seed": range(1, 4), "Load programme/Pressures": [0.1]})
+    >>> [int(seed) for seed in table["Surface/Seed"]], table["contact_area"].shape
+    ([1, 2, 3], (3,))
+    """
+    if isinstance(parameters, Mapping):
+        points = [dict(zip(parameters, values))
+                  for values in itertools.product(*parameters.values())]
+    else:
+        points = [dict(point) for point in parameters]
+    jobs: list[tuple] = []
+    for number, point in enumerate(points, 1):
+        own = scene.replace(point)  # what is wrong with a scene is said before the first run
+        folder = None if output is None else pathlib.Path(output) / str(number)
+        jobs.append((own.path, own.overrides, folder, table))
+    if processes > 1:
+        if _core.rank()[1] > 1:
+            raise _core.SceneError("On several ranks a sweep runs one scene after the other, each "
+                                   "on all ranks; leave out processes, or mpirun.")
+        tables = _run_in_processes(jobs, processes)
+    else:
+        tables = [_run(*job) for job in jobs]
+    return _under_each_other(points, tables)
+
+
+def _run(path: str, overrides: list[str], folder: os.PathLike | None, table: str) -> Table:
+    try:
+        # Without a folder of its own: no pictures, which nobody would see.
+        run = Scene._made_of(path, overrides + ([] if folder else ["Output/Directory=output"])
+                             ).run(folder, force=True)
+    except _core.NotConverged as error:
+        if not hasattr(error, "run"):
+            return Table({"status": np.array(["failed"])})
+        run = error.run
+    result = run.csv(table)
+    _core.wait_for_all_ranks()  # before a temporary folder goes
+    return result
+
+
+def _under_each_other(points: list[dict[str, Any]], tables: list[Table]) -> Table:
+    units: dict[str, str] = {}
+    columns: dict[str, list[Any]] = {name: [] for point in points for name in point}
+    columns.update((name, []) for table in tables for name in table)
+    for point, table in zip(points, tables):
+        units.update(table.units)
+        for name, values in columns.items():
+            if name in table:
+                values.extend(table[name])
+            else:
+                value = point.get(name, np.nan)
+                values.extend([value if np.isscalar(value) else str(value)] * table.n_rows)
+    return Table({name: np.array(values) for name, values in columns.items()}, units)
+
+
+def _run_in_processes(jobs: list[tuple], processes: int) -> list[Table]:
+    idle: queue.SimpleQueue[_Worker] = queue.SimpleQueue()
+    workers = [_Worker() for _ in range(min(processes, len(jobs)))]
+    for worker in workers:
+        idle.put(worker)
+
+    def run(job):
+        worker = idle.get()
+        try:
+            return worker.run(job)
+        finally:
+            idle.put(worker)
+
+    pool = ThreadPoolExecutor(len(workers) or 1)
+    try:
+        return [future.result() for future in [pool.submit(run, job) for job in jobs]]
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)
+        for worker in workers:
+            worker.end()
+        pool.shutdown()
+
+
+class _Worker:
+    """Another process that runs scenes, one after the other.
+
+    Not multiprocessing: that would import the user's script again, and a fork would inherit
+    an MPI that runs.
+    """
+
+    def __init__(self):
+        environment = {name: value for name, value in os.environ.items()
+                       if not name.startswith(OF_A_RANK)}
+        environment.update(OMP_NUM_THREADS="1",
+                           PYTHONPATH=os.pathsep.join(filter(None, map(str, [
+                               pathlib.Path(__file__).parents[1],
+                               os.environ.get("PYTHONPATH")]))))
+        # In a session of its own, for Ctrl-C is for this process, which ends the others.
+        self.process = subprocess.Popen(
+            [sys.executable, "-c", "from strait.sweep import _work; _work()"],
+            env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            start_new_session=True)
+
+    def run(self, job: tuple) -> Table:
+        """The table of one run, or the exception that it ended with."""
+        try:
+            pickle.dump(job, self.process.stdin)
+            self.process.stdin.flush()
+            answer = pickle.load(self.process.stdout)
+        except (EOFError, BrokenPipeError) as error:
+            raise RuntimeError("A process of a sweep ended before its run.") from error
+        if isinstance(answer, Exception):
+            raise answer
+        return answer
+
+    def end(self) -> None:
+        """At once."""
+        self.process.kill()
+        self.process.communicate()
+
+
+def _work() -> None:
+    """What the other process does, until its input ends."""
+    answers = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # what a library prints is no answer
+    while True:
+        try:
+            job = pickle.load(sys.stdin.buffer)
+        except EOFError:
+            return
+        try:
+            answer: Any = _run(*job)
+        except Exception as error:  # pylint: disable=broad-except
+            answer = error
+        pickle.dump(answer, answers)
+        answers.flush()

@@ -1,0 +1,170 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the package does with signals, other processes, other ranks and the end of a script."""
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import textwrap
+import time
+import unittest
+
+SCENE = """
+import sys, strait
+scene = strait.Scene({"Contact/Grid points": 128, "Surface/Short cut-off wavelength": 0.0625,
+                      "Fluid/Target accuracy": 0.05})
+"""
+
+
+def run(script, *command, **options):
+    return subprocess.run([*command, sys.executable, "-c", SCENE + textwrap.dedent(script)],
+                          text=True, capture_output=True, check=False, timeout=120, **options)
+
+
+class Interrupted(unittest.TestCase):
+    def interrupt(self, script):
+        """What a script prints that is interrupted half a second after it says "begun"."""
+        with subprocess.Popen([sys.executable, "-uc", SCENE + textwrap.dedent(script)], text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
+            self.assertEqual(process.stdout.readline(), "begun\n")
+            time.sleep(0.5)
+            process.send_signal(signal.SIGINT)
+            began = time.monotonic()
+            printed, _ = process.communicate(timeout=60)
+        self.assertLess(time.monotonic() - began, 30)
+        self.assertEqual(process.returncode, 0, printed)
+        return printed
+
+    def test_a_run_stops_after_a_step_and_goes_on(self):
+        with tempfile.TemporaryDirectory() as folder:
+            printed = self.interrupt(f"""
+                scene = scene.replace({{"Load programme/Pressures": [0.05 + 0.0001 * k
+                                        for k in range(1000)], "Output/Pictures": False}})
+                print("begun")
+                try:
+                    scene.run({folder!r})
+                except KeyboardInterrupt as interrupt:
+                    print(interrupt)
+                n_rows = strait.Run({folder!r}).table.n_rows
+                short = scene.replace({{"Load programme/Pressures": 0.1}}).run()
+                print(0 < n_rows < 1000, short.table.n_rows)
+                import signal
+                print(signal.getsignal(signal.SIGINT) is signal.default_int_handler)
+                """)
+            self.assertIn("Stopped by SIGINT after a complete step", printed)
+            self.assertTrue(printed.endswith("True 1\nTrue\n"), printed)
+
+    def test_paths_searches_and_sweeps(self):
+        for call in ("seal.follow([0.05 + 1e-6 * k for k in range(10**5)])",
+                     "[seal.solve(0.1) for _ in range(10**5)]",
+                     "[seal.find_transition() for _ in range(10**5)]",
+                     "strait.sweep(scene, {'Surface/Seed': range(1, 10**4)}, processes=2)",
+                     "strait.sweep(scene, {'Surface/Seed': range(1, 10**4)})"):
+            with self.subTest(call):
+                printed = self.interrupt(f"""
+                    seal = strait.Seal(scene)
+                    print("begun")
+                    try:
+                        {call}
+                    except KeyboardInterrupt:
+                        print("interrupted")
+                    print(seal.solve(0.1).converged)
+                    """)
+                self.assertEqual(printed, "interrupted\nTrue\n")
+
+
+class Ended(unittest.TestCase):
+    def test_what_lives_on_at_the_end(self):
+        ended = run("""
+            sys.argv[:] = ["script", "--mca", "nonsense", "-log_view"]  # are the script's own
+            seal = strait.Seal(scene)
+            flow = seal.flow(seal.solve(0.1), fields=True)
+            class Late:
+                def __del__(self):
+                    flow.leak_rate, seal.rms_slope
+            late = Late()
+            print(sys.argv)
+            """)
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        self.assertIn("nonsense", ended.stdout)
+
+    def test_mpi_starts_when_it_is_needed(self):
+        started = subprocess.run(
+            [sys.executable, "-c", textwrap.dedent("""
+                import ctypes
+                import strait
+                for step in (lambda: None, strait.Scene):
+                    step()
+                    flag = ctypes.c_int()
+                    ctypes.CDLL(strait._core.__file__).MPI_Initialized(ctypes.byref(flag))
+                    print(flag.value)
+                """)], text=True, capture_output=True, check=True)
+        self.assertEqual(started.stdout, "0\n1\n")
+
+    def test_exit_status_of_an_exception(self):
+        ended = run("scene.replace({'Contact/Grid points': 'many'})")
+        self.assertEqual(ended.returncode, 1)
+        self.assertIn("strait.SceneError: --set", ended.stderr)
+
+
+@unittest.skipUnless(shutil.which("mpirun"), "mpirun is not installed")
+class Ranks(unittest.TestCase):
+    def run_on_two(self, script):
+        return run(script, "mpirun", "-n", "2")
+
+    def test_a_rank_has_its_rows(self):
+        script = """
+            seal = strait.Seal(scene)
+            state = seal.solve(0.1)
+            whole = scene.heights()
+            same = strait.Seal(scene, whole).solve(0.1).contact_area == state.contact_area
+            table = scene.run().table
+            sys.stdout.write(f"{state.gap.shape} {state.first_row} {same} "
+                             f"{seal.flow(state).leak_rate:.2g} {table['leak_rate'][1]:.2g}\\n")
+            """
+        alone, both = run(script), self.run_on_two(script)
+        self.assertEqual((alone.returncode, both.returncode), (0, 0), both.stderr)
+        rate = alone.stdout.split()[-1]
+        self.assertEqual(sorted(both.stdout.splitlines()),
+                         [f"(64, 128) {row} True {rate} {rate}" for row in (0, 64)])
+
+    def test_communicators_of_mpi4py(self):
+        ended = self.run_on_two("""
+            try:
+                from mpi4py import MPI
+            except ImportError:
+                print("there is no mpi4py")
+                sys.exit()
+            own = strait.Seal(scene, comm=MPI.COMM_SELF).solve(0.1 + 0.1 * MPI.COMM_WORLD.rank)
+            area = strait.Seal(scene, comm=MPI.COMM_WORLD).solve(0.2).contact_area
+            sys.stdout.write(f"{own.gap.shape} {own.contact_area == area}\\n")
+            """)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        if "there is no mpi4py" not in ended.stdout:
+            self.assertEqual(sorted(ended.stdout.splitlines()),
+                             ["(128, 128) False", "(128, 128) True"])
+
+    def test_sweeps(self):
+        script = """
+            table = strait.sweep(scene, {"Surface/Seed": [1, 2]}, processes=%d)
+            sys.stdout.write(f"{table['leak_rate'][3]:.1e}\\n")
+            """
+        rate = run(script % 2, "mpirun", "-n", "1").stdout
+        self.assertEqual(self.run_on_two(script % 1).stdout, 2 * rate)
+        self.assertIn("leave out processes", self.run_on_two(script % 2).stderr)
+
+    def test_one_rank_that_fails_ends_all(self):
+        began = time.monotonic()
+        ended = self.run_on_two("""
+            if strait.Seal(scene).solve(0.1).first_row > 0:
+                raise RuntimeError("only here")
+            scene.run()  # waits for the other
+            """)
+        self.assertNotEqual(ended.returncode, 0)
+        self.assertIn("only here", ended.stderr)
+        self.assertLess(time.monotonic() - began, 30)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,149 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Scenes, runs and sweeps from Python."""
+import doctest
+import importlib
+import pathlib
+import pickle
+import tempfile
+import unittest
+import warnings
+
+import numpy as np
+import strait
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+SMALL = {"Contact/Grid points": 64, "Surface/Short cut-off wavelength": 0.125,
+         "Fluid/Target accuracy": 0.1}
+
+
+def load_tests(_loader, tests, _pattern):
+    """The examples of the docstrings are tests as well."""
+    for name in ("", ".results", ".scene", ".seal", ".sweep"):
+        tests.addTests(doctest.DocTestSuite(importlib.import_module("strait" + name),
+                                            extraglobs={"np": np},
+                                            optionflags=doctest.ELLIPSIS))
+    return tests
+
+
+class Scenes(unittest.TestCase):
+    def test_values_survive_the_way_there_and_back(self):
+        for name, value in {"Contact/Grid points": (64, 128), "Surface/Invert": True,
+                            "Surface/RMS value": 0.1 + 0.2, "Surface/Kind": "flat",
+                            "Fluid/Slip length": (-0.1, 0)}.items():
+            scene = strait.Scene({name: value})
+            self.assertEqual(scene[name], value)
+            self.assertEqual(strait.Scene({name: scene[name]}).text, scene.text)
+
+    def test_numbers_may_be_of_numpy(self):
+        scene = strait.Scene({"Load programme/Pressures": np.linspace(0.1, 0.3, 3),
+                              "Surface/Seed": np.int64(3)})
+        self.assertEqual(scene["Load programme/Pressures"], (0.1, 0.2, 0.3))
+        self.assertEqual(scene["surface/seed"], 3)
+
+    def test_errors_are_the_programs(self):
+        for parameters, sentence in [({"Contact/Grid pints": 8}, "did you mean 'Grid points'"),
+                                     (dict(contact=dict(grid_pints=8)), "mean 'Grid points'"),
+                                     ({"Contact/Grid points": -8}, "expected one or two integers"),
+                                     ({"nonsense": 8}, "expected .Section/Parameter=value.")]:
+            with self.assertRaisesRegex(strait.SceneError, sentence):
+                strait.Scene(parameters)
+        self.assertTrue(issubclass(strait.SceneError, ValueError))
+        with self.assertRaisesRegex(strait.SceneError, "Cannot read the scene file 'no.prm'"):
+            strait.Scene.from_prm("no.prm")
+
+    def test_a_file_and_what_is_changed_of_it(self):
+        file = PROJECT / "prm" / "quickstart.prm"
+        scene = strait.Scene.from_prm(file, surface=dict(seed=5))
+        self.assertEqual(scene["Surface/Seed"], 5)
+        self.assertEqual(scene["Contact/Grid points"],
+                         strait.Scene.from_prm(file)["Contact/Grid points"])
+        self.assertEqual(pickle.loads(pickle.dumps(scene)).text, scene.text)
+
+    def test_units(self):
+        scene = strait.Scene.from_prm(PROJECT / "prm" / "oring_water.prm")
+        self.assertEqual(scene.units["leak_rate"], "m³/s")
+        self.assertEqual(scene.units["pressure"], "Pa")
+        self.assertEqual(strait.Scene().units["leak_rate"], "")
+
+    def test_heights(self):
+        scene = strait.Scene({**SMALL, "Contact/Grid points": (64, 32), "Surface/Size": (2, 1)})
+        heights = scene.heights()
+        self.assertEqual(heights.shape, scene.shape)
+        self.assertEqual(heights.shape, (32, 64))
+        self.assertAlmostEqual(strait.statistics(heights, scene.size)["rms_slope"], 1., 1)
+
+
+class Runs(unittest.TestCase):
+    def test_temporary_folder_lasts_as_long_as_the_run(self):
+        run = strait.Scene(SMALL).run()
+        folder = run.folder
+        self.assertTrue((folder / "run.json").exists())
+        self.assertEqual(run.table["status"].tolist(), ["ok", "ok"])
+        del run
+        self.assertFalse(folder.exists())
+
+    def test_folder_of_another_scene_is_left_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = strait.Scene({**SMALL, "Output/Pictures": False})
+            scene.run(folder)
+            other = scene.replace({"Surface/Seed": 2})
+            with self.assertRaises(strait.SceneError):
+                other.run(folder)
+            self.assertEqual(other.run(folder, force=True).table.n_rows, 2)
+
+    def test_realisations(self):
+        run = strait.Scene({**SMALL, "Realisations/Seeds": [3, 4], "Load programme/Pressures": 0.1,
+                            "Load programme/Find threshold": True}).run()
+        self.assertEqual(run.table["seed"].tolist(), [3, 4])
+        self.assertEqual(strait.Run(run.folder / "realisation-2").table.n_rows, 1)
+
+    def test_not_converged_comes_with_its_results(self):
+        with self.assertRaises(strait.NotConverged) as context:
+            strait.Scene({**SMALL, "Contact/Maximum iterations": 2}).run()
+        self.assertNotIn("ok", context.exception.run.table["status"])
+
+    def test_pandas(self):
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        frame = strait.Scene({**SMALL, "Units/Length": "m", "Units/Pressure": "Pa",
+                              "Units/Time": "s", "Surface/Size": 1,
+                              "Fluid/Inlet pressure": 0.01}).run().table.to_pandas()
+        self.assertEqual(frame.shape[0], 2)
+        self.assertEqual(frame.attrs["units"]["leak_rate"], "m³/s")
+
+
+class Sweeps(unittest.TestCase):
+    def test_processes_change_nothing(self):
+        scene = strait.Scene(SMALL)
+        what = {"Surface/Seed": range(1, 4), "Surface/Invert": [False, True]}
+        alone, together = (strait.sweep(scene, what, processes=n) for n in (1, 2))
+        self.assertEqual(alone.n_rows, 12)
+        self.assertEqual(list(alone), list(together))
+        for column in ("Surface/Seed", "pressure", "leak_rate", "status"):
+            np.testing.assert_array_equal(alone[column], together[column])
+        self.assertEqual(len(alone.groups("Surface/Seed")), 3)
+
+    def test_other_table_and_output(self):
+        with tempfile.TemporaryDirectory() as folder:
+            table = strait.sweep(strait.Scene({**SMALL, "Load programme/Find threshold": True,
+                                               "Output/Pictures": False}),
+                                 [{"Surface/Seed": 1}, {"Surface/Seed": 2}],
+                                 table="threshold.csv", output=folder)
+            self.assertTrue((pathlib.Path(folder) / "2" / "leakage.csv").exists())
+        self.assertTrue(np.all(table["critical_load_lower"] < table["critical_load_upper"]))
+
+    def test_failures(self):
+        scene = strait.Scene(SMALL)
+        table = strait.sweep(scene, {"Contact/Maximum iterations": [2, 1000]}, processes=2)
+        self.assertEqual([str(status) == "ok" for status in table["status"]],
+                         [False, False, True, True])
+        with self.assertRaises(strait.SceneError):
+            strait.sweep(scene, {"Contact/Grid points": [64, -1]}, processes=2)
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("error")
+    unittest.main()

@@ -1,0 +1,195 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Seals, states, paths, transitions and flows from Python."""
+import gc
+import threading
+import unittest
+import warnings
+
+import numpy as np
+import strait
+
+SMALL = {"Contact/Grid points": 64, "Surface/Short cut-off wavelength": 0.125,
+         "Fluid/Target accuracy": 0.1}
+
+
+def resident_bytes():
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[1]) * 4096
+
+
+class Seals(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scene = strait.Scene(SMALL)
+        cls.seal = strait.Seal(cls.scene)
+
+    def test_hertz(self):
+        radius, load = 2., 1e-3  # on a box so large that the images do not matter much
+        seal = strait.Seal(strait.Scene(surface=dict(kind="sphere", amplitude=radius),
+                                        contact=dict(grid_points=256), fluid=dict(enabled=False)))
+        state = seal.solve(load)
+        a = (3 * load * radius / 4) ** (1 / 3)
+        self.assertAlmostEqual(state.pressure.max() / (2 * a / (np.pi * radius)), 1., delta=0.01)
+        self.assertAlmostEqual(state.contact_area / (np.pi * a**2), 1., delta=0.05)
+
+    def test_same_as_the_program(self):
+        table = self.scene.run().table
+        for load, area, rate in zip(table["pressure"], table["contact_area"], table["leak_rate"]):
+            state = self.seal.solve(load)
+            self.assertAlmostEqual(state.contact_area, area, 12)
+            self.assertAlmostEqual(self.seal.flow(state).leak_rate / rate, 1., 3)
+
+    def test_arrays_are_views_that_keep_their_state(self):
+        state = self.seal.solve(0.1)
+        gap = state.gap
+        self.assertIs(gap.base, state)
+        self.assertEqual(gap.__array_interface__["data"], state.gap.__array_interface__["data"])
+        with self.assertRaises(ValueError):
+            gap[0, 0] = 1.
+        mean = state.mean_gap
+        del state
+        gc.collect()
+        self.assertAlmostEqual(gap.mean(), mean, 12)
+        self.assertAlmostEqual(self.seal.solve(0.1).pressure.mean(), 0.1, 9)
+
+    def test_what_there_is_not_is_none(self):
+        state = self.seal.solve(0.1)
+        for name in ("fluid_pressure", "indentation", "adhesive_energy", "fluid_load"):
+            self.assertIsNone(getattr(state, name))
+        self.assertIsNone(self.seal.flow(state).pressure)
+
+    def test_heights_of_ones_own(self):
+        state = strait.Seal(self.scene, self.scene.heights()).solve(0.1)
+        self.assertEqual(state.contact_area, self.seal.solve(0.1).contact_area)
+        with self.assertRaisesRegex(strait.SceneError, r"\(64, 64\).*\(32, 64\)"):
+            strait.Seal(self.scene, np.zeros((32, 64)))
+        with self.assertRaisesRegex(strait.SceneError, "finite"):
+            strait.Seal(self.scene, np.full((64, 64), np.nan))
+
+    def test_paths_and_transitions(self):
+        path = self.seal.follow([0.05, 0.1, 0.15])
+        self.assertTrue(np.all(np.diff(path["contact_area"]) > 0))
+        self.assertEqual(path[2].control.target, 0.15)
+        transition = self.seal.find_transition()
+        self.assertLess(transition.upper / transition.lower, 1 + 1e-4)
+        self.assertTrue(self.seal.flow(self.seal.solve(transition.lower)).percolates)
+        self.assertFalse(self.seal.flow(self.seal.solve(transition.upper)).percolates)
+
+    def test_adhesion_jumps(self):
+        seal = strait.Seal(strait.Scene(
+            surface=dict(kind="sphere", amplitude=1), fluid=dict(enabled=False),
+            contact=dict(grid_points=64, adhesion=dict(enabled=True, surface_energy=0.02,
+                                                       range=0.04))))
+        path = seal.follow([0.02, 0., -0.5])
+        self.assertTrue(path.parted)
+        self.assertEqual(len(path), 2)
+        self.assertTrue(path.jumps[-1].is_pull_off)
+        self.assertLess(path.jumps[-1].before.pressure, 0.)
+
+    def test_memory_of_yielding(self):
+        seal = strait.Seal(self.scene.replace({"Contact/Yielding": "cut-off",
+                                               "Contact/Hardness": 0.5}))
+        first = seal.solve(0.1)
+        self.assertGreater(seal.solve(0.05, from_=first).contact_area,
+                           seal.solve(0.05).contact_area)
+        self.assertGreater(first.indentation.max(), 0.)
+
+    def test_fluid_on_the_walls(self):
+        seal = strait.Seal(self.scene.replace({"Fluid/Wall feedback/Enabled": True,
+                                               "Fluid/Inlet pressure": 0.02}))
+        state = seal.solve(0.1)
+        self.assertGreater(state.mean_gap, self.seal.solve(0.1).mean_gap)
+        self.assertAlmostEqual(state.fluid_pressure.mean(), state.fluid_load, 9)
+        more = seal.solve(seal.control(0.1, inlet_pressure=0.04), from_=state)
+        self.assertGreater(more.mean_gap, state.mean_gap)
+        self.assertGreater(seal.flow(more).leak_rate, 2 * seal.flow(state).leak_rate)
+
+    def test_fields_of_a_flow(self):
+        flow = self.seal.flow(self.seal.solve(0.1), fields=True)
+        leaks = flow.clusters == 4
+        self.assertTrue(np.array_equal(np.isfinite(flow.pressure), leaks))
+        columns = np.nanmean(flow.pressure, axis=0)
+        self.assertGreater(columns[1], columns[-1])
+        # What crosses any line is the leak rate, to what the grid's spacing leaves.
+        across = np.nansum(flow.current, axis=0) / 64
+        self.assertGreater(across.min(), 0.7 * flow.leak_rate)
+
+    def test_flow_in_a_gap_that_leads_nowhere(self):
+        gap = np.full((32, 32), -0.1)
+        gap[:, 5] = 0.2
+        closed = strait.flow_in_gap(gap)
+        self.assertFalse(closed.percolates)
+        self.assertEqual(closed.leak_rate, 0.)
+        across = strait.flow_in_gap(gap, fluid=dict(direction="y"))
+        self.assertTrue(across.percolates)
+
+    def test_other_threads_run_meanwhile(self):
+        counted = []
+        done = threading.Event()
+
+        def count():
+            while not done.is_set():
+                counted.append(1)
+                done.wait(1e-4)
+
+        thread = threading.Thread(target=count)
+        thread.start()
+        results = []
+        others = [threading.Thread(target=lambda p=p: results.append(self.seal.solve(p)))
+                  for p in (0.05, 0.1, 0.15)]
+        for other in others:
+            other.start()
+        for other in others:
+            other.join()
+        done.set()
+        thread.join()
+        self.assertEqual(sorted(round(state.control.target, 2) for state in results),
+                         [0.05, 0.1, 0.15])
+        self.assertGreater(len(counted), 3)
+
+    def test_threads_make_and_drop_seals(self):
+        areas = []
+
+        def work():
+            for _ in range(5):
+                areas.append(strait.Seal(self.scene, self.scene.heights()).solve(0.1).contact_area)
+
+        threads = [threading.Thread(target=work) for _ in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(len(areas), 15)
+        self.assertEqual(len(set(areas)), 1)
+
+    def test_memory_does_not_grow(self):
+        for _ in range(50):
+            self.seal.solve(0.1)
+        before = resident_bytes()
+        for _ in range(1000):
+            self.seal.solve(0.1)
+        self.assertLess(resident_bytes() - before, 2e6)  # half as much as 61 states
+
+    def test_errors(self):
+        with self.assertRaisesRegex(strait.SceneError, "Wall feedback"):
+            self.seal.find_blow_outs([0.3])
+        dry = strait.Seal(self.scene.replace({"Fluid/Enabled": False}))
+        with self.assertRaisesRegex(strait.SceneError, "no flow"):
+            dry.flow(dry.solve(0.1))
+        with self.assertRaises(TypeError):
+            self.seal.solve("much")
+
+    def test_warnings(self):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            strait.Seal(strait.Scene(
+                surface=dict(kind="sphere", amplitude=1), fluid=dict(enabled=False),
+                contact=dict(grid_points=64, adhesion=dict(enabled=True, surface_energy=0.02,
+                                                           range=0.025))))
+        self.assertTrue(caught)
+        self.assertTrue(issubclass(caught[0].category, strait.SceneWarning))
+
+
+if __name__ == "__main__":
+    unittest.main()
