@@ -6,52 +6,113 @@
 
 namespace strait
 {
-  FlowLattice::FlowLattice(const std::vector<double> &whole,
-                           const PeriodicGrid        &grid,
-                           const FlowDomain          &domain)
-    : region(domain.region)
+  FlowLattice::FlowLattice(const SlabField &field, const FlowDomain &domain)
+    : layout(field.layout_pointer())
+    , region(domain.region)
     , along_x(region != nullptr || domain.direction == FlowDirection::x)
   {
-    const double dx = grid.dx(), dy = grid.dy();
-    const int    period = along_x ? grid.ny : grid.nx;
+    const PeriodicGrid &grid = field.grid();
+    const double        dx = grid.dx(), dy = grid.dy();
+    const int           seams = region != nullptr ? 1 : 0; // whose copies are appended
+    line_length               = grid.nx + (along_x ? 1 : 0);
+    const std::ptrdiff_t line = line_length;
     levels.push_back({0,
                       (along_x ? grid.nx : grid.ny) + 1,
-                      period + (region != nullptr ? 1 : 0),
-                      {{along_x ? dx : dy,
-                        along_x ? dy : dx,
-                        std::hypot(along_x ? dx : dy, along_x ? dy : dx)}},
+                      (along_x ? grid.ny : grid.nx) + seams,
+                      {{along_x ? dx : dy, along_x ? dy : dx, std::hypot(dx, dy)}},
+                      along_x ? 1 : line,
+                      along_x ? line : 1,
                       -1,
                       0,
                       0});
-    n_on_grid = static_cast<std::size_t>(width()) * n_across();
-    values.resize(n_on_grid);
-    for (int b = 0; b < n_across(); ++b)
-      for (int a = 0; a < width(); ++a)
-        {
-          const int         a0 = a % (width() - 1), b0 = b % period;
-          const std::size_t k = index(a, b);
-          if (is_point(k))
-            values[k] = along_x ? whole[static_cast<std::size_t>(b0) * grid.nx + a0]
-                                : whole[static_cast<std::size_t>(a0) * grid.nx + b0];
-        }
-  }
-
-  FlowLattice::FlowLattice(const std::vector<double> &whole,
-                           const SlabField           &field,
-                           const FlowDomain          &domain)
-    : FlowLattice(whole, field.grid(), domain)
-  {
-    const int n_windows = static_cast<int>(field.layout().windows().size());
+    if (region != nullptr)
+      add_region(field);
+    else
+      add_grid(field);
+    blocks_per_line     = (line_length + block_size - 1) / block_size;
+    n_blocks_on_grid    = (n_lines + block_size - 1) / block_size * blocks_per_line;
+    const int n_windows = static_cast<int>(layout->windows().size());
     for (int w = 0; w < n_windows; ++w)
       add_window(field, w);
   }
 
   void
+  FlowLattice::add_grid(const SlabField &field)
+  {
+    const int nx = field.grid().nx, ny = field.grid().ny;
+    const int n_rows = layout->n_rows(), end = layout->first_row() + n_rows;
+    // Of a flow along y the outlet's copy of the first line follows the last one.
+    const bool has_copy   = !along_x && n_rows > 0 && end == ny;
+    const bool has_before = n_rows > 0 && (along_x || layout->first_row() > 0);
+    const bool has_after  = n_rows > 0 && (along_x || end < ny);
+    const int  n_own      = n_rows + (has_copy ? 1 : 0);
+    first_line            = layout->first_row() - (has_before ? 1 : 0);
+    n_lines               = n_own + (has_before ? 1 : 0) + (has_after ? 1 : 0);
+    begin_own             = has_before ? line_length : 0;
+    end_own               = begin_own + static_cast<std::size_t>(n_own) * line_length;
+    n_on_grid             = static_cast<std::size_t>(n_lines) * line_length;
+    values.resize(n_on_grid);
+    for (int row = 0; row < n_rows; ++row)
+      for (int i = 0; i < line_length; ++i)
+        values[begin_own + static_cast<std::size_t>(row) * line_length + i] =
+          field(i % nx, row);
+    const auto first = fetch_rows(field, std::vector<int>(has_copy ? 1 : 0, 0));
+    std::copy(first.rbegin(), first.rend(), values.rbegin());
+    update_ghosts(values);
+  }
+
+  void
+  FlowLattice::add_region(const SlabField &field)
+  {
+    const std::vector<double> whole = gather_on_root(field);
+    if (layout->rank() > 0)
+      return;
+    const int nx = field.grid().nx, ny = field.grid().ny;
+    n_lines   = ny + 1;
+    n_on_grid = end_own = region->size();
+    values.assign(n_on_grid, 0.);
+    for (std::size_t k = 0; k < n_on_grid; ++k)
+      if (region->is_point(k))
+        values[k] = whole[k / line_length % ny * nx + k % line_length % nx];
+  }
+
+  void
+  FlowLattice::update_ghosts(std::vector<double> &numbers) const
+  {
+    if (region != nullptr)
+      return;
+    const int        end = layout->first_row() + layout->n_rows();
+    std::vector<int> wanted;
+    if (begin_own > 0)
+      wanted.push_back(first_line);
+    if (end_own < n_on_grid)
+      wanted.push_back(end);
+    const auto lines =
+      fetch_rows(*layout, numbers.data() + begin_own, line_length, wanted);
+    const auto middle = lines.begin() + static_cast<std::ptrdiff_t>(begin_own);
+    std::copy(lines.begin(), middle, numbers.begin());
+    std::copy(middle,
+              lines.end(),
+              numbers.begin() + static_cast<std::ptrdiff_t>(end_own));
+  }
+
+  bool
+  FlowLattice::is_outlet(const std::size_t k) const
+  {
+    if (region != nullptr)
+      return region->is_outlet(k);
+    const Place  p     = place_of(k);
+    const Level &level = levels[p.level];
+    return p.level == 0 ? p.along == level.n_along - 1
+                        : level.ends_at_outlet && p.along == level.n_along - 2;
+  }
+
+  void
   FlowLattice::add_window(const SlabField &field, const int w)
   {
-    const ZoomWindow &window = field.layout().windows()[w];
+    const ZoomWindow &window = layout->windows()[w];
     const int         last   = (along_x ? window.n_columns() : window.n_rows()) - 1;
-    const int         seam   = field.layout().seam(w, along_x ? 0 : 1);
+    const int         seam   = layout->seam(w, along_x ? 0 : 1);
     if (seam < 0)
       {
         add_part(field, w, {0, last, false, false});
@@ -64,15 +125,14 @@ namespace strait
   void
   FlowLattice::add_part(const SlabField &field, const int w, const Part &part)
   {
-    const SlabLayout &layout   = field.layout();
-    const ZoomWindow &window   = layout.windows()[w];
+    const ZoomWindow &window   = layout->windows()[w];
     const double      fraction = std::pow(3., -window.level);
     // The first of the parent's columns that this part covers; on the grid, of those that
     // begin at the inlet and end with its copy at the outlet.
     int along = (along_x ? window.x : window.y) + part.first / 3;
     if (window.parent < 0)
       {
-        const int period = width() - 1;
+        const int period = levels.front().n_along - 1;
         along            = (along % period + period) % period;
         if (along == 0 && part.ends_at_outlet)
           along = period;
@@ -81,6 +141,8 @@ namespace strait
     level.begin           = values.size();
     level.n_along         = part.last - part.first + 1;
     level.n_across        = along_x ? window.n_rows() : window.n_columns();
+    level.along_by        = 1;
+    level.across_by       = level.n_along;
     level.parent          = level_with(window.parent, along, part.ends_at_outlet);
     level.along           = along - levels[level.parent].first;
     level.across          = along_x ? window.y : window.x;
@@ -92,7 +154,7 @@ namespace strait
       length *= fraction;
     levels.push_back(level);
 
-    const std::size_t begin = layout.start_of_window(w);
+    const std::size_t begin = layout->start_of_window(w);
     for (int b = 0; b < level.n_across; ++b)
       for (int a = part.first; a <= part.last; ++a)
         {
@@ -100,11 +162,18 @@ namespace strait
           values.push_back(field[begin + iy * window.n_columns() + ix]);
         }
     is_covered.resize(values.size(), false);
+    const int own = static_cast<int>(levels.size()) - 1;
     for (int b = 1; b < level.n_across; b += 3)
       for (int a = 1; a < level.n_along; a += 3)
         {
-          const Place place = {static_cast<int>(levels.size()) - 1, a, b};
-          is_covered[number_of(on_parent(place))] = true;
+          const Place covered = parent_of({own, a, b});
+          // This rank may know a line of the grid twice, as its own and as a ghost.
+          if (covered.level > 0)
+            is_covered[number_of(covered)] = true;
+          for (const int copy : {-1, 0, 1})
+            if (const std::size_t k = number_of_copy(covered, copy);
+                covered.level == 0 && k != none)
+              is_covered[k] = true;
         }
   }
 
@@ -123,41 +192,86 @@ namespace strait
     return along < seam || (along == seam && of_outlet) ? l : l + 1;
   }
 
+  std::size_t
+  FlowLattice::number_of(const Place &p) const
+  {
+    const Level &level = levels[p.level];
+    if (p.level > 0)
+      return level.begin + static_cast<std::size_t>(p.across) * level.n_along + p.along;
+    for (const int copy : {0, -1, 1})
+      if (const std::size_t k = number_of_copy(p, copy); k != none)
+        return k;
+    return none;
+  }
+
+  std::size_t
+  FlowLattice::number_of_copy(const Place &p, const int copy) const
+  {
+    const int b    = wrapped(p.across) + copy * levels.front().n_across;
+    const int line = (along_x ? b : p.along) - first_line, i = along_x ? p.along : b;
+    return line < 0 || line >= n_lines || i < 0 || i >= line_length
+             ? none
+             : static_cast<std::size_t>(line) * line_length + i;
+  }
+
+  std::size_t
+  FlowLattice::global_number(const Place &p) const
+  {
+    const Level &grid = levels.front();
+    const auto   n    = static_cast<std::size_t>(grid.n_along);
+    return p.level == 0 ? wrapped(p.across) * n + p.along
+                        : grid.n_across * n + (number_of(p) - n_on_grid);
+  }
+
+  std::size_t
+  FlowLattice::own_number(const std::size_t global) const
+  {
+    const Level &grid = levels.front();
+    const auto   n    = static_cast<std::size_t>(grid.n_along);
+    if (global >= grid.n_across * n)
+      return layout->rank() == 0 ? global - grid.n_across * n + n_on_grid : none;
+    const std::size_t k =
+      number_of({0, static_cast<int>(global % n), static_cast<int>(global / n)});
+    return k != none && is_own(k) ? k : none;
+  }
+
   FlowLattice::Place
-  FlowLattice::on_parent(const Place &p) const
+  FlowLattice::parent_of(const Place &p) const
   {
     const Level &level = levels[p.level];
     return {level.parent, level.along + p.along / 3, level.across + p.across / 3};
   }
 
-  std::size_t
-  FlowLattice::finer(const std::size_t k) const
+  FlowLattice::Place
+  FlowLattice::finer(const Place &p) const
   {
-    const Place p = place_of(k);
     for (std::size_t l = 1; l < levels.size(); ++l)
       {
         const Level &level = levels[l];
         if (level.parent != p.level)
           continue;
-        const int a = p.along - level.along;
-        int       b = p.across - level.across;
-        if (p.level == 0)
-          b = (b + n_across()) % n_across();
+        const int a = p.along - level.along, from = p.across - level.across;
+        const int b = p.level == 0 ? wrapped(from) : from;
         if (a >= 0 && 3 * a < level.n_along && b >= 0 && 3 * b < level.n_across)
-          return number_of({static_cast<int>(l), 3 * a + 1, 3 * b + 1});
+          return {static_cast<int>(l), 3 * a + 1, 3 * b + 1};
       }
-    return none;
+    return p;
   }
 
-  std::size_t
-  FlowLattice::on_parent_of_rim(const int l, const std::size_t k) const
+  FlowLattice::Place
+  FlowLattice::finest(const Place &p) const
   {
-    const Level &level  = levels[l];
-    const Place  p      = place_of(k);
+    const Place next = finer(p);
+    return next.level == p.level ? p : finest(next);
+  }
+
+  bool
+  FlowLattice::is_on_rim(const Place &p) const
+  {
+    const Level &level  = levels[p.level];
     const bool   on_rim = p.along == 1 || p.along == level.n_along - 2 || p.across == 1 ||
                         p.across == level.n_across - 2;
-    return on_rim && p.along % 3 == 1 && p.across % 3 == 1 ? number_of(on_parent(p))
-                                                           : none;
+    return on_rim && p.along % 3 == 1 && p.across % 3 == 1;
   }
 
   std::size_t
@@ -166,42 +280,53 @@ namespace strait
     Place      end          = place_of(k);
     const bool is_on_parent = number >= into_window;
     if (is_on_parent)
-      end = on_parent(end);
+      end = parent_of(end);
     const auto [da, db] = directions[is_on_parent ? number - into_window : number];
-    return finest(number_of({end.level, end.along - da, end.across - db}));
+    return global_number(finest({end.level, end.along - da, end.across - db}));
   }
 
-  std::size_t
-  FlowLattice::on_grid(const std::size_t k) const
+  GridPoint
+  FlowLattice::on_grid(const GridPoint &p) const
   {
-    Place p = place_of(k);
-    while (p.level > 0)
-      p = on_parent(p);
-    return number_of(p);
+    if (p.window < 0)
+      return p;
+    const int along = along_x ? p.ix : p.iy, across = along_x ? p.iy : p.ix;
+    const int level = level_with(p.window, along, false);
+    Place     place = {level, along - levels[level].first, across};
+    while (place.level > 0)
+      place = parent_of(place);
+    return point(place);
   }
 
   std::vector<std::size_t>
-  FlowLattice::points_around(const std::size_t k, const int reach) const
+  FlowLattice::points_around(const GridPoint &p, const int reach) const
   {
-    const Place              centre = place_of(k);
+    const int along = along_x ? p.ix : p.iy, across = along_x ? p.iy : p.ix;
+    const int n_across     = levels.front().n_across,
+              reach_across = std::min(reach, n_across);
     std::vector<std::size_t> points;
-    const int                reach_across = std::min(reach, n_across());
-    for (int a = std::max(centre.along - reach, 0);
-         a <= std::min(centre.along + reach, width() - 1);
+    std::vector<Place>       in_windows;
+    const auto               add_fine = [&](const Place &coarse) {
+      if (const Place fine = finer(coarse); fine.level != coarse.level)
+        for (const int b : {-1, 0, 1})
+          for (const int a : {-1, 0, 1})
+            in_windows.push_back({fine.level, fine.along + a, fine.across + b});
+    };
+    for (int a = std::max(along - reach, 0);
+         a <= std::min(along + reach, levels.front().n_along - 1);
          ++a)
-      for (int b = centre.across - reach_across; b <= centre.across + reach_across; ++b)
-        if (is_periodic() || (b >= 0 && b < n_across()))
-          points.push_back(index(a, b));
-    if (!is_covered.empty())
-      for (std::size_t i = 0; i < points.size(); ++i)
-        if (is_covered[points[i]])
+      for (int b = across - reach_across; b <= across + reach_across; ++b)
+        if (region == nullptr || (b >= 0 && b < n_across))
           {
-            const Place middle = place_of(finer(points[i]));
-            for (const int b : {-1, 0, 1})
-              for (const int a : {-1, 0, 1})
-                points.push_back(
-                  number_of({middle.level, middle.along + a, middle.across + b}));
+            if (const std::size_t k = number_of({0, a, b}); k != none)
+              points.push_back(k);
+            add_fine({0, a, b});
           }
+    for (std::size_t i = 0; i < in_windows.size(); ++i)
+      {
+        points.push_back(number_of(in_windows[i]));
+        add_fine(in_windows[i]);
+      }
     return points;
   }
 
@@ -209,39 +334,40 @@ namespace strait
   FlowLattice::inlet_points() const
   {
     std::vector<std::size_t> points;
-    if (region == nullptr)
+    const auto               add = [&](const std::size_t k) {
+      if (is_covered.empty() || !is_covered[k])
+        points.push_back(k);
+    };
+    if (region != nullptr)
       {
-        for (int b = 0; b < n_across(); ++b)
-          points.push_back(finest(index(0, b)));
-        for (std::size_t l = 1; l < levels.size(); ++l)
-          for (int b = 1; levels[l].begins_at_inlet && b < levels[l].n_across - 1; ++b)
-            if (const std::size_t k = number_of({static_cast<int>(l), 1, b});
-                !is_covered[k])
-              points.push_back(k);
+        for (std::size_t k = 0; k < n_on_grid; ++k)
+          if (region->is_inlet(k))
+            add(k);
+        return points;
       }
-    else
-      for (std::size_t k = 0; k < size(); ++k)
-        if (region->is_inlet(k))
-          points.push_back(k);
+    for (std::size_t k = begin_own; k < end_own; k += along_x ? line_length : 1)
+      if (place_of(k).along == 0)
+        add(k);
+    for (std::size_t l = 1; layout->rank() == 0 && l < levels.size(); ++l)
+      for (int b = 1; levels[l].begins_at_inlet && b < levels[l].n_across - 1; ++b)
+        add(number_of({static_cast<int>(l), 1, b}));
     return points;
   }
 
   GridPoint
   FlowLattice::point(const std::size_t k) const
   {
-    const Place  p     = place_of(k);
-    const Level &level = levels[p.level];
-    const int    along = level.first + p.along;
-    return along_x ? GridPoint{along, p.across, level.window}
-                   : GridPoint{p.across, along, level.window};
+    return point(place_of(k));
   }
 
-  std::size_t
-  FlowLattice::index_of(const GridPoint &p) const
+  GridPoint
+  FlowLattice::point(const Place &p) const
   {
-    const int along = along_x ? p.ix : p.iy, across = along_x ? p.iy : p.ix;
-    const int level = level_with(p.window, along, false);
-    return finest(number_of({level, along - levels[level].first, across}));
+    const Level &level  = levels[p.level];
+    const int    along  = level.first + p.along;
+    const int    across = p.level == 0 ? wrapped(p.across) : p.across;
+    return along_x ? GridPoint{along, across, level.window}
+                   : GridPoint{across, along, level.window};
   }
 
   bool
@@ -251,19 +377,8 @@ namespace strait
                              const bool        first_along) const
   {
     const int         da = first_along ? d_along : 0, db = first_along ? 0 : d_across;
-    const std::size_t corner = index(along(k) + da, across_of(k) + db);
+    const std::size_t corner = k + da + static_cast<std::ptrdiff_t>(db) * line_length;
     return region->is_joined(k, da, db) &&
            region->is_joined(corner, d_along - da, d_across - db);
-  }
-
-  bool
-  FlowLattice::can_step_in_region(const std::size_t k,
-                                  const int         d_along,
-                                  const int         d_across) const
-  {
-    if (d_along == 0 || d_across == 0)
-      return region->is_joined(k, d_along, d_across);
-    return can_go_around(k, d_along, d_across, true) ||
-           can_go_around(k, d_along, d_across, false);
   }
 } // namespace strait
