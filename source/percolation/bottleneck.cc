@@ -25,14 +25,14 @@ namespace strait
         starts,
         [](std::size_t) { return 0.; },
         [](const double steps, const FlowLattice::Step &) { return steps + 1.; },
-        [&](const std::size_t k) { return (lattice[k] > 0) != is_open; },
-        [](const double steps) { return steps + 4.; });
+        [&](const std::size_t k) { return (lattice[k] > 0) != is_open; });
+
       return std::isfinite(end.cost) ? static_cast<int>(end.cost) : 0;
     }
 
     /** The bottleneck of ways that cost as much as they are closed at their worst. */
     Bottleneck
-    find_bottleneck(const FlowLattice &lattice, const double band)
+    find_bottleneck(const FlowLattice &lattice)
     {
       LatticeSearch            search(lattice, 4);
       const LatticeSearch::End end = search.run(
@@ -41,8 +41,8 @@ namespace strait
         [&](const double worst, const FlowLattice::Step &step) {
           return std::max(worst, -lattice[step.point]);
         },
-        [&](const std::size_t k) { return lattice.is_outlet(k); },
-        [band](const double least) { return least + band; });
+        [&](const std::size_t k) { return lattice.is_outlet(k); });
+
       if (!std::isfinite(end.cost))
         throw InputError(
           "The contact grid is too coarse for Fluid/Mesh: no chain of grid points leads "
@@ -74,11 +74,7 @@ namespace strait
   Bottleneck
   find_bottleneck(const SlabField &openness, const FlowDomain &domain)
   {
-    // Values are searched in bands of a part of their range. Half as many take 1.?? times
-    // as long, twice as many as long.
-    constexpr int n_bands = 32;
-    return find_bottleneck(FlowLattice(openness, domain),
-                           (max_value(openness) - min_value(openness)) / n_bands);
+    return find_bottleneck(FlowLattice(openness, domain));
   }
 
   std::array<double, 2>

@@ -100,12 +100,7 @@ namespace strait
     FlowPath
     PathSearch::run(const double most)
     {
-      // Of the bound of one band over the least resistance in it. With 4 in its place
-      // more points are searched twice and the search takes 1.2 times as long; with 1.2
-      // it is as fast, in twice as many bands, after each of which ranks wait for each
-      // other.
-      constexpr double         growth = 1.5;
-      std::vector<std::size_t> inlet  = gap.inlet_points();
+      std::vector<std::size_t> inlet = gap.inlet_points();
       inlet.erase(std::remove_if(inlet.begin(),
                                  inlet.end(),
                                  [this](const std::size_t k) { return !is_open(k); }),
@@ -117,7 +112,6 @@ namespace strait
           return here + step_resistance(step);
         },
         [this](const std::size_t k) { return gap.is_outlet(k); },
-        [](const double least) { return growth * least; },
         most);
       return end.cost < infinity ? trace_back(end) : FlowPath();
     }

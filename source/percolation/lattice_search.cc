@@ -15,7 +15,7 @@ namespace strait
     : lattice(lattice)
     , n_directions(n_directions)
     , pending(lattice.n_blocks())
-    , is_active(lattice.n_blocks(), 0)
+    , least_pending(lattice.n_blocks(), infinity)
   {
     MPI_Comm_rank(lattice.communicator(), &best.rank);
   }
@@ -25,19 +25,8 @@ namespace strait
   {
     costs.assign(lattice.size(), infinity);
     last_steps.assign(lattice.size(), start_of_way);
-    for (std::vector<Entry> &entries : pending)
-      entries.clear();
-    bound = -infinity;
     limit = most;
     best  = {infinity, best.rank, FlowLattice::none};
-  }
-
-  void
-  LatticeSearch::activate(const std::size_t b)
-  {
-    if (is_active[b] == 0)
-      active.push_back(b);
-    is_active[b] = 1;
   }
 
   void
@@ -48,32 +37,18 @@ namespace strait
     if (lattice.in_window(k))
       found_in_windows.push_back(k);
     const std::size_t b = lattice.block_of(k);
-    if (b == block_at_work && cost <= bound)
+    if (b == block_at_work)
       {
         heap.emplace_back(cost, k);
         std::push_heap(heap.begin(), heap.end(), std::greater<>());
         return;
       }
     pending[b].emplace_back(cost, k);
-    if (cost <= bound)
-      activate(b);
-  }
-
-  double
-  LatticeSearch::least_pending()
-  {
-    double least = infinity;
-    for (std::vector<Entry> &entries : pending)
+    if (cost < least_pending[b])
       {
-        const auto is_outdated = [this](const Entry &e) {
-          return e.first > costs[e.second] || e.first > limit;
-        };
-        entries.erase(std::remove_if(entries.begin(), entries.end(), is_outdated),
-                      entries.end());
-        for (const Entry &entry : entries)
-          least = std::min(least, entry.first);
+        least_pending[b] = cost;
+        blocks.emplace(cost, b);
       }
-    return minimum(lattice.communicator(), least);
   }
 
   bool
@@ -93,7 +68,8 @@ namespace strait
       }
     if (lattice.size() > lattice.begin_of_windows())
       exchange_in_windows();
-    return sum(lattice.communicator(), static_cast<long long>(active.size())) > 0;
+    limit = minimum(lattice.communicator(), limit);
+    return sum(lattice.communicator(), static_cast<long long>(blocks.size())) > 0;
   }
 
   void

@@ -161,7 +161,7 @@ namespace strait
   private:
     // Values of a block and what a search keeps of them fit a processor's cache. With
     // half of it a path takes 1.4 times as long, with double of it the same.
-    static constexpr int block_size = 64;
+    static constexpr int block_size = 32;
 
     static constexpr std::array<std::array<int, 2>, 8> directions = {
       {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -17,11 +18,12 @@ namespace strait
    * The least costs of ways over a lattice, from given points to the nearest end, where
    * the cost of a way does not decrease from step to step.
    *
-   * It is Dijkstra's algorithm, in which blocks of points that fit a processor's cache
-   * are searched one at a time, up to a bound on the cost that grows from band to band;
-   * what a better way reaches later is searched again. Ranks search their own points at
-   * the same time and tell each other what they found. The costs are those of Dijkstra's
-   * algorithm, to the last digit, on any number of ranks.
+   * It is Dijkstra's algorithm block by block: blocks of points that fit a processor's
+   * cache are searched one at a time, first the one with the least cost to begin with,
+   * and what a better way reaches later is searched again. Ranks search their own points
+   * at the same time, and tell each other what they found when they have no block left.
+   * The costs are those of Dijkstra's algorithm, to the last digit, on any number of
+   * ranks.
    */
   class LatticeSearch
   {
@@ -40,16 +42,14 @@ namespace strait
 
     /**
      * Search from this rank's @p starts, where ways cost start(k), to the points where
-     * is_end(k), but no ways of more than @p most. A step to a point that costs less
-     * than total(cost where it begins, step) makes a way; of what was not yet searched at
-     * a cost of c, that up to next_bound(c) comes next. Collective.
+     * is_end(k), but no ways of more than @p most; a way costs total(cost where the last
+     * step begins, that step). Collective.
      */
-    template <class Start, class Total, class IsEnd, class NextBound>
+    template <class Start, class Total, class IsEnd>
     End run(const std::vector<std::size_t> &starts,
             const Start                    &start,
             const Total                    &total,
             const IsEnd                    &is_end,
-            const NextBound                &next_bound,
             double most = std::numeric_limits<double>::infinity());
 
     /** The least cost to point @p k, if it is less than that of the end. */
@@ -69,26 +69,21 @@ namespace strait
     }
 
   private:
-    using Entry = std::pair<double, std::size_t>; // cost, and point
+    using Entry = std::pair<double, std::size_t>; // cost, and point or block
+    using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
 
     /** A better way was found to point @p k, whose steps are to be searched. */
     void improve(std::size_t k, double cost, std::uint8_t step);
 
-    /** Let block @p b be searched. */
-    void activate(std::size_t b);
-
     /** Forget earlier searches; ways cost no more than @p most. */
     void reset(double most);
 
-    /** Search block @p b up to the bound. */
+    /** Search what is pending in block @p b. */
     template <class Total, class IsEnd>
     void search_block(std::size_t b, const Total &total, const IsEnd &is_end);
 
-    /** The least cost at which steps are to be searched, of all ranks. */
-    double least_pending();
-
     /** Take over what other ranks found. @return whether some rank has blocks to search
-     *  now. Collective. */
+     *  then. Collective. */
     bool exchange();
 
     /** The same for points of windows. */
@@ -97,18 +92,23 @@ namespace strait
     /** The best end of all ranks. Collective. */
     End best_of_all() const;
 
-    const FlowLattice              &lattice;
-    int                             n_directions;
-    std::vector<double>             costs;
-    std::vector<std::uint8_t>       last_steps;
-    std::vector<std::vector<Entry>> pending; // by block
-    std::vector<char>               is_active;
-    std::vector<std::size_t>        active; // blocks with something to be searched
-    std::vector<std::size_t>        found_in_windows;
-    std::vector<Entry>              heap;
-    std::size_t                     block_at_work = FlowLattice::none;
-    double                          bound = 0., limit = 0.;
-    End                             best;
+    const FlowLattice        &lattice;
+    int                       n_directions;
+    std::vector<double>       costs;
+    std::vector<std::uint8_t> last_steps;
+    double                    limit = 0.; // of costs that count
+    End                       best;
+    std::vector<std::size_t>  found_in_windows; // since the last exchange
+
+    // Points to be searched by block, the least cost of those of each, and the blocks
+    // that have some, of which entries with other costs are outdated.
+    std::vector<std::vector<Entry>> pending;
+    std::vector<double>             least_pending;
+    Queue                           blocks;
+
+    // The block at work, and its points as a heap.
+    std::size_t        block_at_work = FlowLattice::none;
+    std::vector<Entry> heap;
   };
 
   template <class Total, class IsEnd>
@@ -117,20 +117,17 @@ namespace strait
                               const Total      &total,
                               const IsEnd      &is_end)
   {
-    std::vector<Entry> &entries = pending[b];
-    const auto          now     = std::partition(entries.begin(),
-                                    entries.end(),
-                                    [this](const Entry &e) { return e.first > bound; });
-    heap.assign(now, entries.end());
-    entries.erase(now, entries.end());
+    heap.clear();
+    heap.swap(pending[b]);
+    least_pending[b] = std::numeric_limits<double>::infinity();
+    block_at_work    = b;
     std::make_heap(heap.begin(), heap.end(), std::greater<>());
-    block_at_work = b;
     while (!heap.empty())
       {
         const auto [here, k] = heap.front();
         std::pop_heap(heap.begin(), heap.end(), std::greater<>());
         heap.pop_back();
-        if (here > costs[k])
+        if (here > costs[k] || here > limit)
           continue;
         const bool own = lattice.is_own(k);
         if (own && is_end(k))
@@ -152,38 +149,27 @@ namespace strait
     block_at_work = FlowLattice::none;
   }
 
-  template <class Start, class Total, class IsEnd, class NextBound>
+  template <class Start, class Total, class IsEnd>
   LatticeSearch::End
   LatticeSearch::run(const std::vector<std::size_t> &starts,
                      const Start                    &start,
                      const Total                    &total,
                      const IsEnd                    &is_end,
-                     const NextBound                &next_bound,
                      const double                    most)
   {
     reset(most);
     for (const std::size_t k : starts)
       if (start(k) < costs[k])
         improve(k, start(k), start_of_way);
-    for (double least = least_pending(); least < limit; least = least_pending())
-      {
-        bound = next_bound(least);
-        for (std::size_t b = 0; b < pending.size(); ++b)
-          if (!pending[b].empty())
-            activate(b);
-        do
-          while (!active.empty())
-            {
-              const std::vector<std::size_t> blocks = std::exchange(active, {});
-              for (const std::size_t b : blocks)
-                {
-                  is_active[b] = 0;
-                  search_block(b, total, is_end);
-                }
-            }
-        while (exchange());
-        limit = minimum(lattice.communicator(), limit);
-      }
+    do
+      while (!blocks.empty())
+        {
+          const auto [least, b] = blocks.top();
+          blocks.pop();
+          if (least == least_pending[b])
+            search_block(b, total, is_end);
+        }
+    while (exchange());
     return best_of_all();
   }
 } // namespace strait
