@@ -10,90 +10,24 @@ namespace strait
     : layout(field.layout_pointer())
     , region(domain.region)
     , along_x(region != nullptr || domain.direction == FlowDirection::x)
+    , lines(layout, domain)
+    , values(lines.values(field))
   {
-    const PeriodicGrid &grid = field.grid();
-    const double        dx = grid.dx(), dy = grid.dy();
-    const int           seams = region != nullptr ? 1 : 0; // whose copies are appended
-    line_length               = grid.nx + (along_x ? 1 : 0);
-    const std::ptrdiff_t line = line_length;
+    const PeriodicGrid  &grid = field.grid();
+    const double         dx = grid.dx(), dy = grid.dy();
+    const std::ptrdiff_t line = lines.length();
     levels.push_back({0,
                       (along_x ? grid.nx : grid.ny) + 1,
-                      (along_x ? grid.ny : grid.nx) + seams,
+                      (along_x ? grid.ny : grid.nx) + (region != nullptr ? 1 : 0),
                       {{along_x ? dx : dy, along_x ? dy : dx, std::hypot(dx, dy)}},
                       along_x ? 1 : line,
                       along_x ? line : 1,
                       -1,
                       0,
                       0});
-    if (region != nullptr)
-      add_region(field);
-    else
-      add_grid(field);
-    blocks_per_line     = (line_length + block_size - 1) / block_size;
-    n_blocks_on_grid    = (n_lines + block_size - 1) / block_size * blocks_per_line;
     const int n_windows = static_cast<int>(layout->windows().size());
     for (int w = 0; w < n_windows; ++w)
       add_window(field, w);
-  }
-
-  void
-  FlowLattice::add_grid(const SlabField &field)
-  {
-    const int nx = field.grid().nx, ny = field.grid().ny;
-    const int n_rows = layout->n_rows(), end = layout->first_row() + n_rows;
-    // Of a flow along y the outlet's copy of the first line follows the last one.
-    const bool has_copy   = !along_x && n_rows > 0 && end == ny;
-    const bool has_before = n_rows > 0 && (along_x || layout->first_row() > 0);
-    const bool has_after  = n_rows > 0 && (along_x || end < ny);
-    const int  n_own      = n_rows + (has_copy ? 1 : 0);
-    first_line            = layout->first_row() - (has_before ? 1 : 0);
-    n_lines               = n_own + (has_before ? 1 : 0) + (has_after ? 1 : 0);
-    begin_own             = has_before ? line_length : 0;
-    end_own               = begin_own + static_cast<std::size_t>(n_own) * line_length;
-    n_on_grid             = static_cast<std::size_t>(n_lines) * line_length;
-    values.resize(n_on_grid);
-    for (int row = 0; row < n_rows; ++row)
-      for (int i = 0; i < line_length; ++i)
-        values[begin_own + static_cast<std::size_t>(row) * line_length + i] =
-          field(i % nx, row);
-    const auto first = fetch_rows(field, std::vector<int>(has_copy ? 1 : 0, 0));
-    std::copy(first.rbegin(), first.rend(), values.rbegin());
-    update_ghosts(values);
-  }
-
-  void
-  FlowLattice::add_region(const SlabField &field)
-  {
-    const std::vector<double> whole = gather_on_root(field);
-    if (layout->rank() > 0)
-      return;
-    const int nx = field.grid().nx, ny = field.grid().ny;
-    n_lines   = ny + 1;
-    n_on_grid = end_own = region->size();
-    values.assign(n_on_grid, 0.);
-    for (std::size_t k = 0; k < n_on_grid; ++k)
-      if (region->is_point(k))
-        values[k] = whole[k / line_length % ny * nx + k % line_length % nx];
-  }
-
-  void
-  FlowLattice::update_ghosts(std::vector<double> &numbers) const
-  {
-    if (region != nullptr)
-      return;
-    const int        end = layout->first_row() + layout->n_rows();
-    std::vector<int> wanted;
-    if (begin_own > 0)
-      wanted.push_back(first_line);
-    if (end_own < n_on_grid)
-      wanted.push_back(end);
-    const auto lines =
-      fetch_rows(*layout, numbers.data() + begin_own, line_length, wanted);
-    const auto middle = lines.begin() + static_cast<std::ptrdiff_t>(begin_own);
-    std::copy(lines.begin(), middle, numbers.begin());
-    std::copy(middle,
-              lines.end(),
-              numbers.begin() + static_cast<std::ptrdiff_t>(end_own));
   }
 
   bool
@@ -207,11 +141,8 @@ namespace strait
   std::size_t
   FlowLattice::number_of_copy(const Place &p, const int copy) const
   {
-    const int b    = wrapped(p.across) + copy * levels.front().n_across;
-    const int line = (along_x ? b : p.along) - first_line, i = along_x ? p.along : b;
-    return line < 0 || line >= n_lines || i < 0 || i >= line_length
-             ? none
-             : static_cast<std::size_t>(line) * line_length + i;
+    const int b = wrapped(p.across) + copy * levels.front().n_across;
+    return along_x ? lines.number_of(b, p.along) : lines.number_of(p.along, b);
   }
 
   std::size_t
@@ -220,7 +151,7 @@ namespace strait
     const Level &grid = levels.front();
     const auto   n    = static_cast<std::size_t>(grid.n_along);
     return p.level == 0 ? wrapped(p.across) * n + p.along
-                        : grid.n_across * n + (number_of(p) - n_on_grid);
+                        : grid.n_across * n + (number_of(p) - lines.size());
   }
 
   std::size_t
@@ -229,7 +160,7 @@ namespace strait
     const Level &grid = levels.front();
     const auto   n    = static_cast<std::size_t>(grid.n_along);
     if (global >= grid.n_across * n)
-      return layout->rank() == 0 ? global - grid.n_across * n + n_on_grid : none;
+      return layout->rank() == 0 ? global - grid.n_across * n + lines.size() : none;
     const std::size_t k =
       number_of({0, static_cast<int>(global % n), static_cast<int>(global / n)});
     return k != none && is_own(k) ? k : none;
@@ -340,12 +271,13 @@ namespace strait
     };
     if (region != nullptr)
       {
-        for (std::size_t k = 0; k < n_on_grid; ++k)
+        for (std::size_t k = 0; k < lines.size(); ++k)
           if (region->is_inlet(k))
             add(k);
         return points;
       }
-    for (std::size_t k = begin_own; k < end_own; k += along_x ? line_length : 1)
+    const auto [first, end] = lines.own_points();
+    for (std::size_t k = first; k < end; k += along_x ? lines.length() : 1)
       if (place_of(k).along == 0)
         add(k);
     for (std::size_t l = 1; layout->rank() == 0 && l < levels.size(); ++l)
@@ -377,7 +309,7 @@ namespace strait
                              const bool        first_along) const
   {
     const int         da = first_along ? d_along : 0, db = first_along ? 0 : d_across;
-    const std::size_t corner = k + da + static_cast<std::ptrdiff_t>(db) * line_length;
+    const std::size_t corner = k + da + static_cast<std::ptrdiff_t>(db) * lines.length();
     return region->is_joined(k, da, db) &&
            region->is_joined(corner, d_along - da, d_across - db);
   }

@@ -54,19 +54,20 @@ namespace strait
   bool
   LatticeSearch::exchange()
   {
+    const GridLines                 &lines = lattice.grid_lines();
     std::vector<std::vector<double>> known;
-    for (const auto &[begin, end] : lattice.ghosts())
+    for (const auto &[begin, end] : lines.ghosts())
       known.emplace_back(costs.begin() + static_cast<std::ptrdiff_t>(begin),
                          costs.begin() + static_cast<std::ptrdiff_t>(end));
-    lattice.update_ghosts(costs);
+    lines.update_ghosts(costs);
     for (std::size_t side = 0; side < known.size(); ++side)
       {
-        const std::size_t begin = lattice.ghosts()[side][0];
+        const std::size_t begin = lines.ghosts()[side][0];
         for (std::size_t i = 0; i < known[side].size(); ++i)
           if (costs[begin + i] < known[side][i])
             improve(begin + i, costs[begin + i], start_of_way);
       }
-    if (lattice.size() > lattice.begin_of_windows())
+    if (lattice.size() > lines.size())
       exchange_in_windows();
     limit = minimum(lattice.communicator(), limit);
     return sum(lattice.communicator(), static_cast<long long>(blocks.size())) > 0;
@@ -85,7 +86,7 @@ namespace strait
     MPI_Comm             comm = lattice.communicator();
     std::vector<Finding> mine;
     for (const std::size_t k : std::exchange(found_in_windows, {}))
-      mine.push_back({k - lattice.begin_of_windows(), costs[k], last_steps[k]});
+      mine.push_back({k - lattice.grid_lines().size(), costs[k], last_steps[k]});
     int n_ranks = 1;
     MPI_Comm_size(comm, &n_ranks);
     std::vector<int> counts(n_ranks), starts(n_ranks + 1, 0);
@@ -96,7 +97,7 @@ namespace strait
     MPI_Allgatherv(
       mine.data(), n, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, comm);
     for (const Finding &found : all)
-      if (const std::size_t k = lattice.begin_of_windows() + found.point;
+      if (const std::size_t k = lattice.grid_lines().size() + found.point;
           found.cost < costs[k])
         improve(k, found.cost, static_cast<std::uint8_t>(found.step));
     found_in_windows.clear();

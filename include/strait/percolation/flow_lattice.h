@@ -3,6 +3,7 @@
 #define strait_percolation_flow_lattice_h
 
 #include <strait/percolation/flow_region.h>
+#include <strait/percolation/grid_lines.h>
 #include <strait/percolation/grid_point.h>
 #include <strait/spectral/slab_field.h>
 
@@ -17,9 +18,7 @@ namespace strait
   /**
    * Values at grid points as a search along the flow meets them: the seam is closed and
    * the outlet's copy of it appended, while across the flow the grid is periodic. Each
-   * rank holds its own rows, and ghosts: copies of the row before and the one after
-   * them. Of a region the lattice is that of FlowRegion, with zero at what does not
-   * belong to it, and rank 0 owns all of it.
+   * rank holds its GridLines.
    *
    * The points of windows follow, on all ranks; rank 0 owns them. A point that a window
    * covers is then the coinciding point of that: its own number carries the same value,
@@ -50,17 +49,24 @@ namespace strait
       return values[k];
     }
 
+    /** The points of the grid, which come before those of windows. */
+    const GridLines &
+    grid_lines() const
+    {
+      return lines;
+    }
+
     bool
     in_window(const std::size_t k) const
     {
-      return k >= n_on_grid;
+      return k >= lines.size();
     }
 
     /** Whether point @p k is this rank's: neither a ghost nor a point of another's. */
     bool
     is_own(const std::size_t k) const
     {
-      return in_window(k) ? layout->rank() == 0 : k >= begin_own && k < end_own;
+      return in_window(k) ? layout->rank() == 0 : lines.is_own(k);
     }
 
     /** Whether the fluid leaves at point @p k. */
@@ -80,8 +86,7 @@ namespace strait
       std::uint8_t number; // tells, with `point`, where it began: start_of()
     };
 
-    /** Number of no point. */
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    static constexpr std::size_t none = GridLines::none;
 
     /**
      * Call action(step) for the steps from point @p k to those of the first
@@ -124,45 +129,20 @@ namespace strait
     /** The point of the grid or a window that is point @p k of the lattice. */
     GridPoint point(std::size_t k) const;
 
-    /** Blocks of points that lie together, for searches that go from block to block. */
+    /** Points that lie together are in the same one of so many blocks. */
     std::size_t
     n_blocks() const
     {
-      return n_blocks_on_grid + levels.size() - 1;
+      return lines.n_blocks() + levels.size() - 1;
     }
 
     std::size_t
     block_of(const std::size_t k) const
     {
-      if (in_window(k))
-        return n_blocks_on_grid + level_of(k) - 1;
-      return k / line_length / block_size * blocks_per_line +
-             k % line_length / block_size;
-    }
-
-    /** Give the ghosts among @p numbers, one for each point of the lattice, their owners'
-     *  values. Collective. */
-    void update_ghosts(std::vector<double> &numbers) const;
-
-    /** The range of the ghosts' numbers before this rank's own points, and after them. */
-    std::array<std::array<std::size_t, 2>, 2>
-    ghosts() const
-    {
-      return {{{{0, begin_own}}, {{end_own, n_on_grid}}}};
-    }
-
-    /** Numbers of windows' points begin here. */
-    std::size_t
-    begin_of_windows() const
-    {
-      return n_on_grid;
+      return in_window(k) ? lines.n_blocks() + level_of(k) - 1 : lines.block_of(k);
     }
 
   private:
-    // Values of a block and what a search keeps of them fit a processor's cache. With
-    // half of it a path takes 1.4 times as long, with double of it the same.
-    static constexpr int block_size = 32;
-
     static constexpr std::array<std::array<int, 2>, 8> directions = {
       {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
 
@@ -206,8 +186,6 @@ namespace strait
       bool ends_at_outlet;
     };
 
-    void add_grid(const SlabField &field);
-    void add_region(const SlabField &field);
     void add_window(const SlabField &field, int w);
     void add_part(const SlabField &field, int w, const Part &part);
 
@@ -231,8 +209,7 @@ namespace strait
       const int level = level_of(k);
       if (level == 0)
         {
-          const int line = first_line + static_cast<int>(k / line_length);
-          const int i    = static_cast<int>(k % line_length);
+          const int line = lines.line_of(k), i = lines.position_of(k);
           return along_x ? Place{0, i, line} : Place{0, line, i};
         }
       const std::size_t i = k - levels[level].begin;
@@ -294,15 +271,10 @@ namespace strait
     SlabLayoutPtr                     layout;
     std::shared_ptr<const FlowRegion> region; // null: the box
     bool                              along_x;
+    GridLines                         lines;
     std::vector<Level>                levels; // the grid, then the windows
-
-    // Of the grid's lines of constant y this rank knows those from first_line on.
-    int         first_line = 0, n_lines = 0, line_length = 0;
-    std::size_t begin_own = 0, end_own = 0, n_on_grid = 0;
-    std::size_t blocks_per_line = 0, n_blocks_on_grid = 0;
-
-    std::vector<double> values;
-    std::vector<bool>   is_covered; // empty without windows
+    std::vector<double>               values;
+    std::vector<bool>                 is_covered; // empty without windows
   };
 
   template <class Action>
@@ -317,12 +289,11 @@ namespace strait
     const int  rim            = p.level == 0 ? 0 : 1;
     const bool from_is_finest = is_covered.empty() || !is_covered[from];
     // Across the flow the lines wrap around by their ghosts, points of a line here.
-    const bool wraps = p.level == 0 && !along_x;
-    const int  first = p.level > 0 || wraps ? rim : first_line;
-    const int  end   = p.level > 0 || wraps ? level.n_across - rim : first_line + n_lines;
-    const int  first_along = p.level == 0 && !along_x ? first_line : rim;
-    const int  end_along =
-      p.level == 0 && !along_x ? first_line + n_lines : level.n_along - rim;
+    const bool wraps       = p.level == 0 && !along_x;
+    const int  first       = p.level > 0 || wraps ? rim : lines.first();
+    const int  end         = p.level > 0 || wraps ? level.n_across - rim : lines.end();
+    const int  first_along = p.level == 0 && !along_x ? lines.first() : rim;
+    const int  end_along   = p.level == 0 && !along_x ? lines.end() : level.n_along - rim;
     for (int d = 0; d < n_directions; ++d)
       {
         const auto [da, db] = directions[d];

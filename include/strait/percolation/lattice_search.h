@@ -139,7 +139,8 @@ namespace strait
           }
         lattice.for_each_step(k, n_directions, [&](const FlowLattice::Step &step) {
           // Ghosts are their owner's affair; windows are, but for the way into them.
-          if (!lattice.is_own(step.point) && !(own && lattice.in_window(step.point)))
+          if (costs[step.point] <= here ||
+              (!lattice.is_own(step.point) && !(own && lattice.in_window(step.point))))
             return;
           const double there = total(here, step);
           if (there < costs[step.point] && there <= limit)
