@@ -99,16 +99,8 @@ namespace strait
     const int own = static_cast<int>(levels.size()) - 1;
     for (int b = 1; b < level.n_across; b += 3)
       for (int a = 1; a < level.n_along; a += 3)
-        {
-          const Place covered = parent_of({own, a, b});
-          // This rank may know a line of the grid twice, as its own and as a ghost.
-          if (covered.level > 0)
-            is_covered[number_of(covered)] = true;
-          for (const int copy : {-1, 0, 1})
-            if (const std::size_t k = number_of_copy(covered, copy);
-                covered.level == 0 && k != none)
-              is_covered[k] = true;
-        }
+        for_each_copy(parent_of({own, a, b}),
+                      [this](const std::size_t k) { is_covered[k] = true; });
   }
 
   int
@@ -129,20 +121,22 @@ namespace strait
   std::size_t
   FlowLattice::number_of(const Place &p) const
   {
-    const Level &level = levels[p.level];
-    if (p.level > 0)
-      return level.begin + static_cast<std::size_t>(p.across) * level.n_along + p.along;
-    for (const int copy : {0, -1, 1})
-      if (const std::size_t k = number_of_copy(p, copy); k != none)
-        return k;
-    return none;
+    std::size_t number = none;
+    for_each_copy(p, [&](const std::size_t k) { number = number == none ? k : number; });
+    return number;
   }
 
   std::size_t
-  FlowLattice::number_of_copy(const Place &p, const int copy) const
+  FlowLattice::number_of_copy(const Place &p, const int periods) const
   {
-    const int b = wrapped(p.across) + copy * levels.front().n_across;
-    return along_x ? lines.number_of(b, p.along) : lines.number_of(p.along, b);
+    const Level &level = levels[p.level];
+    if (p.level > 0)
+      return periods != 0
+               ? none
+               : level.begin + static_cast<std::size_t>(p.across) * level.n_along +
+                   p.along;
+    const int across = wrapped(p.across) + periods * level.n_across;
+    return along_x ? lines.number_of(across, p.along) : lines.number_of(p.along, across);
   }
 
   std::size_t

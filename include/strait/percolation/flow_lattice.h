@@ -101,8 +101,9 @@ namespace strait
       const Place p = place_of(k);
       visit_steps(p, k, n_directions, action);
       if (p.level > 0 && is_on_rim(p))
-        if (const std::size_t on_parent = number_of(parent_of(p)); on_parent != none)
-          visit_steps(parent_of(p), on_parent, 4, action);
+        for_each_copy(parent_of(p), [&](const std::size_t on_parent) {
+          visit_steps(place_of(on_parent), on_parent, 4, action);
+        });
     }
 
     /** What point @p k is called on all ranks. */
@@ -225,10 +226,19 @@ namespace strait
      */
     std::size_t number_of(const Place &p) const;
 
-    /** The same of one of the lines by which a point of the grid may be known, its own
-     * one
-     *  (@p copy 0) and those a period before and after it. */
-    std::size_t number_of_copy(const Place &p, int copy) const;
+    /** Call visit(k) for all numbers by which this rank knows point @p p, as of the grid
+     * its own line may be a ghost as well. */
+    template <class Visit>
+    void
+    for_each_copy(const Place &p, const Visit &visit) const
+    {
+      for (const int periods : {0, -1, 1})
+        if (const std::size_t k = number_of_copy(p, periods); k != none)
+          visit(k);
+    }
+
+    /** Its number so many periods away across the flow; none if it is not known there. */
+    std::size_t number_of_copy(const Place &p, int periods) const;
 
     /** A point of the grid across the flow, within the period. */
     int
