@@ -198,7 +198,7 @@ namespace strait
         if (resistivity(path.gaps[i]) > threshold)
           {
             // Many points in a window share one of the grid.
-            const GridPoint point = gap.on_grid(path.points[i]);
+            const GridPoint point = gap.all_levels().on_grid(path.points[i]);
             if (throats.empty() || !(throats.back() == point))
               throats.push_back(point);
           }

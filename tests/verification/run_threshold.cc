@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The critical load of the isolated saddle and the exponents near it.
+#include <strait/base/exceptions.h>
 #include <strait/run/ensemble.h>
 #include <strait/run/exponent_fit.h>
 #include <strait/surface/read_scene.h>

@@ -2,9 +2,8 @@
 #ifndef strait_percolation_flow_lattice_h
 #define strait_percolation_flow_lattice_h
 
-#include <strait/percolation/flow_region.h>
 #include <strait/percolation/grid_lines.h>
-#include <strait/percolation/grid_point.h>
+#include <strait/percolation/lattice_levels.h>
 #include <strait/spectral/slab_field.h>
 
 #include <array>
@@ -100,8 +99,8 @@ namespace strait
     {
       const Place p = place_of(k);
       visit_steps(p, k, n_directions, action);
-      if (p.level > 0 && is_on_rim(p))
-        for_each_copy(parent_of(p), [&](const std::size_t on_parent) {
+      if (p.level > 0 && levels.is_on_rim(p))
+        for_each_copy(levels.parent_of(p), [&](const std::size_t on_parent) {
           visit_steps(place_of(on_parent), on_parent, 4, action);
         });
     }
@@ -120,15 +119,16 @@ namespace strait
      *  @p k. */
     std::size_t start_of(std::size_t k, std::uint8_t number) const;
 
-    /** The point of the grid that stands for point @p p. */
-    GridPoint on_grid(const GridPoint &p) const;
-
     /** The points that this rank knows within @p reach spacings from the point @p p of
      * the grid, each way, and the points of windows that stand for such. */
     std::vector<std::size_t> points_around(const GridPoint &p, int reach) const;
 
     /** The point of the grid or a window that is point @p k of the lattice. */
-    GridPoint point(std::size_t k) const;
+    GridPoint
+    point(const std::size_t k) const
+    {
+      return levels.point(place_of(k));
+    }
 
     /** Points that lie together are in the same one of so many blocks. */
     std::size_t
@@ -140,85 +140,38 @@ namespace strait
     std::size_t
     block_of(const std::size_t k) const
     {
-      return in_window(k) ? lines.n_blocks() + level_of(k) - 1 : lines.block_of(k);
+      return in_window(k) ? lines.n_blocks() + levels.level_of(k) - 1 : lines.block_of(k);
+    }
+
+    const LatticeLevels &
+    all_levels() const
+    {
+      return levels;
     }
 
   private:
+    using Level = LatticeLevels::Level;
+    using Place = LatticeLevels::Place;
+
     static constexpr std::array<std::array<int, 2>, 8> directions = {
       {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
 
     // Added to the number of a step whose end is named by a point of a finer level.
     static constexpr std::uint8_t into_window = 8;
 
-    /** The grid, or a window. */
-    struct Level
-    {
-      std::size_t           begin; // number of its first point
-      int                   n_along;
-      int                   n_across;
-      std::array<double, 3> lengths;             // of steps along, across and diagonally
-      std::ptrdiff_t        along_by, across_by; // steps in the numbers of its points
-      int                   parent; // its level, and the first of its points that the
-      int                   along;  // window covers
-      int                   across;
-
-      // Of a window across the seam there are two parts: that on the side of the outlet,
-      // which ends with the outlet's copy of the seam, and that which begins with it.
-      int  window          = -1;
-      int  first           = 0; // its first column, along the flow, in the window
-      bool begins_at_inlet = false;
-      bool ends_at_outlet  = false;
-    };
-
-    /** A point by its level, column along the flow and row across it. */
-    struct Place
-    {
-      int level;
-      int along;
-      int across;
-    };
-
-    /** Columns of a window, along the flow: all, or those on one side of the seam. */
-    struct Part
-    {
-      int  first;
-      int  last;
-      bool begins_at_inlet;
-      bool ends_at_outlet;
-    };
-
-    void add_window(const SlabField &field, int w);
-    void add_part(const SlabField &field, int w, const Part &part);
-
-    /** The level with column @p along of a window, −1 for the grid; of a column on the
-     *  seam the copy at the outlet if @p of_outlet, else that at the inlet. */
-    int level_with(int window, int along, bool of_outlet) const;
-
-    int
-    level_of(const std::size_t k) const
-    {
-      int level = 0;
-      if (in_window(k))
-        for (level = static_cast<int>(levels.size()) - 1; k < levels[level].begin;)
-          --level;
-      return level;
-    }
-
     Place
     place_of(const std::size_t k) const
     {
-      const int level = level_of(k);
+      const int level = levels.level_of(k);
       if (level == 0)
         {
           const int line = lines.line_of(k), i = lines.position_of(k);
-          return along_x ? Place{0, i, line} : Place{0, line, i};
+          return levels.along_x ? Place{0, i, line} : Place{0, line, i};
         }
       const std::size_t i = k - levels[level].begin;
       const int         n = levels[level].n_along;
       return {level, static_cast<int>(i % n), static_cast<int>(i / n)};
     }
-
-    GridPoint point(const Place &p) const;
 
     std::size_t global_number(const Place &p) const;
 
@@ -240,33 +193,12 @@ namespace strait
     /** Its number so many periods away across the flow; none if it is not known there. */
     std::size_t number_of_copy(const Place &p, int periods) const;
 
-    /** A point of the grid across the flow, within the period. */
-    int
-    wrapped(const int across) const
-    {
-      const int n = levels.front().n_across;
-      return region != nullptr ? across : ((across % n) + n) % n;
-    }
-
-    /** The point of the next finer level that point @p p is; itself if no window covers
-     *  it. */
-    Place finer(const Place &p) const;
-
-    /** The point of the finest level that point @p p is. */
-    Place finest(const Place &p) const;
-
     std::size_t
     finest(const std::size_t k) const
     {
-      return is_covered.empty() || !is_covered[k] ? k : number_of(finest(place_of(k)));
+      return is_covered.empty() || !is_covered[k] ? k
+                                                  : number_of(levels.finest(place_of(k)));
     }
-
-    /** Whether a point of a window is one of its parent's points, and on the rim of what
-     *  the window covers of those. */
-    bool is_on_rim(const Place &p) const;
-
-    /** The point of the parent that stands for a point of a window. */
-    Place parent_of(const Place &p) const;
 
     template <class Action>
     void visit_steps(const Place  &p,
@@ -280,9 +212,8 @@ namespace strait
 
     SlabLayoutPtr                     layout;
     std::shared_ptr<const FlowRegion> region; // null: the box
-    bool                              along_x;
     GridLines                         lines;
-    std::vector<Level>                levels; // the grid, then the windows
+    LatticeLevels                     levels;
     std::vector<double>               values;
     std::vector<bool>                 is_covered; // empty without windows
   };
@@ -299,11 +230,12 @@ namespace strait
     const int  rim            = p.level == 0 ? 0 : 1;
     const bool from_is_finest = is_covered.empty() || !is_covered[from];
     // Across the flow the lines wrap around by their ghosts, points of a line here.
-    const bool wraps       = p.level == 0 && !along_x;
+    const bool wraps       = p.level == 0 && !levels.along_x;
     const int  first       = p.level > 0 || wraps ? rim : lines.first();
     const int  end         = p.level > 0 || wraps ? level.n_across - rim : lines.end();
-    const int  first_along = p.level == 0 && !along_x ? lines.first() : rim;
-    const int  end_along   = p.level == 0 && !along_x ? lines.end() : level.n_along - rim;
+    const int  first_along = p.level == 0 && !levels.along_x ? lines.first() : rim;
+    const int  end_along =
+      p.level == 0 && !levels.along_x ? lines.end() : level.n_along - rim;
     for (int d = 0; d < n_directions; ++d)
       {
         const auto [da, db] = directions[d];
