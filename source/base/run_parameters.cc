@@ -115,6 +115,12 @@ namespace strait
                 orientation_names,
                 "Run each seed in these orientations, which replace Surface/Invert and "
                 "Surface/Rotate.");
+    section.add("Ranks each",
+                ranks_each,
+                any_number.at_least(1),
+                "How many ranks run a realisation together, one number that divides the "
+                "number of ranks: groups of so many run realisations at the same time. "
+                "Empty: all ranks run one after the other.");
   }
 
   void
@@ -126,6 +132,8 @@ namespace strait
       throw InputError(
         "Realisations lists a seed or an orientation twice; the copies would "
         "falsify the scatter, remove them.");
+    if (ranks_each.size() > 1)
+      throw InputError("Realisations/Ranks each takes one number, or none.");
   }
 
   void

@@ -2,96 +2,79 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/percolation/bottleneck.h>
+#include <strait/percolation/lattice_search.h>
 
 #include <cmath>
-#include <limits>
-#include <queue>
-#include <unordered_set>
-#include <utility>
-#include <vector>
 
 namespace strait
 {
   namespace
   {
-    /** Steps from point @p k to the nearest one that is open if it is closed, or closed
-     * if it is open; 0 if there is none. */
+    /** Steps from the point that is @p start on its owner to the nearest one that is open
+     *  if it is closed, or closed if it is open; 0 if there is none. Collective. */
     int
-    steps_to_other_side(const FlowLattice &lattice, const std::size_t k)
+    steps_to_other_side(const FlowLattice &lattice,
+                        const std::size_t  start,
+                        const bool         is_open)
     {
-      const bool                      is_open = lattice[k] > 0;
-      std::vector<std::size_t>        front   = {k};
-      std::unordered_set<std::size_t> seen    = {k};
-      for (int steps = 1; !front.empty(); ++steps)
-        {
-          std::vector<std::size_t> next;
-          bool                     is_found = false;
-          for (const std::size_t point : front)
-            lattice.for_each_step(point, 4, [&](const FlowLattice::Step &step) {
-              is_found = is_found || (lattice[step.point] > 0) != is_open;
-              if (seen.insert(step.point).second)
-                next.push_back(step.point);
-            });
-          if (is_found)
-            return steps;
-          front = std::move(next);
-        }
-      return 0;
+      std::vector<std::size_t> starts;
+      if (start != FlowLattice::none)
+        starts.push_back(start);
+      LatticeSearch            search(lattice, 4);
+      const LatticeSearch::End end = search.run(
+        starts,
+        [](std::size_t) { return 0.; },
+        [](const double steps, const FlowLattice::Step &) { return steps + 1.; },
+        [&](const std::size_t k) { return (lattice[k] > 0) != is_open; });
+
+      return std::isfinite(end.cost) ? static_cast<int>(end.cost) : 0;
     }
 
-    /** Flood from the inlet, always over the most open point of the shore. */
+    /** The bottleneck of ways that cost as much as they are closed at their worst. */
     Bottleneck
-    flood(const FlowLattice &lattice)
+    find_bottleneck(const FlowLattice &lattice)
     {
-      using Entry = std::pair<double, std::size_t>;
-      std::priority_queue<Entry> shore;
-      std::vector<bool>          reached(lattice.size(), false);
-      const auto                 reach = [&](const std::size_t k) {
-        if (!reached[k])
-          {
-            reached[k] = true;
-            shore.emplace(lattice[k], k);
-          }
-      };
-      for (const std::size_t k : lattice.inlet_points())
-        reach(k);
+      LatticeSearch            search(lattice, 4);
+      const LatticeSearch::End end = search.run(
+        lattice.inlet_points(),
+        [&](const std::size_t k) { return -lattice[k]; },
+        [&](const double worst, const FlowLattice::Step &step) {
+          return std::max(worst, -lattice[step.point]);
+        },
+        [&](const std::size_t k) { return lattice.is_outlet(k); });
 
-      double      worst    = std::numeric_limits<double>::infinity();
-      std::size_t worst_at = 0;
-      while (!shore.empty())
+      if (!std::isfinite(end.cost))
+        throw InputError(
+          "The contact grid is too coarse for Fluid/Mesh: no chain of grid points leads "
+          "from the inlet to the outlet; raise Contact/Grid points.");
+      // The first of the points whose value it is.
+      constexpr auto nowhere = std::numeric_limits<double>::infinity();
+      double         first   = nowhere;
+      for (std::size_t k = 0; k < lattice.size(); ++k)
+        if (lattice.is_own(k) && -lattice[k] == end.cost && search.cost(k) == end.cost)
+          first = std::min(first, static_cast<double>(lattice.global_number(k)));
+      const auto global =
+        static_cast<std::size_t>(minimum(lattice.communicator(), first));
+      const std::size_t k = lattice.own_number(global);
+      Bottleneck        result;
+      result.value = -end.cost;
+      result.reach = steps_to_other_side(lattice, k, result.value > 0);
+      int owner    = 0;
+      if (k != FlowLattice::none)
         {
-          const auto [value, k] = shore.top();
-          shore.pop();
-          if (value < worst)
-            {
-              worst    = value;
-              worst_at = k;
-            }
-          if (lattice.is_outlet(k))
-            return {lattice.point(worst_at),
-                    worst,
-                    steps_to_other_side(lattice, worst_at)};
-          lattice.for_each_step(k, 4, [&reach](const FlowLattice::Step &step) {
-            reach(step.point);
-          });
+          result.point = lattice.point(k);
+          MPI_Comm_rank(lattice.communicator(), &owner);
         }
-      throw InputError(
-        "The contact grid is too coarse for Fluid/Mesh: no chain of grid points leads "
-        "from the inlet to the outlet; raise Contact/Grid points.");
+      MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MAX, lattice.communicator());
+      MPI_Bcast(&result.point, 3, MPI_INT, owner, lattice.communicator());
+      return result;
     }
   } // namespace
 
   Bottleneck
   find_bottleneck(const SlabField &openness, const FlowDomain &domain)
   {
-    MPI_Comm                  comm  = openness.layout().communicator();
-    const std::vector<double> whole = gather_on_root(openness);
-    Bottleneck                result;
-    run_on_root(comm, [&]() { result = flood(FlowLattice(whole, openness, domain)); });
-    MPI_Bcast(&result.point, 3, MPI_INT, 0, comm);
-    MPI_Bcast(&result.value, 1, MPI_DOUBLE, 0, comm);
-    MPI_Bcast(&result.reach, 1, MPI_INT, 0, comm);
-    return result;
+    return find_bottleneck(FlowLattice(openness, domain));
   }
 
   std::array<double, 2>

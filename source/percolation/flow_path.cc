@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/collective.h>
 #include <strait/percolation/flow_path.h>
+#include <strait/percolation/lattice_search.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <queue>
 #include <utility>
 
 namespace strait
@@ -14,20 +13,44 @@ namespace strait
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    constexpr std::uint8_t start_of_path = 255;
+    double
+    resistivity(const double g)
+    {
+      return g > 0 ? 1. / (g * g * g) : infinity;
+    }
 
-    /** Searches for paths on the gap, and bars the way to later ones. */
+    /** Append to @p path the @p part that rank @p owner holds. Collective. */
+    void
+    append(FlowPath &path, FlowPath &part, const int owner, MPI_Comm comm)
+    {
+      auto n = static_cast<int>(part.points.size());
+      MPI_Bcast(&n, 1, MPI_INT, owner, comm);
+      part.points.resize(n);
+      static_assert(sizeof(GridPoint) == 3 * sizeof(int));
+      MPI_Bcast(part.points.data(), 3 * n, MPI_INT, owner, comm);
+      path.points.insert(path.points.end(), part.points.begin(), part.points.end());
+      for (auto values : {&FlowPath::gaps, &FlowPath::resistances})
+        {
+          (part.*values).resize(n);
+          MPI_Bcast((part.*values).data(), n, MPI_DOUBLE, owner, comm);
+          (path.*values)
+            .insert((path.*values).end(), (part.*values).begin(), (part.*values).end());
+        }
+    }
+
+    /** Searches for paths on the gap, and bars the way to later ones. All collective. */
     class PathSearch
     {
     public:
       explicit PathSearch(const FlowLattice &lattice)
         : gap(lattice)
+        , search(lattice, 8)
         , blocked(lattice.size(), false)
       {
       }
 
       /** The least-resistance path that avoids blocked points; empty if there is none of
-       *  less than @p most. */
+       *  no more than @p most. */
       FlowPath run(double most);
 
       /** Bar the throats of @p path to later searches. */
@@ -40,23 +63,17 @@ namespace strait
         return gap[k] > 0 && !blocked[k];
       }
 
-      static double
-      resistivity(const double g)
-      {
-        return g > 0 ? 1. / (g * g * g) : infinity;
-      }
-
       double step_resistance(const FlowLattice::Step &step) const;
 
-      /** From point @p k of the grid to the nearest closed one, in spacings. */
-      int reach_of(std::size_t k) const;
+      /** From points of the grid to the nearest closed ones, in spacings. */
+      std::vector<int> reaches_of(const std::vector<GridPoint> &points) const;
 
-      FlowPath trace_back(std::size_t                      end,
-                          const std::vector<std::uint8_t> &came_by) const;
+      /** The way to the end of the last search. */
+      FlowPath trace_back(const LatticeSearch::End &end) const;
 
-      const FlowLattice  &gap;
-      std::vector<bool>   blocked;
-      std::vector<double> resistance;
+      const FlowLattice &gap;
+      LatticeSearch      search;
+      std::vector<bool>  blocked;
     };
 
     double
@@ -66,13 +83,13 @@ namespace strait
         return infinity;
       const double here = gap[step.from], there = gap[step.to];
       const double mean_ends = .5 * (resistivity(here) + resistivity(there));
-      if (step.d_along == 0 || step.d_across == 0)
+      if (step.corner == FlowLattice::none && step.corner_2 == FlowLattice::none)
         return mean_ends * step.length;
       // Two corners that merely touch are no channel.
-      const double side_1 =
-        gap.can_go_around(step, true) ? gap[step.from + step.d_along] : 0.;
-      const double side_2 =
-        gap.can_go_around(step, false) ? gap[step.to - step.d_along] : 0.;
+      const auto at = [this](const std::size_t corner) {
+        return corner == FlowLattice::none ? 0. : gap[corner];
+      };
+      const double side_1 = at(step.corner), side_2 = at(step.corner_2);
       if (!(side_1 > 0) && !(side_2 > 0))
         return infinity;
       const double middle =
@@ -83,79 +100,90 @@ namespace strait
     FlowPath
     PathSearch::run(const double most)
     {
-      using Entry = std::pair<double, std::size_t>;
-      resistance.assign(gap.size(), infinity);
-      std::vector<std::uint8_t> came_by(gap.size(), start_of_path);
-      std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-      for (const std::size_t k : gap.inlet_points())
-        if (is_open(k))
-          {
-            resistance[k] = 0;
-            queue.emplace(0., k);
-          }
-      while (!queue.empty())
-        {
-          const auto [so_far, k] = queue.top();
-          queue.pop();
-          if (so_far > resistance[k])
-            continue;
-          if (gap.is_outlet(k))
-            return trace_back(k, came_by);
-          const double here = so_far;
-          gap.for_each_step(k, 8, [&](const FlowLattice::Step &step) {
-            const double total = here + step_resistance(step);
-            if (total < resistance[step.point] && total <= most)
-              {
-                resistance[step.point] = total;
-                came_by[step.point]    = step.number;
-                queue.emplace(total, step.point);
-              }
-          });
-        }
-      return {};
+      std::vector<std::size_t> inlet = gap.inlet_points();
+      inlet.erase(std::remove_if(inlet.begin(),
+                                 inlet.end(),
+                                 [this](const std::size_t k) { return !is_open(k); }),
+                  inlet.end());
+      const LatticeSearch::End end = search.run(
+        inlet,
+        [](std::size_t) { return 0.; },
+        [this](const double here, const FlowLattice::Step &step) {
+          return here + step_resistance(step);
+        },
+        [this](const std::size_t k) { return gap.is_outlet(k); },
+        most);
+      return end.cost < infinity ? trace_back(end) : FlowPath();
     }
 
     FlowPath
-    PathSearch::trace_back(std::size_t                      end,
-                           const std::vector<std::uint8_t> &came_by) const
+    PathSearch::trace_back(const LatticeSearch::End &end) const
     {
-      FlowPath path;
-      path.bottleneck_gap = infinity;
-      for (std::size_t k = end;;)
+      int my_rank = 0;
+      MPI_Comm_rank(gap.communicator(), &my_rank);
+      FlowPath      path;
+      std::uint64_t next = my_rank == end.rank ? gap.global_number(end.point) : 0;
+      MPI_Bcast(&next, 1, MPI_UINT64_T, end.rank, gap.communicator());
+      for (bool is_complete = false; !is_complete;)
         {
-          path.points.push_back(gap.point(k));
-          path.gaps.push_back(gap[k]);
-          path.resistances.push_back(resistance[k]);
-          if (gap[k] < path.bottleneck_gap)
+          // The owner of the next point follows the path as far as it is its own.
+          FlowPath    part;
+          std::size_t k     = gap.own_number(next);
+          int         owner = k == FlowLattice::none ? 0 : my_rank;
+          while (k != FlowLattice::none && !is_complete)
             {
-              path.bottleneck_gap = gap[k];
-              path.bottleneck     = path.points.back();
+              part.points.push_back(gap.point(k));
+              part.gaps.push_back(gap[k]);
+              part.resistances.push_back(search.cost(k));
+              is_complete = search.last_step(k) == LatticeSearch::start_of_way;
+              if (!is_complete)
+                {
+                  next = gap.start_of(k, search.last_step(k));
+                  k    = gap.own_number(next);
+                }
             }
-          if (came_by[k] == start_of_path)
-            break;
-          k = gap.start_of(k, came_by[k]);
+          MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MAX, gap.communicator());
+          MPI_Bcast(&next, 1, MPI_UINT64_T, owner, gap.communicator());
+          MPI_Bcast(&is_complete, 1, MPI_CXX_BOOL, owner, gap.communicator());
+          append(path, part, owner, gap.communicator());
         }
       std::reverse(path.points.begin(), path.points.end());
       std::reverse(path.gaps.begin(), path.gaps.end());
       std::reverse(path.resistances.begin(), path.resistances.end());
+      // Of points of the same gap the last one.
+      const auto narrowest =
+        std::min_element(path.gaps.rbegin(), path.gaps.rend()) - path.gaps.rbegin();
+      path.bottleneck_gap = path.gaps.rbegin()[narrowest];
+      path.bottleneck     = path.points.rbegin()[narrowest];
       return path;
     }
 
-    int
-    PathSearch::reach_of(const std::size_t k) const
+    std::vector<int>
+    PathSearch::reaches_of(const std::vector<GridPoint> &points) const
     {
       // The shortest bars a way through a gap between two points, and one around a
       // corner. A throat of more than twice the longest is no throat.
-      constexpr int shortest = 2, longest = 32;
-      int           reach   = shortest;
-      const auto    is_open = [this](const std::size_t near) { return gap[near] > 0; };
-      for (; reach < longest; ++reach)
+      constexpr int    shortest = 2, longest = 32;
+      std::vector<int> reaches;
+      const auto       is_open = [this](const std::size_t near) { return gap[near] > 0; };
+      for (const GridPoint &point : points)
         {
-          const std::vector<std::size_t> near = gap.points_around(k, reach);
-          if (!std::all_of(near.begin(), near.end(), is_open))
-            break;
+          int reach = shortest;
+          for (; reach < longest; ++reach)
+            {
+              const std::vector<std::size_t> near = gap.points_around(point, reach);
+              if (!std::all_of(near.begin(), near.end(), is_open))
+                break;
+            }
+          reaches.push_back(reach);
         }
-      return reach;
+      MPI_Allreduce(MPI_IN_PLACE,
+                    reaches.data(),
+                    static_cast<int>(reaches.size()),
+                    MPI_INT,
+                    MPI_MIN,
+                    gap.communicator());
+      return reaches;
     }
 
     void
@@ -164,35 +192,20 @@ namespace strait
       // A throat is where the resistivity is a twentieth of the bottleneck's or more.
       // Half of that bars wider places, which other paths may share; double of it lets
       // the next path run beside this one.
-      const double threshold = .05 * resistivity(path.bottleneck_gap);
-      // Many points in a window share one of the grid.
-      std::size_t last = gap.size();
-      for (const GridPoint &point : path.points)
-        {
-          const std::size_t k = gap.index_of(point), on_grid = gap.on_grid(k);
-          if (resistivity(gap[k]) <= threshold || on_grid == last)
-            continue;
-          last = on_grid;
-          for (const std::size_t near : gap.points_around(on_grid, reach_of(on_grid)))
-            blocked[near] = true;
-        }
-    }
-
-    void
-    broadcast_path(FlowPath &path, MPI_Comm comm)
-    {
-      auto n_points = static_cast<int>(path.points.size());
-      MPI_Bcast(&n_points, 1, MPI_INT, 0, comm);
-      path.points.resize(n_points);
-      for (std::vector<double> *values : {&path.gaps, &path.resistances})
-        {
-          values->resize(n_points);
-          MPI_Bcast(values->data(), n_points, MPI_DOUBLE, 0, comm);
-        }
-      static_assert(sizeof(GridPoint) == 3 * sizeof(int));
-      MPI_Bcast(path.points.data(), 3 * n_points, MPI_INT, 0, comm);
-      MPI_Bcast(&path.bottleneck, 3, MPI_INT, 0, comm);
-      MPI_Bcast(&path.bottleneck_gap, 1, MPI_DOUBLE, 0, comm);
+      const double           threshold = .05 * resistivity(path.bottleneck_gap);
+      std::vector<GridPoint> throats;
+      for (std::size_t i = 0; i < path.points.size(); ++i)
+        if (resistivity(path.gaps[i]) > threshold)
+          {
+            // Many points in a window share one of the grid.
+            const GridPoint point = gap.all_levels().on_grid(path.points[i]);
+            if (throats.empty() || !(throats.back() == point))
+              throats.push_back(point);
+          }
+      const std::vector<int> reaches = reaches_of(throats);
+      for (std::size_t i = 0; i < throats.size(); ++i)
+        for (const std::size_t near : gap.points_around(throats[i], reaches[i]))
+          blocked[near] = true;
     }
   } // namespace
 
@@ -204,32 +217,25 @@ namespace strait
     // Paths of more resistance than that, over the first one's, carry no flow that
     // counts, and a search that ends there is short. Half of it misses channels of half a
     // percent of the flow, double of it searches for what no accuracy asks for.
-    constexpr double          largest_ratio = 500.;
-    MPI_Comm                  comm          = gap.layout().communicator();
-    const std::vector<double> whole         = gather_on_root(gap);
-    std::vector<FlowPath>     paths;
-    run_on_root(comm, [&]() {
-      const FlowLattice lattice(whole, gap, domain);
-      PathSearch        search(lattice);
-      while (paths.size() < n_paths)
-        {
-          double most = infinity;
-          if (!paths.empty())
-            {
-              most = largest_ratio * paths.front().resistance();
-              search.block_throats(paths.back());
-            }
-          FlowPath path = search.run(most);
-          if (path.points.empty())
-            break;
-          paths.push_back(std::move(path));
-        }
-    });
-    auto n_found = static_cast<int>(paths.size());
-    MPI_Bcast(&n_found, 1, MPI_INT, 0, comm);
-    paths.resize(n_found);
-    for (FlowPath &path : paths)
-      broadcast_path(path, comm);
+    constexpr double      largest_ratio = 500.;
+    std::vector<FlowPath> paths;
+    if (n_paths == 0)
+      return paths;
+    const FlowLattice lattice(gap, domain);
+    PathSearch        search(lattice);
+    while (paths.size() < n_paths)
+      {
+        double most = infinity;
+        if (!paths.empty())
+          {
+            most = largest_ratio * paths.front().resistance();
+            search.block_throats(paths.back());
+          }
+        FlowPath path = search.run(most);
+        if (path.points.empty())
+          break;
+        paths.push_back(std::move(path));
+      }
     return paths;
   }
 } // namespace strait

@@ -57,9 +57,9 @@ namespace strait
                                     : from_inlet[k]  ? NodeState::inlet_side
                                     : from_outlet[k] ? NodeState::outlet_side
                                                      : NodeState::trapped;
-            double         &here =
-              states[static_cast<std::size_t>(gap.across_of(k) % grid.ny) * grid.nx +
-                     gap.along(k) % grid.nx];
+            const GridPoint point = gap.point(k);
+            double &here = states[static_cast<std::size_t>(point.iy % grid.ny) * grid.nx +
+                                  point.ix % grid.nx];
             const auto value = static_cast<double>(state);
             here             = here == static_cast<double>(NodeState::outside)
                                  ? value
@@ -72,14 +72,11 @@ namespace strait
   Clusters
   find_clusters_in_region(const SlabField &open_gap, const FlowDomain &domain)
   {
-    MPI_Comm                  comm  = open_gap.layout().communicator();
-    const std::vector<double> whole = gather_on_root(open_gap);
-    std::vector<double>       states;
-    run_on_root(comm, [&]() {
-      states = label(FlowLattice(whole, open_gap.grid(), domain),
-                     *domain.region,
-                     open_gap.grid());
-    });
+    MPI_Comm            comm = open_gap.layout().communicator();
+    const FlowLattice   lattice(open_gap, domain);
+    std::vector<double> states;
+    run_on_root(comm,
+                [&]() { states = label(lattice, *domain.region, open_gap.grid()); });
     Clusters clusters;
     for (const double value : scatter_from_root(open_gap.layout_pointer(), states))
       clusters.states.push_back(static_cast<NodeState>(static_cast<int>(value)));

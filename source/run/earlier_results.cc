@@ -65,7 +65,8 @@ namespace strait
                                "Output/Fields",
                                "Output/Surface map",
                                "Output/Surface spectrum",
-                               "Output/Checkpoint"})
+                               "Output/Checkpoint",
+                               "Realisations/Ranks each"})
         if (name == free)
           return true;
       return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
+#include <strait/base/rank_groups.h>
 #include <strait/base/signals.h>
 #include <strait/base/text.h>
 #include <strait/run/disk_space.h>
@@ -12,6 +13,7 @@
 #include <strait/run/simulation.h>
 #include <strait/surface/read_scene.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -59,23 +61,40 @@ namespace strait
               "Surface/Rotate=" + yes_or_no(rotated),
               "Realisations/Seeds=",
               "Realisations/Orientations=" + name_of(Orientation::as_is),
+              "Realisations/Ranks each=",
               "Output/Directory=" + directory};
     }
 
+    std::string
+    name_of(const Realisation &realisation)
+    {
+      return "seed " + std::to_string(realisation.seed) + ", " +
+             name_of(realisation.orientation);
+    }
+
+    /** The scene of a realisation alone. Collective. */
+    Scene
+    scene_of(const Realisation &realisation,
+             const std::string &path,
+             Overrides          overrides,
+             const std::string &directory)
+    {
+      for (const std::string &own : overrides_of(realisation, directory))
+        overrides.push_back(own);
+      return read_scene(path, overrides);
+    }
+
     RealisationRow
-    row_of(const std::size_t  number,
-           const Realisation &realisation,
-           const RunSummary  &run,
-           const std::string &status)
+    row_of(const RunSummary &run, const std::string &status)
     {
       Transition threshold;
       threshold.lower = threshold.upper = threshold.contact_area = std::nan("");
       if (!run.thresholds.empty())
         threshold = run.thresholds.front();
       const double load = threshold.middle();
-      return {static_cast<int>(number),
-              realisation.seed,
-              name_of(realisation.orientation),
+      return {0,
+              0,
+              "",
               threshold.lower,
               threshold.upper,
               threshold.contact_area,
@@ -123,16 +142,88 @@ namespace strait
       return rows;
     }
 
-    /** The same on all ranks. */
+    /** The same on all ranks of @p comm. */
     bool
-    has_checkpoint(const Scene &scene)
+    has_checkpoint(const Scene &scene, MPI_Comm comm)
     {
       std::string found;
-      run_on_root(MPI_COMM_WORLD, [&]() {
+      run_on_root(comm, [&]() {
         if (std::filesystem::exists(scene.output.directory + "/checkpoint"))
           found = "yes";
       });
-      return !broadcast(MPI_COMM_WORLD, found).empty();
+      return !broadcast(comm, found).empty();
+    }
+
+    /** What is to be told of a realisation that was run. */
+    struct Outcome
+    {
+      RealisationRow row;
+      std::string    warning; // why it failed
+      bool           converged = false;
+      bool           stopped   = false;
+    };
+
+    /** Tell all ranks what @p root knows. Collective. */
+    void
+    share(std::string &text, const int root)
+    {
+      auto size = static_cast<int>(text.size());
+      MPI_Bcast(&size, 1, MPI_INT, root, MPI_COMM_WORLD);
+      text.resize(size);
+      MPI_Bcast(text.data(), size, MPI_CHAR, root, MPI_COMM_WORLD);
+    }
+
+    void
+    share(Outcome &outcome, const int root)
+    {
+      RealisationRow &row = outcome.row;
+      for (double *value : {&row.lower,
+                            &row.upper,
+                            &row.contact_area,
+                            &row.crossover_load,
+                            &row.crossover_reduced_load,
+                            &row.theory_crossover_load,
+                            &row.exponent,
+                            &row.exponent_error})
+        MPI_Bcast(value, 1, MPI_DOUBLE, root, MPI_COMM_WORLD);
+      for (bool *value : {&outcome.converged, &outcome.stopped})
+        MPI_Bcast(value, 1, MPI_CXX_BOOL, root, MPI_COMM_WORLD);
+      for (std::string *text : {&row.status, &row.validity, &outcome.warning})
+        share(*text, root);
+    }
+
+    /** Run @p scene, a realisation alone, in this rank's group. */
+    Outcome
+    run_alone(const Scene      &scene,
+              const RankGroups &groups,
+              const bool        is_quiet,
+              const bool        resume)
+    {
+      // One group alone has the screen.
+      Log         log(groups.communicator(), is_quiet || groups.mine() > 0);
+      RunSummary  run;
+      std::string status = "ok";
+      Outcome     outcome;
+      try
+        {
+          run = simulate(scene,
+                         log,
+                         resume && has_checkpoint(scene, groups.communicator()),
+                         groups.communicator());
+          if (!run.converged)
+            status = "not-converged";
+          add_words(status, run.status);
+          outcome.converged = run.converged;
+        }
+      catch (const ComputationError &error)
+        {
+          // The same on all ranks of the group, so they go on together.
+          outcome.warning = error.what();
+          status          = "failed";
+        }
+      outcome.stopped = run.stopped;
+      outcome.row     = row_of(run, status);
+      return outcome;
     }
 
     [[noreturn]] void
@@ -162,6 +253,7 @@ namespace strait
         return run.converged;
       }
 
+    const RankGroups  groups(scene.realisations.ranks_each);
     const std::string folder = scene.output.directory;
     const RunState    state(scene, MPI_COMM_WORLD, resume);
     if (!resume)
@@ -177,42 +269,44 @@ namespace strait
     bool                           all_converged = true;
     const std::vector<Realisation> realisations  = list_realisations(scene);
     std::vector<RealisationRow>    rows;
-    for (const Realisation &realisation : realisations)
+    while (rows.size() < realisations.size())
       {
-        const std::string number = std::to_string(rows.size() + 1);
-        log.line("realisation " + number + " of " + std::to_string(realisations.size()) +
-                 ": seed " + std::to_string(realisation.seed) + ", " +
-                 name_of(realisation.orientation));
-        Overrides all = overrides;
-        for (const std::string &own :
-             overrides_of(realisation, folder + "/realisation-" + number))
-          all.push_back(own);
-        const Scene alone = read_scene(path, all);
-        Log         own_log(MPI_COMM_WORLD, log.is_quiet());
-        RunSummary  run;
-        std::string status = "ok";
-        try
+        // As many as there are groups, at the same time.
+        const std::size_t  first = rows.size();
+        const std::size_t  end   = std::min(first + groups.number(), realisations.size());
+        std::vector<Scene> scenes;
+        for (std::size_t k = first; k < end; ++k)
           {
-            run = simulate(alone, own_log, resume && has_checkpoint(alone));
-            if (!run.converged)
-              status = "not-converged";
-            add_words(status, run.status);
+            log.line(format("realisation %zu of %zu: ", k + 1, realisations.size()) +
+                     name_of(realisations[k]));
+            scenes.push_back(scene_of(realisations[k],
+                                      path,
+                                      overrides,
+                                      folder + "/realisation-" + std::to_string(k + 1)));
           }
-        catch (const ComputationError &error)
+        Outcome mine;
+        if (const std::size_t k = first + groups.mine(); k < end)
+          mine = run_alone(scenes[groups.mine()], groups, log.is_quiet(), resume);
+        for (std::size_t k = first; k < end; ++k)
           {
-            // The same on all ranks, so they go on together.
-            log.warn(error.what());
-            status = "failed";
+            const auto group   = static_cast<int>(k - first);
+            Outcome    outcome = group == groups.mine() ? mine : Outcome();
+            share(outcome, groups.root_of(group));
+            if (outcome.stopped)
+              throw_interruption(scene);
+            if (!outcome.warning.empty())
+              log.warn(outcome.warning);
+            all_converged = all_converged && outcome.converged;
+            rows.push_back(outcome.row);
+            rows.back().number      = static_cast<int>(k + 1);
+            rows.back().seed        = realisations[k].seed;
+            rows.back().orientation = name_of(realisations[k].orientation);
+            run_on_root(MPI_COMM_WORLD, [&]() {
+              table.append(rows.back());
+              ensemble_summary_table(scene).write_rows(folder + "/ensemble_summary.csv",
+                                                       scatter_of(rows, scene));
+            });
           }
-        if (run.stopped)
-          throw_interruption(scene);
-        all_converged = all_converged && status != "failed" && run.converged;
-        rows.push_back(row_of(rows.size() + 1, realisation, run, status));
-        run_on_root(MPI_COMM_WORLD, [&]() {
-          table.append(rows.back());
-          ensemble_summary_table(scene).write_rows(folder + "/ensemble_summary.csv",
-                                                   scatter_of(rows, scene));
-        });
       }
     for (const ScatterRow &row : scatter_of(rows, scene))
       if (row.n_missing > 0)

@@ -25,11 +25,11 @@ namespace strait
   namespace
   {
     void
-    report_sizes(const Scene &scene, Log &log)
+    report_sizes(const Scene &scene, MPI_Comm comm, Log &log)
     {
       const PeriodicGrid grid    = grid_of(scene);
       int                n_ranks = 1;
-      MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+      MPI_Comm_size(comm, &n_ranks);
       log.line(format("grid %d × %d on a box of %.6g × %.6g, %d %s",
                       grid.nx,
                       grid.ny,
@@ -57,23 +57,23 @@ namespace strait
 
     /** The surface on the scene's grid, with all that is to be said about it. */
     SlabField
-    make_heights(const Scene &scene, Log &log)
+    make_heights(const Scene &scene, MPI_Comm comm, Log &log)
     {
       const PeriodicGrid grid = grid_of(scene);
       for (const std::string &warning : scene.warnings())
         log.warn(warning);
       for (const std::string &warning : implausible_numbers(scene))
         log.warn(warning);
-      require_memory(scene, MPI_COMM_WORLD);
+      require_memory(scene, comm);
       for (const std::string &warning : check_resolution(scene.surface, grid))
         log.warn(warning);
       warn_of_odd_grid(scene, log);
-      report_sizes(scene, log);
+      report_sizes(scene, comm, log);
       if (!scene.contact.young_moduli.empty())
         log.line(format("contact modulus E* = %.6g", scene.contact.effective_modulus) +
                  (scene.units.pressure.empty() ? "" : " " + scene.units.pressure));
-      const auto surface = make_surface(scene.surface, MPI_COMM_WORLD);
-      SlabField  heights = surface->heights(make_layout(grid, MPI_COMM_WORLD));
+      const auto surface = make_surface(scene.surface, comm);
+      SlabField  heights = surface->heights(make_layout(grid, comm));
       for (const std::string &note : surface->remarks().notes)
         log.line(note);
       for (const std::string &warning : surface->remarks().warnings)
@@ -130,13 +130,14 @@ namespace strait
                LoadSweep       &sweep,
                OutputDirectory &output,
                RunState        &state,
+               MPI_Comm         comm,
                Log             &log)
     {
       if (state.has_searched())
         return;
       sweep.after_probe([&]() {
         state.save(sweep, output, log);
-        if (stop_requested(MPI_COMM_WORLD))
+        if (stop_requested(comm))
           throw StoppedInSearch();
       });
       if (scene.programme.find_threshold)
@@ -151,15 +152,15 @@ namespace strait
   } // namespace
 
   RunSummary
-  simulate(const Scene &scene, Log &log, const bool resume)
+  simulate(const Scene &scene, Log &log, const bool resume, MPI_Comm comm)
   {
     if (scene.is_theory_only()) // so quick that it begins anew
       {
-        run_theory(scene, log);
+        run_theory(scene, log, comm);
         return {};
       }
     Timers   timers;
-    RunState state(scene, MPI_COMM_WORLD, resume);
+    RunState state(scene, comm, resume);
     if (state.is_finished())
       {
         log.line("nothing is left to do in " + scene.output.directory);
@@ -167,7 +168,7 @@ namespace strait
       }
     SlabField heights = [&]() {
       const auto scope = timers.scope("surface");
-      return make_heights(scene, log);
+      return make_heights(scene, comm, log);
     }();
     state.check_surface(heights);
     const auto n_points = static_cast<double>(heights.grid().n_points());
@@ -178,7 +179,7 @@ namespace strait
     LoadSweep       sweep(scene, std::move(heights), log, timers, state.surface_energy());
     state.note_surface_energy(sweep.surface_energy());
     // The first thing that is written, after the last check of the input.
-    OutputDirectory output(scene, MPI_COMM_WORLD, log, resume);
+    OutputDirectory output(scene, comm, log, resume);
     if (resume)
       {
         state.restore(sweep, output, log);
@@ -194,7 +195,7 @@ namespace strait
     RunSummary summary;
     try
       {
-        find_seals(scene, sweep, output, state, log);
+        find_seals(scene, sweep, output, state, comm, log);
       }
     catch (const StoppedInSearch &)
       {
@@ -206,7 +207,7 @@ namespace strait
     };
     const int  n_steps          = sweep.n_steps();
     const auto is_asked_to_stop = [&]() {
-      return sweep.n_done() < n_steps && stop_requested(MPI_COMM_WORLD);
+      return sweep.n_done() < n_steps && stop_requested(comm);
     };
     summary.stopped = summary.stopped || is_asked_to_stop();
     if (!summary.stopped)
@@ -224,8 +225,7 @@ namespace strait
       write_indented_surface(scene, shown, *sweep.state().contact);
     summary.thresholds = sweep.known_thresholds();
     output.write(sweep.jumps());
-    const double bytes =
-      sum(MPI_COMM_WORLD, static_cast<double>(sweep.memory_consumption()));
+    const double bytes = sum(comm, static_cast<double>(sweep.memory_consumption()));
     log.line(timers.summary());
     output.finish(timers, bytes / n_points);
     log.line("results are in " + scene.output.directory);
@@ -243,7 +243,7 @@ namespace strait
         describe_theory(scene, log);
         return;
       }
-    const SlabField heights = make_heights(scene, log);
+    const SlabField heights = make_heights(scene, MPI_COMM_WORLD, log);
     describe_adhesion(scene.contact, heights, log);
     describe_mesh(scene, log);
     log.line(format(

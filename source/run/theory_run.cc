@@ -17,7 +17,7 @@ namespace strait
   namespace
   {
     TheoryPrediction
-    make_theory(const Scene &scene, Log &log)
+    make_theory(const Scene &scene, Log &log, MPI_Comm comm)
     {
       for (const std::string &warning : scene.warnings())
         log.warn(warning);
@@ -27,8 +27,8 @@ namespace strait
         return {scene, nullptr};
       for (const std::string &warning : check_resolution(scene.surface, grid_of(scene)))
         log.warn(warning);
-      const SlabField heights = make_surface(scene.surface, MPI_COMM_WORLD)
-                                  ->heights(make_layout(grid_of(scene), MPI_COMM_WORLD));
+      const SlabField heights =
+        make_surface(scene.surface, comm)->heights(make_layout(grid_of(scene), comm));
       return {scene, &heights};
     }
 
@@ -46,12 +46,12 @@ namespace strait
   } // namespace
 
   void
-  run_theory(const Scene &scene, Log &log)
+  run_theory(const Scene &scene, Log &log, MPI_Comm comm)
   {
     Timers                 timers;
-    const TheoryPrediction theory = make_theory(scene, log);
+    const TheoryPrediction theory = make_theory(scene, log, comm);
     report_spectrum(theory.spectrum(), log);
-    OutputDirectory output(scene, MPI_COMM_WORLD, log);
+    OutputDirectory output(scene, comm, log);
     const auto      n_steps = static_cast<int>(scene.programme.pressures.size() *
                                           scene.fluid.slip_lengths.size());
     Step            step;
@@ -77,7 +77,7 @@ namespace strait
   void
   describe_theory(const Scene &scene, Log &log)
   {
-    report_spectrum(make_theory(scene, log).spectrum(), log);
+    report_spectrum(make_theory(scene, log, MPI_COMM_WORLD).spectrum(), log);
     log.line(format("theory alone, %s; contact off, fluid off; %zu steps",
                     scene.theory.spectrum == TheorySpectrum::model
                       ? "without a grid"

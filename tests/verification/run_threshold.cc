@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The critical load of the isolated saddle and the exponents near it.
+#include <strait/base/exceptions.h>
 #include <strait/run/ensemble.h>
 #include <strait/run/exponent_fit.h>
 #include <strait/surface/read_scene.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -169,6 +172,84 @@ namespace strait
       for (int column = 0; column < 4; ++column)
         std::getline(cells, cell, ',');
       EXPECT_NEAR(run_sweep(scene).thresholds[0].lower / std::stod(cell), 1., 1e-12);
+    }
+
+    /** The tables of an ensemble, word by word. */
+    std::vector<std::string>
+    words_of_ensemble(const std::string &folder)
+    {
+      std::vector<std::string> words;
+      for (const char *table : {"/ensemble.csv", "/ensemble_summary.csv"})
+        for (const std::string &line : lines_of(folder + table))
+          {
+            std::istringstream cells(line);
+            for (std::string cell; std::getline(cells, cell, ',');)
+              words.push_back(cell);
+          }
+      return words;
+    }
+
+    // Three realisations on groups of one rank, so that the last group has less to do.
+    TEST(Ensemble, GroupsOfRanksWriteTheTablesOfASequenceParallel)
+    {
+      const test::TemporaryFolder temporary;
+      const std::string           folder     = temporary.path();
+      const std::string           scene_file = folder + "/scene.prm";
+      std::ofstream(scene_file) << "subsection Surface\n"
+                                   "  set Short cut-off wavelength = 0.125\n"
+                                   "end\n"
+                                   "subsection Contact\n"
+                                   "  set Grid points = 64\n"
+                                   "end\n"
+                                   "subsection Load programme\n"
+                                   "  set Pressures =\n"
+                                   "  set Find threshold = true\n"
+                                   "  set Reduced loads = 0.5\n"
+                                   "end\n"
+                                   "subsection Realisations\n"
+                                   "  set Seeds = 3, 4, 5\n"
+                                   "end\n"
+                                   "subsection Output\n"
+                                   "  set Pictures = false\n"
+                                   "end\n";
+      MPI_Barrier(MPI_COMM_WORLD);
+      const auto run = [&](const std::string &name, const Overrides &own, bool resume) {
+        Overrides overrides = own;
+        overrides.push_back("Output/Directory=" + folder + name);
+        Log log(MPI_COMM_WORLD, true);
+        EXPECT_TRUE(run_all_realisations(
+          scene_file, overrides, read_scene(scene_file, overrides), log, resume));
+        MPI_Barrier(MPI_COMM_WORLD);
+        return words_of_ensemble(folder + name);
+      };
+      const auto sequence = run("/sequence", {}, false);
+      const auto groups   = run("/groups", {"Realisations/Ranks each=1"}, false);
+      ASSERT_EQ(sequence.size(), groups.size());
+      int n_numbers = 0;
+      for (std::size_t k = 0; k < groups.size(); ++k)
+        {
+          char        *end    = nullptr;
+          const double number = std::strtod(sequence[k].c_str(), &end);
+          const double other  = std::strtod(groups[k].c_str(), nullptr);
+          if (*end != '\0' || std::isnan(number))
+            EXPECT_EQ(sequence[k], groups[k]);
+          else
+            {
+              EXPECT_NEAR(other, number, 1e-4 * std::abs(number));
+              ++n_numbers;
+            }
+        }
+      EXPECT_GT(n_numbers, 20);
+
+      // What is done is not run again, whichever ranks did it.
+      MPI_Barrier(MPI_COMM_WORLD);
+      EXPECT_EQ(run("/groups", {}, true), groups);
+      const Overrides bad = {"Realisations/Ranks each=1000",
+                             "Output/Directory=" + folder + "/bad"};
+      Log             log(MPI_COMM_WORLD, true);
+      EXPECT_THROW(
+        run_all_realisations(scene_file, bad, read_scene(scene_file, bad), log, false),
+        InputError);
     }
   } // namespace
 } // namespace strait

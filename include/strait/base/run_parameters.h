@@ -48,6 +48,7 @@ namespace strait
   {
     std::vector<unsigned long long> seeds; // empty: that of the surface
     std::vector<Orientation>        orientations = {Orientation::as_is};
+    std::vector<int>                ranks_each; // one number, or none: all ranks
 
     /** Whether there is more than the surface of the section Surface. */
     bool

@@ -2,7 +2,8 @@
 #ifndef strait_percolation_bottleneck_h
 #define strait_percolation_bottleneck_h
 
-#include <strait/percolation/flow_lattice.h>
+#include <strait/percolation/flow_region.h>
+#include <strait/percolation/grid_point.h>
 #include <strait/spectral/slab_field.h>
 
 #include <array>
@@ -25,8 +26,8 @@ namespace strait
    * With openness = gap the value is the gap of the critical constriction; where
    * closed points carry a negative number that tells how firmly they are closed,
    * its sign is the verdict on percolation, and both sides of the threshold say how
-   * far it is. Runs on rank 0, whose memory it needs for 20 B a grid point; the
-   * result is the same on all ranks. Collective.
+   * far it is. It needs 17 B a grid point (LatticeSearch); the result is the same on all
+   * ranks. Collective.
    */
   Bottleneck find_bottleneck(const SlabField &openness, const FlowDomain &domain);
 

@@ -2,7 +2,8 @@
 #ifndef strait_percolation_flow_lattice_h
 #define strait_percolation_flow_lattice_h
 
-#include <strait/percolation/flow_region.h>
+#include <strait/percolation/grid_lines.h>
+#include <strait/percolation/lattice_levels.h>
 #include <strait/spectral/slab_field.h>
 
 #include <array>
@@ -13,168 +14,33 @@
 
 namespace strait
 {
-  /** A grid point; along the flow, index n stands for the outlet's copy of 0. Or a point
-   *  of a window. */
-  struct GridPoint
-  {
-    int ix     = 0;
-    int iy     = 0;
-    int window = -1; // −1: the grid
-
-    bool
-    operator==(const GridPoint &other) const
-    {
-      return ix == other.ix && iy == other.iy && window == other.window;
-    }
-  };
-
   /**
-   * Values at grid points, turned so that the flow runs along the fast index, with
-   * the outlet's copy of the seam appended: width() = n_along + 1 points along the
-   * flow, periodic across it. Of a region the lattice is that of FlowRegion, x along,
-   * with zero at what does not belong to it. For searches on one rank.
+   * Values at grid points as a search along the flow meets them: the seam is closed and
+   * the outlet's copy of it appended, while across the flow the grid is periodic. Each
+   * rank holds its GridLines.
    *
-   * The points of windows may follow, turned alike. A point that a window covers is then
-   * the coinciding point of that: its own number carries the same value, but steps never
-   * lead there. The neighbours are those of find_clusters().
+   * The points of windows follow, on all ranks; rank 0 owns them. A point that a window
+   * covers is then the coinciding point of that: its own number carries the same value,
+   * but steps never lead there. The neighbours are those of find_clusters().
    */
   class FlowLattice
   {
   public:
-    /** @p whole holds the values of the whole @p grid, row by row. */
-    FlowLattice(const std::vector<double> &whole,
-                const PeriodicGrid        &grid,
-                const FlowDomain          &domain);
+    /** The values of @p field, with its windows. Collective. */
+    FlowLattice(const SlabField &field, const FlowDomain &domain);
 
-    /** With the windows of @p field, of whose grid @p whole holds the values. */
-    FlowLattice(const std::vector<double> &whole,
-                const SlabField           &field,
-                const FlowDomain          &domain);
-
-    /** Number of the grid's points along the flow. */
-    int
-    width() const
+    MPI_Comm
+    communicator() const
     {
-      return levels.front().n_along;
+      return layout->communicator();
     }
 
-    int
-    n_across() const
-    {
-      return levels.front().n_across;
-    }
-
-    /** Number of points of all levels. */
+    /** Number of points that this rank knows, on all levels. */
     std::size_t
     size() const
     {
       return values.size();
     }
-
-    /** Number of the grid's point @p a along and @p b across; b wraps around once. */
-    std::size_t
-    index(const int a, const int b) const
-    {
-      return static_cast<std::size_t>((b + n_across()) % n_across()) * width() + a;
-    }
-
-    /** Column of the grid's point @p k, counted from the inlet. */
-    int
-    along(const std::size_t k) const
-    {
-      return static_cast<int>(k % width());
-    }
-
-    /** Row of the grid's point @p k, across the flow. */
-    int
-    across_of(const std::size_t k) const
-    {
-      return static_cast<int>(k / width());
-    }
-
-    /** Whether the first line of points along the flow follows the last. */
-    bool
-    is_periodic() const
-    {
-      return region == nullptr;
-    }
-
-    /** Whether point @p k belongs to where the fluid flows. */
-    bool
-    is_point(const std::size_t k) const
-    {
-      return region == nullptr || region->is_point(k);
-    }
-
-    /** Whether the fluid leaves at point @p k. */
-    bool
-    is_outlet(const std::size_t k) const
-    {
-      if (region != nullptr)
-        return region->is_outlet(k);
-      if (k < n_on_grid)
-        return along(k) == width() - 1;
-      const Place p = place_of(k);
-      return levels[p.level].ends_at_outlet && p.along == levels[p.level].n_along - 2;
-    }
-
-    /** The points where the fluid enters. */
-    std::vector<std::size_t> inlet_points() const;
-
-    /** From a point to one of the eight around it on the same level. */
-    struct Step
-    {
-      std::size_t  from, to; // its ends on that level
-      std::size_t  point;    // where it leads: `to`, or the point of a window that it is
-      double       length;   // of the way
-      int          d_along;  // −1, 0 or 1
-      int          d_across; // likewise
-      std::uint8_t number = 0; // tells, with `point`, where it began: start_of()
-    };
-
-    /**
-     * Call action(step) for the steps from point @p k to the first @p n_directions of the
-     * four nearest and the four diagonal points. A diagonal one leads to no other level
-     * and, of a region, needs a way around a corner.
-     */
-    template <class Action>
-    void
-    for_each_step(const std::size_t k, const int n_directions, const Action &action) const
-    {
-      const int level = level_of(k);
-      visit_steps(level, k, n_directions, action);
-      if (level > 0)
-        if (const std::size_t on_parent = on_parent_of_rim(level, k); on_parent != none)
-          visit_steps(levels[level].parent, on_parent, 4, action);
-    }
-
-    /** The point of the finest level that point @p k is. */
-    std::size_t
-    finest(std::size_t k) const
-    {
-      while (!is_covered.empty() && is_covered[k])
-        k = finer(k);
-      return k;
-    }
-
-    /** Where the step @p number that led to point @p k began. */
-    std::size_t start_of(std::size_t k, std::uint8_t number) const;
-
-    /** Whether the two steps along and across that make up a diagonal one are possible,
-     *  that along first if @p first_along. */
-    bool
-    can_go_around(const Step &step, const bool first_along) const
-    {
-      return region == nullptr ||
-             can_go_around(step.from, step.d_along, step.d_across, first_along);
-    }
-
-    /** The point of the grid that stands for point @p k. */
-    std::size_t on_grid(std::size_t k) const;
-
-    /** The points of the grid within @p reach spacings from its point @p k, each way, and
-     *  the points of windows that these stand for. */
-    std::vector<std::size_t> points_around(std::size_t k, int reach) const;
 
     double
     operator[](const std::size_t k) const
@@ -182,14 +48,110 @@ namespace strait
       return values[k];
     }
 
-    /** The point of the grid or a window that is point @p k of the lattice. */
-    GridPoint point(std::size_t k) const;
+    /** The points of the grid, which come before those of windows. */
+    const GridLines &
+    grid_lines() const
+    {
+      return lines;
+    }
 
-    /** Its inverse. */
-    std::size_t index_of(const GridPoint &p) const;
+    bool
+    in_window(const std::size_t k) const
+    {
+      return k >= lines.size();
+    }
+
+    /** Whether point @p k is this rank's: neither a ghost nor a point of another's. */
+    bool
+    is_own(const std::size_t k) const
+    {
+      return in_window(k) ? layout->rank() == 0 : lines.is_own(k);
+    }
+
+    /** Whether the fluid leaves at point @p k. */
+    bool is_outlet(std::size_t k) const;
+
+    /** This rank's points where the fluid enters. */
+    std::vector<std::size_t> inlet_points() const;
+
+    /** From a point to one of the eight around it on the same level. */
+    struct Step
+    {
+      std::size_t from, to;         // its ends on that level
+      std::size_t point;            // where it leads: `to`, or the point of a window
+      std::size_t corner, corner_2; // of a diagonal step, if one can go around it there
+      double      length;           // of the way
+
+      std::uint8_t number; // tells, with `point`, where it began: start_of()
+    };
+
+    static constexpr std::size_t none = GridLines::none;
+
+    /**
+     * Call action(step) for the steps from point @p k to those of the first
+     * @p n_directions of the four nearest and the four diagonal points that this rank
+     * knows. A diagonal one leads to no other level and, of a region, needs a way around
+     * a corner.
+     */
+    template <class Action>
+    void
+    for_each_step(const std::size_t k, const int n_directions, const Action &action) const
+    {
+      const Place p = place_of(k);
+      visit_steps(p, k, n_directions, action);
+      if (p.level > 0 && levels.is_on_rim(p))
+        for_each_copy(levels.parent_of(p), [&](const std::size_t on_parent) {
+          visit_steps(place_of(on_parent), on_parent, 4, action);
+        });
+    }
+
+    /** What point @p k is called on all ranks. */
+    std::size_t
+    global_number(const std::size_t k) const
+    {
+      return global_number(place_of(k));
+    }
+
+    /** Its inverse; none if this rank does not own the point. */
+    std::size_t own_number(std::size_t global) const;
+
+    /** The global number of the point where the step @p number began that led to point
+     *  @p k. */
+    std::size_t start_of(std::size_t k, std::uint8_t number) const;
+
+    /** The points that this rank knows within @p reach spacings from the point @p p of
+     * the grid, each way, and the points of windows that stand for such. */
+    std::vector<std::size_t> points_around(const GridPoint &p, int reach) const;
+
+    /** The point of the grid or a window that is point @p k of the lattice. */
+    GridPoint
+    point(const std::size_t k) const
+    {
+      return levels.point(place_of(k));
+    }
+
+    /** Points that lie together are in the same one of so many blocks. */
+    std::size_t
+    n_blocks() const
+    {
+      return lines.n_blocks() + levels.size() - 1;
+    }
+
+    std::size_t
+    block_of(const std::size_t k) const
+    {
+      return in_window(k) ? lines.n_blocks() + levels.level_of(k) - 1 : lines.block_of(k);
+    }
+
+    const LatticeLevels &
+    all_levels() const
+    {
+      return levels;
+    }
 
   private:
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    using Level = LatticeLevels::Level;
+    using Place = LatticeLevels::Place;
 
     static constexpr std::array<std::array<int, 2>, 8> directions = {
       {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
@@ -197,128 +159,107 @@ namespace strait
     // Added to the number of a step whose end is named by a point of a finer level.
     static constexpr std::uint8_t into_window = 8;
 
-    /** The grid, or a window. */
-    struct Level
-    {
-      std::size_t           begin; // number of its first point
-      int                   n_along;
-      int                   n_across;
-      std::array<double, 3> lengths; // of steps along, across and diagonally
-      int                   parent;  // its level, and the first of its points that the
-      int                   along;   // window covers
-      int                   across;
-
-      // Of a window across the seam there are two parts: that on the side of the outlet,
-      // which ends with the outlet's copy of the seam, and that which begins with it.
-      int  window          = -1;
-      int  first           = 0; // its first column, along the flow, in the window
-      bool begins_at_inlet = false;
-      bool ends_at_outlet  = false;
-    };
-
-    /** A point by its level, column and row. */
-    struct Place
-    {
-      int level;
-      int along;
-      int across;
-    };
-
-    /** Columns of a window, along the flow: all, or those on one side of the seam. */
-    struct Part
-    {
-      int  first;
-      int  last;
-      bool begins_at_inlet;
-      bool ends_at_outlet;
-    };
-
-    void add_window(const SlabField &field, int w);
-    void add_part(const SlabField &field, int w, const Part &part);
-
-    /** The level with column @p along of a window, −1 for the grid; of a column on the
-     *  seam the copy at the outlet if @p of_outlet, else that at the inlet. */
-    int level_with(int window, int along, bool of_outlet) const;
-
-    int
-    level_of(const std::size_t k) const
-    {
-      int level = 0;
-      if (k >= n_on_grid)
-        for (level = static_cast<int>(levels.size()) - 1; k < levels[level].begin;)
-          --level;
-      return level;
-    }
-
     Place
     place_of(const std::size_t k) const
     {
-      const int         level = level_of(k);
-      const std::size_t i     = k - levels[level].begin;
-      const int         n     = levels[level].n_along;
+      const int level = levels.level_of(k);
+      if (level == 0)
+        {
+          const int line = lines.line_of(k), i = lines.position_of(k);
+          return levels.along_x ? Place{0, i, line} : Place{0, line, i};
+        }
+      const std::size_t i = k - levels[level].begin;
+      const int         n = levels[level].n_along;
       return {level, static_cast<int>(i % n), static_cast<int>(i / n)};
     }
 
-    std::size_t
-    number_of(const Place &p) const
+    std::size_t global_number(const Place &p) const;
+
+    /** Number of point @p p; none if it is one of the grid that this rank does not know.
+     */
+    std::size_t number_of(const Place &p) const;
+
+    /** Call visit(k) for all numbers by which this rank knows point @p p, as of the grid
+     * its own line may be a ghost as well. */
+    template <class Visit>
+    void
+    for_each_copy(const Place &p, const Visit &visit) const
     {
-      const Level &level = levels[p.level];
-      return p.level == 0
-               ? index(p.along, p.across)
-               : level.begin + static_cast<std::size_t>(p.across) * level.n_along +
-                   p.along;
+      for (const int periods : {0, -1, 1})
+        if (const std::size_t k = number_of_copy(p, periods); k != none)
+          visit(k);
     }
 
-    /** The point of the next finer level that point @p k is, if a window covers it. */
-    std::size_t finer(std::size_t k) const;
+    /** Its number so many periods away across the flow; none if it is not known there. */
+    std::size_t number_of_copy(const Place &p, int periods) const;
 
-    /** The parent's point that point @p k of a window is, if it lies on the rim of what
-     *  the window covers. */
-    std::size_t on_parent_of_rim(int level, std::size_t k) const;
-
-    /** The point of the parent that stands for a point of a window. */
-    Place on_parent(const Place &p) const;
+    std::size_t
+    finest(const std::size_t k) const
+    {
+      return is_covered.empty() || !is_covered[k] ? k
+                                                  : number_of(levels.finest(place_of(k)));
+    }
 
     template <class Action>
-    void visit_steps(int           level,
+    void visit_steps(const Place  &p,
                      std::size_t   from,
                      int           n_directions,
                      const Action &action) const;
 
-    bool can_step_in_region(std::size_t k, int d_along, int d_across) const;
-
+    /** Whether the steps along and across that make up a diagonal one from the point
+     *  @p k of a region are possible, that along first if @p first_along. */
     bool can_go_around(std::size_t k, int d_along, int d_across, bool first_along) const;
 
+    SlabLayoutPtr                     layout;
     std::shared_ptr<const FlowRegion> region; // null: the box
-    bool                              along_x;
-    std::vector<Level>                levels; // the grid, then the windows
-    std::size_t                       n_on_grid;
+    GridLines                         lines;
+    LatticeLevels                     levels;
     std::vector<double>               values;
     std::vector<bool>                 is_covered; // empty without windows
   };
 
   template <class Action>
   void
-  FlowLattice::visit_steps(const int         l,
+  FlowLattice::visit_steps(const Place      &p,
                            const std::size_t from,
                            const int         n_directions,
                            const Action     &action) const
   {
-    const Level &level = levels[l];
-    const auto   i     = from - level.begin;
-    const int    a     = static_cast<int>(i % level.n_along);
-    const int    b     = static_cast<int>(i / level.n_along);
+    const Level &level = levels[p.level];
     // The outermost points of a window are there for interpolation only.
-    const int  rim            = l == 0 ? 0 : 1;
+    const int  rim            = p.level == 0 ? 0 : 1;
     const bool from_is_finest = is_covered.empty() || !is_covered[from];
+    // Across the flow the lines wrap around by their ghosts, points of a line here.
+    const bool wraps       = p.level == 0 && !levels.along_x;
+    const int  first       = p.level > 0 || wraps ? rim : lines.first();
+    const int  end         = p.level > 0 || wraps ? level.n_across - rim : lines.end();
+    const int  first_along = p.level == 0 && !levels.along_x ? lines.first() : rim;
+    const int  end_along =
+      p.level == 0 && !levels.along_x ? lines.end() : level.n_along - rim;
     for (int d = 0; d < n_directions; ++d)
       {
         const auto [da, db] = directions[d];
-        if (a + da < rim || a + da >= level.n_along - rim ||
-            (rim > 0 && (b + db < rim || b + db >= level.n_across - rim)) ||
-            (region != nullptr && !can_step_in_region(from, da, db)))
+        const int a = p.along + da, b = p.across + db;
+        if (a < first_along || a >= end_along || (!wraps && (b < first || b >= end)))
           continue;
-        const std::size_t to    = number_of({l, a + da, b + db});
+        std::ptrdiff_t across = db * level.across_by;
+        if (wraps && b < 0)
+          across += level.n_across;
+        else if (wraps && b == level.n_across)
+          across -= level.n_across;
+        const std::ptrdiff_t along  = da * level.along_by;
+        std::size_t          corner = d < 4 ? none : from + along;
+        std::size_t          other  = d < 4 ? none : from + across;
+        if (region != nullptr && d < 4 && !region->is_joined(from, da, db))
+          continue;
+        if (region != nullptr && d >= 4)
+          {
+            corner = can_go_around(from, da, db, true) ? corner : none;
+            other  = can_go_around(from, da, db, false) ? other : none;
+            if (corner == none && other == none)
+              continue;
+          }
+        const std::size_t to    = from + along + across;
         const std::size_t point = finest(to);
         // Between two points that a window covers its own, finer steps lead.
         if (point != to && (d >= 4 || !from_is_finest))
@@ -328,9 +269,9 @@ namespace strait
         action(Step{from,
                     to,
                     point,
+                    corner,
+                    other,
                     level.lengths[kind],
-                    da,
-                    db,
                     static_cast<std::uint8_t>(number)});
       }
   }

@@ -2,7 +2,8 @@
 #ifndef strait_percolation_flow_path_h
 #define strait_percolation_flow_path_h
 
-#include <strait/percolation/flow_lattice.h>
+#include <strait/percolation/flow_region.h>
+#include <strait/percolation/grid_point.h>
 #include <strait/spectral/slab_field.h>
 
 #include <vector>
@@ -35,9 +36,8 @@ namespace strait
    *
    * Dijkstra's algorithm over the eight neighbours; a diagonal step is paid for at
    * the mean resistivity of its ends or that of its middle, whichever is larger. @p gap
-   * is positive where the fluid percolates (percolating_gap()). Runs on rank 0, whose
-   * memory it needs for 25 B a grid point; the result is the same on all ranks.
-   * Collective.
+   * is positive where the fluid percolates (percolating_gap()). It needs 17 B a grid
+   * point (LatticeSearch); the result is the same on all ranks. Collective.
    */
   std::vector<FlowPath>
   find_flow_paths(const SlabField &gap, const FlowDomain &domain, unsigned int n_paths);

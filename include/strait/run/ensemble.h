@@ -19,6 +19,9 @@ namespace strait
    * ensemble_summary.csv the mean and the scatter. A realisation whose threshold is
    * not found says so in its row and does not stop the others. Collective.
    *
+   * Groups of Realisations/Ranks each ranks run as many realisations at the same time as
+   * there are groups; the rows come in the order of the scene when all of these are done.
+   *
    * With @p resume, realisations that are done are not run again, and one that was
    * interrupted is continued.
    *

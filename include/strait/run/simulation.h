@@ -9,14 +9,17 @@
 namespace strait
 {
   /**
-   * Run @p scene, without its section Realisations, and write its results to the
-   * output directory. Collective. Throws InputError before anything is written if the
-   * scene's input is bad, and ComputationError if no threshold is found.
+   * Run @p scene, without its section Realisations, on the ranks of @p comm and write its
+   * results to the output directory. Collective. Throws InputError before anything is
+   * written if the scene's input is bad, and ComputationError if no threshold is found.
    *
    * With @p resume the run in the output directory is continued from its last complete
    * step; InputError, before anything is written, if its checkpoint does not serve.
    */
-  RunSummary simulate(const Scene &scene, Log &log, bool resume = false);
+  RunSummary simulate(const Scene &scene,
+                      Log         &log,
+                      bool         resume = false,
+                      MPI_Comm     comm   = MPI_COMM_WORLD);
 
   /**
    * Check @p scene as simulate() would and print sizes, memory, resolution

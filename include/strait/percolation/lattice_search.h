@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_percolation_lattice_search_h
+#define strait_percolation_lattice_search_h
+
+#include <strait/base/collective.h>
+#include <strait/percolation/flow_lattice.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * The least costs of ways over a lattice, from given points to the nearest end, where
+   * the cost of a way does not decrease from step to step.
+   *
+   * It is Dijkstra's algorithm block by block: blocks of points that fit a processor's
+   * cache are searched one at a time, first the one with the least cost to begin with,
+   * and what a better way reaches later is searched again. Ranks search their own points
+   * at the same time, and tell each other what they found when they have no block left.
+   * The costs are those of Dijkstra's algorithm, to the last digit, on any number of
+   * ranks.
+   */
+  class LatticeSearch
+  {
+  public:
+    /** Of ways with the first @p n_directions of a point's steps. */
+    LatticeSearch(const FlowLattice &lattice, int n_directions);
+
+    /** The least cost of a way, infinite if there is none, and the end that it leads to
+     * on the rank that knows. */
+    struct End
+    {
+      double      cost  = std::numeric_limits<double>::infinity();
+      int         rank  = 0;
+      std::size_t point = FlowLattice::none;
+    };
+
+    /**
+     * Search from this rank's @p starts, where ways cost start(k), to the points where
+     * is_end(k), but no ways of more than @p most; a way costs total(cost where the last
+     * step begins, that step). Collective.
+     */
+    template <class Start, class Total, class IsEnd>
+    End run(const std::vector<std::size_t> &starts,
+            const Start                    &start,
+            const Total                    &total,
+            const IsEnd                    &is_end,
+            double most = std::numeric_limits<double>::infinity());
+
+    /** The least cost to point @p k, if it is less than that of the end. */
+    double
+    cost(const std::size_t k) const
+    {
+      return costs[k];
+    }
+
+    static constexpr std::uint8_t start_of_way = 255;
+
+    /** The number of the last step of the way to this rank's point @p k. */
+    std::uint8_t
+    last_step(const std::size_t k) const
+    {
+      return last_steps[k];
+    }
+
+  private:
+    using Entry = std::pair<double, std::size_t>; // cost, and point or block
+    using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
+
+    /** A better way was found to point @p k, whose steps are to be searched. */
+    void improve(std::size_t k, double cost, std::uint8_t step);
+
+    /** Forget earlier searches; ways cost no more than @p most. */
+    void reset(double most);
+
+    /** Search what is pending in block @p b. */
+    template <class Total, class IsEnd>
+    void search_block(std::size_t b, const Total &total, const IsEnd &is_end);
+
+    /** Take over what other ranks found. @return whether some rank has blocks to search
+     *  then. Collective. */
+    bool exchange();
+
+    /** The same for points of windows. */
+    void exchange_in_windows();
+
+    /** The best end of all ranks. Collective. */
+    End best_of_all() const;
+
+    const FlowLattice        &lattice;
+    int                       n_directions;
+    std::vector<double>       costs;
+    std::vector<std::uint8_t> last_steps;
+    double                    limit = 0.; // of costs that count
+    End                       best;
+    std::vector<std::size_t>  found_in_windows; // since the last exchange
+
+    // Points to be searched by block, the least cost of those of each, and the blocks
+    // that have some, of which entries with other costs are outdated.
+    std::vector<std::vector<Entry>> pending;
+    std::vector<double>             least_pending;
+    Queue                           blocks;
+
+    // The block at work, and its points as a heap.
+    std::size_t        block_at_work = FlowLattice::none;
+    std::vector<Entry> heap;
+  };
+
+  template <class Total, class IsEnd>
+  void
+  LatticeSearch::search_block(const std::size_t b,
+                              const Total      &total,
+                              const IsEnd      &is_end)
+  {
+    heap.clear();
+    heap.swap(pending[b]);
+    least_pending[b] = std::numeric_limits<double>::infinity();
+    block_at_work    = b;
+    std::make_heap(heap.begin(), heap.end(), std::greater<>());
+    while (!heap.empty())
+      {
+        const auto [here, k] = heap.front();
+        std::pop_heap(heap.begin(), heap.end(), std::greater<>());
+        heap.pop_back();
+        if (here > costs[k] || here > limit)
+          continue;
+        const bool own = lattice.is_own(k);
+        if (own && is_end(k))
+          {
+            if (here < best.cost)
+              best = {here, best.rank, k};
+            limit = std::min(limit, here);
+            continue;
+          }
+        lattice.for_each_step(k, n_directions, [&](const FlowLattice::Step &step) {
+          // Ghosts are their owner's affair; windows are, but for the way into them.
+          if (costs[step.point] <= here ||
+              (!lattice.is_own(step.point) && !(own && lattice.in_window(step.point))))
+            return;
+          const double there = total(here, step);
+          if (there < costs[step.point] && there <= limit)
+            improve(step.point, there, step.number);
+        });
+      }
+    block_at_work = FlowLattice::none;
+  }
+
+  template <class Start, class Total, class IsEnd>
+  LatticeSearch::End
+  LatticeSearch::run(const std::vector<std::size_t> &starts,
+                     const Start                    &start,
+                     const Total                    &total,
+                     const IsEnd                    &is_end,
+                     const double                    most)
+  {
+    reset(most);
+    for (const std::size_t k : starts)
+      if (start(k) < costs[k])
+        improve(k, start(k), start_of_way);
+    do
+      while (!blocks.empty())
+        {
+          const auto [least, b] = blocks.top();
+          blocks.pop();
+          if (least == least_pending[b])
+            search_block(b, total, is_end);
+        }
+    while (exchange());
+    return best_of_all();
+  }
+} // namespace strait
+
+#endif

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/percolation/lattice_levels.h>
+
+#include <cmath>
+
+namespace strait
+{
+  LatticeLevels::LatticeLevels(const SlabLayout &layout,
+                               const FlowDomain &domain,
+                               const GridLines  &lines)
+    : along_x(domain.region != nullptr || domain.direction == FlowDirection::x)
+    , is_periodic(domain.region == nullptr)
+    , n_on_grid(lines.size())
+  {
+    const PeriodicGrid  &grid = layout.grid();
+    const double         dx = grid.dx(), dy = grid.dy();
+    const std::ptrdiff_t line = lines.length();
+    levels.push_back({0,
+                      (along_x ? grid.nx : grid.ny) + 1,
+                      (along_x ? grid.ny : grid.nx) + (is_periodic ? 0 : 1),
+                      {{along_x ? dx : dy, along_x ? dy : dx, std::hypot(dx, dy)}},
+                      along_x ? 1 : line,
+                      along_x ? line : 1,
+                      -1,
+                      0,
+                      0});
+    const int n_windows = static_cast<int>(layout.windows().size());
+    for (int w = 0; w < n_windows; ++w)
+      add_window(layout, w);
+  }
+
+  void
+  LatticeLevels::add_window(const SlabLayout &layout, const int w)
+  {
+    const ZoomWindow &window = layout.windows()[w];
+    const int         last   = (along_x ? window.n_columns() : window.n_rows()) - 1;
+    const int         seam   = layout.seam(w, along_x ? 0 : 1);
+    if (seam < 0)
+      {
+        add_part(layout, w, {0, last, false, false});
+        return;
+      }
+    add_part(layout, w, {0, seam + 1, false, true});
+    add_part(layout, w, {seam - 1, last, true, false});
+  }
+
+  void
+  LatticeLevels::add_part(const SlabLayout &layout, const int w, const Part &part)
+  {
+    const ZoomWindow &window   = layout.windows()[w];
+    const double      fraction = std::pow(3., -window.level);
+    // The first of the parent's columns that this part covers; on the grid, of those that
+    // begin at the inlet and end with its copy at the outlet.
+    int along = (along_x ? window.x : window.y) + part.first / 3;
+    if (window.parent < 0)
+      {
+        const int period = levels.front().n_along - 1;
+        along            = (along % period + period) % period;
+        if (along == 0 && part.ends_at_outlet)
+          along = period;
+      }
+    Level level           = levels.front();
+    level.begin           = end();
+    level.n_along         = part.last - part.first + 1;
+    level.n_across        = along_x ? window.n_rows() : window.n_columns();
+    level.along_by        = 1;
+    level.across_by       = level.n_along;
+    level.parent          = level_with(window.parent, along, part.ends_at_outlet);
+    level.along           = along - levels[level.parent].first;
+    level.across          = along_x ? window.y : window.x;
+    level.window          = w;
+    level.first           = part.first;
+    level.begins_at_inlet = part.begins_at_inlet;
+    level.ends_at_outlet  = part.ends_at_outlet;
+    for (double &length : level.lengths)
+      length *= fraction;
+    levels.push_back(level);
+  }
+
+  int
+  LatticeLevels::level_with(const int window, const int along, const bool of_outlet) const
+  {
+    if (window < 0)
+      return 0;
+    int l = 1;
+    while (levels[l].window != window)
+      ++l;
+    // Of two parts the first ends with the column on the seam and one beyond.
+    if (!levels[l].ends_at_outlet)
+      return l;
+    const int seam = levels[l].n_along - 2;
+    return along < seam || (along == seam && of_outlet) ? l : l + 1;
+  }
+
+  LatticeLevels::Place
+  LatticeLevels::parent_of(const Place &p) const
+  {
+    const Level &level = levels[p.level];
+    return {level.parent, level.along + p.along / 3, level.across + p.across / 3};
+  }
+
+  LatticeLevels::Place
+  LatticeLevels::finer(const Place &p) const
+  {
+    for (std::size_t l = 1; l < levels.size(); ++l)
+      {
+        const Level &level = levels[l];
+        if (level.parent != p.level)
+          continue;
+        const int a = p.along - level.along, from = p.across - level.across;
+        const int b = p.level == 0 ? wrapped(from) : from;
+        if (a >= 0 && 3 * a < level.n_along && b >= 0 && 3 * b < level.n_across)
+          return {static_cast<int>(l), 3 * a + 1, 3 * b + 1};
+      }
+    return p;
+  }
+
+  LatticeLevels::Place
+  LatticeLevels::finest(const Place &p) const
+  {
+    const Place next = finer(p);
+    return next.level == p.level ? p : finest(next);
+  }
+
+  bool
+  LatticeLevels::is_on_rim(const Place &p) const
+  {
+    const Level &level  = levels[p.level];
+    const bool   on_rim = p.along == 1 || p.along == level.n_along - 2 || p.across == 1 ||
+                        p.across == level.n_across - 2;
+    return on_rim && p.along % 3 == 1 && p.across % 3 == 1;
+  }
+
+  GridPoint
+  LatticeLevels::on_grid(const GridPoint &p) const
+  {
+    if (p.window < 0)
+      return p;
+    const int along = along_x ? p.ix : p.iy, across = along_x ? p.iy : p.ix;
+    const int level = level_with(p.window, along, false);
+    Place     place = {level, along - levels[level].first, across};
+    while (place.level > 0)
+      place = parent_of(place);
+    return point(place);
+  }
+
+  GridPoint
+  LatticeLevels::point(const Place &p) const
+  {
+    const Level &level  = levels[p.level];
+    const int    along  = level.first + p.along;
+    const int    across = p.level == 0 ? wrapped(p.across) : p.across;
+    return along_x ? GridPoint{along, across, level.window}
+                   : GridPoint{across, along, level.window};
+  }
+} // namespace strait
