@@ -108,6 +108,8 @@ def draw_ensemble(path, units):
               for name, label, unit in QUANTITIES] if table else []
     strips = [strip for strip in strips if len(strip[0])]
     if not (curves or strips):
+        if path.with_name("seal.csv").exists():
+            return None  # no thresholds were wanted
         return print(f"plot.py: {path} holds no thresholds: no ensemble.png.", file=sys.stderr)
     widths = [4] * bool(curves) + [1] * len(strips)
     figure = Figure(figsize=(0.3 + 1.55 * sum(widths), 4.4), layout="constrained")

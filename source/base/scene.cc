@@ -166,6 +166,25 @@ namespace strait
                            "nominal pressures below it.");
     }
 
+    /** What a whole seal is made of. */
+    void
+    check_whole_seal(const Scene &scene)
+    {
+      if (!scene.seal.enabled)
+        return;
+      if (!scene.contact.enabled || !scene.fluid.enabled ||
+          scene.contact.control != ContactControl::load ||
+          scene.programme.pressures.empty() || !scene.fluid.mesh_file.empty())
+        throw InputError(
+          "Seal/Enabled needs leak rates of boxes under loads: Contact/Enabled, "
+          "Fluid/Enabled, Contact/Control = load, Load programme/Pressures, and no "
+          "Fluid/Mesh.");
+      if (!scene.realisations.enabled())
+        throw InputError(
+          "Seal/Enabled needs at least two patches to tell how they scatter; set "
+          "Realisations/Seeds, or Orientations for a measured map.");
+    }
+
     /** What windows of finer points cannot be combined with, and why. */
     void
     check_zoom(const Scene &scene)
@@ -208,6 +227,7 @@ namespace strait
     fluid.bind(section("Fluid"));
     programme.bind(section("Load programme"));
     realisations.bind(section("Realisations"));
+    seal.bind(section("Seal"));
     theory.bind(section("Theory"));
     output.bind(section("Output"));
   }
@@ -220,6 +240,8 @@ namespace strait
     fluid.check();
     programme.check();
     realisations.check();
+    seal.check();
+    check_whole_seal(*this);
     check_programme(*this);
     check_theory(*this);
     check_yielding(*this);

@@ -9,6 +9,7 @@
 #include <strait/run/output_directory.h>
 #include <strait/run/result_tables.h>
 #include <strait/run/run_state.h>
+#include <strait/run/scripts.h>
 #include <strait/run/simulation.h>
 #include <strait/surface/read_scene.h>
 
@@ -59,6 +60,7 @@ namespace strait
               "Surface/Rotate=" + yes_or_no(rotated),
               "Realisations/Seeds=",
               "Realisations/Orientations=" + name_of(Orientation::as_is),
+              "Seal/Enabled=false",
               "Output/Directory=" + directory};
     }
 
@@ -172,6 +174,8 @@ namespace strait
     run_on_root(MPI_COMM_WORLD, [&]() {
       table.open(folder + "/ensemble.csv");
       write_text(folder + "/parameters.prm", scene.resolved);
+      if (scene.seal.enabled)
+        check_seal_profile(scene);
     });
 
     bool                           all_converged = true;
@@ -223,8 +227,11 @@ namespace strait
                  row.quantity.c_str(),
                  row.n_samples,
                  rows.size()));
-    if (scene.output.pictures)
-      run_on_root(MPI_COMM_WORLD, [&]() { draw_pictures(folder, log); });
+    run_on_root(MPI_COMM_WORLD, [&]() {
+      if (scene.seal.enabled)
+        assess_whole_seal(scene, log);
+      draw_results(scene, log);
+    });
     return all_converged;
   }
 } // namespace strait

@@ -26,6 +26,7 @@ namespace strait
     FluidParameters       fluid;
     ProgrammeParameters   programme;
     RealisationParameters realisations;
+    WholeSealParameters   seal;
     TheoryParameters      theory;
     OutputParameters      output;
 
