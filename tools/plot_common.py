@@ -42,10 +42,10 @@ def scientific(value):
     return rf"${mantissa}\times10^{{{int(exponent)}}}$" if exponent else mantissa
 
 
-def read_parameters(path):
-    """The values of a scene file, such as parameters.prm, by "Section/Parameter"."""
+def read_parameters(scene):
+    """The values in the text of a scene, such as parameters.prm, by "Section/Parameter"."""
     values, section = {}, []
-    for line in path.read_text(encoding="utf-8").splitlines():
+    for line in scene.splitlines():
         word, _, rest = line.split("#")[0].strip().partition(" ")
         if word == "subsection":
             section.append(rest.strip())

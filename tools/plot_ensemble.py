@@ -36,6 +36,8 @@ def read_curves(folder):
     curves = {}
     for path in folder.glob("realisation-*/leakage.csv"):
         try:
+            if "reduced_load" not in read_table(path):
+                continue  # no threshold was sought
             curve = read_curve(path)
             if len(curve[0]) > 1:
                 curves[int(path.parent.name.split("-")[1])] = curve

@@ -18,7 +18,7 @@ def draw_band(axes, table):
     else:
         bottom = 0.5 * leaks.min()
         axes.fill_between(load, np.maximum(low, bottom), np.maximum(high, bottom), color=BLUE,
-                          alpha=0.2, linewidth=0, label="90 % of all seals")
+                          alpha=0.2, linewidth=0, label="90 %")
         axes.plot(load[middle > 0], middle[middle > 0], "o-", color=BLUE, label="median")
         bars = np.maximum(middle, bottom)
         axes.errorbar(load, bars, yerr=[bars - np.maximum(low, bottom),

@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The leak rate of a whole seal from the realisations of a run: seal.csv and seal_load.csv.
 
-Reads parameters.prm and the folders of the realisations; see doc/seal.md. With --check it only
-says whether the loads of the scene cover the pressure profile. Exit status 1 with a sentence
-where something is missing.
+Reads parameters.prm and the folders of the realisations; see doc/seal.md. Exit status 1 with a
+sentence where something is missing.
 """
 import argparse
 import csv
@@ -28,6 +27,11 @@ except ImportError as missing:
 LEAST_WAVES = 4
 
 
+def scene_in(folder):
+    """The text of the scene whose results a folder holds."""
+    return (folder / "parameters.prm").read_text(encoding="utf-8")
+
+
 def box_of(values):
     """Sides of the box of a scene, along the flow and across."""
     sizes = [float(size) for size in values["Surface/Size"].split(",")]
@@ -37,8 +41,8 @@ def box_of(values):
 class Seal:
     """What the scene says of the seal."""
 
-    def __init__(self, folder):
-        values = read_parameters(folder / "parameters.prm")
+    def __init__(self, scene):
+        values = read_parameters(scene)
         self.loads = np.unique([float(load) for load in
                                 values["Load programme/Pressures"].split(",") if load.strip()])
         self.circumference = float(values["Seal/Circumference"])
@@ -119,11 +123,11 @@ class Patches:
 
     def __init__(self, folder, seal):
         self.along, self.across, self.errors, self.dropped = [], [], [], []
-        self.factor, self.unit, solution_sources = 1., "", set()
+        self.factor, self.unit, self.load_unit, solution_sources = 1., "", "", set()
         paths = sorted(folder.glob("realisation-*"), key=lambda path: int(path.name[12:]))
         for path in paths:
             try:
-                run, values = Run(path), read_parameters(path / "parameters.prm")
+                run, values = Run(path), read_parameters(scene_in(path))
                 conductances, errors = self._of_loads(run, box_of(values), seal)
             except (OSError, KeyError, ValueError) as problem:
                 self.dropped.append(f"{path.name} ({problem})")
@@ -160,6 +164,7 @@ class Patches:
     def _take_unit(self, run, seal):
         """The unit that was asked for, and what a leak rate of the scene is in it."""
         self.unit = run.unit("leak_rate")
+        self.load_unit = f" {run.unit('pressure')}".rstrip()  # as it follows a number
         if not seal.unit:
             return
         column = "leak_rate_" + seal.unit.replace("/", "_per_").replace(" ", "_")
@@ -193,25 +198,25 @@ def crossing(loads, rates, wanted):
     return math.nan
 
 
-def verdict(load, band, seal, patches):
+def verdict(load, band, patches):
     """What dominates the uncertainty, and what to do about it: one sentence."""
-    n = len(patches.along)
+    n, load = len(patches.along), f"{load:.6g}{patches.load_unit}"
     parts = {"patches": 1.645 * band.student * band.patches, "seal": 1.645 * band.arrangement,
              "solution": band.solution}
     most = max(parts, key=parts.get)
     factor = f"a factor of {math.exp(parts[most]):.3g}"
     if band.median == 0:
-        return (f"at {load:.6g} most seals do not leak at all: what leaks is decided by few "
+        return (f"at {load} most seals do not leak at all: what leaks is decided by few "
                 "patches; simulate more of them (Realisations/Seeds)")
     if most == "patches":
-        return (f"most of the uncertainty at {load:.6g}, {factor} each way, comes from the number "
+        return (f"most of the uncertainty at {load}, {factor} each way, comes from the number "
                 f"of patches: {4 * n} in place of {n} would about halve it (Realisations/Seeds)")
     if most == "seal":
-        return (f"most of the uncertainty at {load:.6g}, {factor} each way, is that of the seal "
+        return (f"most of the uncertainty at {load}, {factor} each way, is that of the seal "
                 "itself: seals of this size differ so much, and no more patches narrow it")
     advice = ("Contact/Grid points, Contact/Zoom or Fluid/Target accuracy, as their logs say"
               if patches.knows_grid else "Fluid/Target accuracy")
-    return (f"most of the uncertainty at {load:.6g}, {factor} each way, comes from the solutions "
+    return (f"most of the uncertainty at {load}, {factor} each way, comes from the solutions "
             f"of the patches: improve {advice}")
 
 
@@ -242,7 +247,7 @@ def write(path, header, rows):
 
 def assess(folder):
     """Write the tables and say what they mean."""
-    seal = Seal(folder)
+    seal = Seal(scene_in(folder))
     patches = Patches(folder, seal)
     bands = list(bands_of(seal, patches))
     write(folder / "seal.csv",
@@ -250,13 +255,13 @@ def assess(folder):
            "sealed", "scatter_patches", "scatter_arrangement", "solution_error"),
           [(load, band.median, band.lower, band.upper, patches.unit, band.sealed, band.patches,
             band.arrangement, band.solution) for load, band in bands])
-    unit = patches.unit or "in the scene's units"
+    unit, load_unit = patches.unit or "in the scene's units", patches.load_unit
     print(f"whole seal: {seal.n_along} × {seal.n_around} patches, drawn from "
           f"{len(patches.along)} along the flow and {len(patches.across)} across")
     for load, band in bands:
-        print(f"  pressure {load:.6g}: leaks {band.median:.4g} {unit}, "
+        print(f"  under {load:.6g}{load_unit}: {band.median:.4g} {unit}, "
               f"90 % between {band.lower:.4g} and {band.upper:.4g}")
-    print("  " + verdict(*bands[-1], seal, patches))
+    print("  " + verdict(*bands[-1], patches))
     if seal.wanted > 0:
         loads = np.array([load for load, _ in bands])
         found = [crossing(loads, np.array([getattr(band, name) for _, band in bands]), seal.wanted)
@@ -264,8 +269,9 @@ def assess(folder):
         write(folder / "seal_load.csv",
               ("wanted_leak_rate", "unit", "load", "load_5_percent", "load_95_percent"),
               [(seal.wanted, patches.unit, *found)])
-        print(f"  {seal.wanted:.4g} {unit} at a pressure of {found[0]:.4g}, 90 % between "
-              f"{found[1]:.4g} and {found[2]:.4g} (nan: beyond the loads that were computed)")
+        print(f"  {seal.wanted:.4g} {unit}: under {found[0]:.4g}{load_unit}, 90 % between "
+              f"{found[1]:.4g} and {found[2]:.4g}" +
+              ("; nan: beyond these loads" if np.isnan(found).any() else ""))
     for doubt in doubts(seal, patches):
         print("  warning: " + doubt)
 
@@ -273,13 +279,16 @@ def assess(folder):
 def main():
     """Read the command line; the exit status is 0 unless a sentence ended it."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("folder", metavar="OUTPUT_DIR", type=pathlib.Path)
-    parser.add_argument("--check", action="store_true", help="only check the pressure profile")
+    parser.add_argument("folder", metavar="OUTPUT_DIR", type=pathlib.Path, nargs="?")
+    parser.add_argument("--check", action="store_true",
+                        help="only check the pressure profile of the scene on standard input")
     options = parser.parse_args()
     if options.check:
-        Seal(options.folder).rows()
-    else:
+        Seal(sys.stdin.read()).rows()
+    elif options.folder:
         assess(options.folder)
+    else:
+        parser.error("which results?")
 
 
 if __name__ == "__main__":

@@ -174,8 +174,6 @@ namespace strait
     run_on_root(MPI_COMM_WORLD, [&]() {
       table.open(folder + "/ensemble.csv");
       write_text(folder + "/parameters.prm", scene.resolved);
-      if (scene.seal.enabled)
-        check_seal_profile(scene);
     });
 
     bool                           all_converged = true;

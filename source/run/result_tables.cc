@@ -298,9 +298,11 @@ namespace strait
                          "see [seal.md](seal.md).");
     table.add(&SealRow::pressure, "pressure [pressure]: nominal, mean over the width")
       .add(&SealRow::median,
-           "leak_rate_median [of the column unit]: half of all seals leak more")
-      .add(&SealRow::lower, "leak_rate_5_percent [of the column unit]: 95 % leak more")
-      .add(&SealRow::upper, "leak_rate_95_percent [of the column unit]: 5 % leak more")
+           "leak_rate_median [of the column unit]: as likely exceeded as not")
+      .add(
+        &SealRow::lower,
+        "leak_rate_5_percent [of the column unit]: exceeded with a probability of 95 %")
+      .add(&SealRow::upper, "leak_rate_95_percent [of the column unit]: with one of 5 %")
       .add(&SealRow::unit,
            "unit: of the leak rates: the first of `Output/Leak rate units`, or that of "
            "the scene; empty if that states none")
@@ -329,10 +331,11 @@ namespace strait
       .add(&SealLoadRow::wanted,
            "wanted_leak_rate [of the column unit]: `Seal/Wanted leak rate`")
       .add(&SealLoadRow::unit, "unit: as in seal.csv")
-      .add(&SealLoadRow::median,
-           "load [pressure]: half of all seals leak less from there on")
-      .add(&SealLoadRow::lower, "load_5_percent [pressure]: 5 % do")
-      .add(&SealLoadRow::upper, "load_95_percent [pressure]: 95 % do");
+      .add(&SealLoadRow::median, "load [pressure]: where the median is as wanted")
+      .add(&SealLoadRow::lower, "load_5_percent [pressure]: where the 5 % quantile is")
+      .add(&SealLoadRow::upper,
+           "load_95_percent [pressure]: where the 95 % quantile is: enough with a "
+           "probability of 95 %");
     return table;
   }
 

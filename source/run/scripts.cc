@@ -27,18 +27,20 @@ namespace strait
       std::string said; // on both streams
     };
 
+    /** With @p input as its standard input, if that is not empty. */
     ScriptResult
     run_script(const std::string &name,
-               const std::string &folder,
-               const std::string &option = "")
+               const std::string &argument,
+               const std::string &input = "")
     {
       const std::string script = find_script(name);
       if (script.empty())
         return {false, "the script " + name + " was not found"};
       // An interpreter that inherits MPI's variables may believe it is a rank.
-      const std::string command = "env -u OMPI_COMM_WORLD_SIZE " +
-                                  quoted(python_interpreter()) + " " + quoted(script) +
-                                  " " + option + " " + quoted(folder) + " 2>&1";
+      const std::string command =
+        (input.empty() ? "" : "printf %s " + quoted(input) + " | ") +
+        "env -u OMPI_COMM_WORLD_SIZE " + quoted(python_interpreter()) + " " +
+        quoted(script) + " " + quoted(argument) + " 2>&1";
       std::FILE *pipe = popen(command.c_str(), "r"); // NOLINT(cert-env33-c)
       if (pipe == nullptr)
         return {false, "no process could be started for " + name};
@@ -64,8 +66,7 @@ namespace strait
   void
   check_seal_profile(const Scene &scene)
   {
-    const ScriptResult result =
-      run_script("whole_seal.py", scene.output.directory, "--check");
+    const ScriptResult result = run_script("whole_seal.py", "--check", scene.resolved);
     if (!result.succeeded)
       throw InputError(result.said);
   }

@@ -10,7 +10,7 @@
 namespace strait
 {
   /** Throw InputError if the loads of the patches do not cover what the seal's pressure
-   *  profile asks for. parameters.prm must be there. */
+   *  profile asks for. Writes nothing. */
   void check_seal_profile(const Scene &scene);
 
   /** Write seal.csv and seal_load.csv from the results of all realisations. Throws
