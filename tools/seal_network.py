@@ -68,8 +68,7 @@ def network_conductance(along, across):
         np.subtract.at(matrix, (abs(end - begin), np.minimum(begin, end)), bonds)
     right = np.zeros(m * n)
     right[nodes[0]] = along[0]
-    if n == 1:
-        matrix = matrix[:m + 1]
+    matrix = matrix[:m * n]  # a small matrix has fewer diagonals
     potential = solveh_banded(matrix, right, lower=True, check_finite=False)[nodes]
     # The dissipated power: its error is of second order in that of the potential.
     chain = np.concatenate([np.ones((1, n)), potential, np.zeros((1, n))])

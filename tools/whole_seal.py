@@ -15,7 +15,9 @@ try:
     import numpy as np
 
     from plot_common import is_trusted, read_parameters
+    from report_results import relative_errors
     from seal_network import Band, at_loads
+    from seal_scene import Seal, box_of, scene_in
     from strait_results import Run
 except ImportError as missing:
     sys.exit(f"whole_seal.py: the Python module {missing.name} is missing; "
@@ -27,113 +29,42 @@ except ImportError as missing:
 LEAST_WAVES = 4
 
 
-def scene_in(folder):
-    """The text of the scene whose results a folder holds."""
-    return (folder / "parameters.prm").read_text(encoding="utf-8")
+def in_endless_row(alone, two, error_alone, error_two):
+    """Leak rate of a box in an endless row from those of one and of two, and its error.
 
-
-def box_of(values):
-    """Sides of the box of a scene, along the flow and across."""
-    sizes = [float(size) for size in values["Surface/Size"].split(",")]
-    return (sizes[0], sizes[-1]) if values["Fluid/Direction"] == "x" else (sizes[-1], sizes[0])
-
-
-class Seal:
-    """What the scene says of the seal."""
-
-    def __init__(self, scene):
-        values = read_parameters(scene)
-        self.loads = np.unique([float(load) for load in
-                                values["Load programme/Pressures"].split(",") if load.strip()])
-        self.circumference = float(values["Seal/Circumference"])
-        self.width = float(values["Seal/Contact width"])
-        self.isotropic = values["Seal/Isotropic"] == "true"
-        self.wanted = float(values["Seal/Wanted leak rate"])
-        self.profile = values["Seal/Pressure profile"]
-        self.length, self.breadth = box_of(values)
-        self.n_along = max(1, round(self.width / self.length))
-        self.n_around = max(1, round(self.circumference / self.breadth))
-        self.roll_off = (float(values["Surface/Roll-off wavelength"])
-                         if values["Surface/Kind"] == "self-affine" else None)
-        units = values["Output/Leak rate units"].split(",")
-        self.unit = units[0].strip()
-
-    def profile_values(self, places):
-        """Pressure over its mean at places from 0 to 1 across the width, and the mean."""
-        if not self.profile:
-            return np.ones_like(places), None
-        if self.profile == "hertz":
-            return 4 / math.pi * np.sqrt(np.clip(1 - (2 * places - 1)**2, 0, None)), None
-        x, p = read_profile(self.profile)
-        if abs(np.ptp(x) / self.width - 1) > 0.01:
-            sys.exit(f"Seal/Pressure profile = {self.profile} spans {np.ptp(x):.6g}, and "
-                     f"Seal/Contact width is {self.width:.6g}; make them the same.")
-        mean = np.trapz(p, x) / np.ptp(x)
-        return np.interp(places, (x - x[0]) / np.ptp(x), p) / mean, mean
-
-    def columns(self):
-        """Pressure over its mean at the patches, one after the other along the flow; at those in
-        between, which lead around; and the table's own mean pressure, if there is one."""
-        fine = 64 * self.n_along
-        values, mean = self.profile_values((np.arange(fine) + 0.5) / fine)
-        halves = values.reshape(2 * self.n_along, -1).mean(axis=1)
-        return (halves[::2] + halves[1::2]) / 2, (halves[1:-1:2] + halves[2::2]) / 2, mean
-
-    def rows(self):
-        """The mean loads for which the patches know the pressures of the whole profile."""
-        along, _, mean = self.columns()
-        wanted = self.loads if mean is None else np.union1d(self.loads, [mean])
-        # Rounding of the profile must not cost the first load and the last.
-        inside = ((wanted * along.min() >= self.loads[0] * (1 - 1e-9)) &
-                  (wanted * along.max() <= self.loads[-1] * (1 + 1e-9)))
-        if len(self.loads) < 2 and not np.allclose(along, 1):
-            inside[:] = False
-        if not inside.any() or (mean is not None and not inside[wanted == mean].all()):
-            load = self.loads.mean() if mean is None else mean
-            sys.exit(f"Under a mean pressure of {load:.6g} Seal/Pressure profile presses the "
-                     f"patches by {load * along.min():.6g} to {load * along.max():.6g}; let Load "
-                     "programme/Pressures begin below and end above that, as nothing is "
-                     "extrapolated.")
-        return wanted[inside]
-
-
-def read_profile(path):
-    """Positions and pressures of a table of two columns; lines without two numbers are headers."""
-    rows = []
-    try:
-        text = pathlib.Path(path).read_text(encoding="utf-8", errors="replace")
-    except OSError as error:
-        sys.exit(f"Seal/Pressure profile: {error}.")
-    for line in text.splitlines():
-        try:
-            x, p = (float(word) for word in line.replace(",", " ").replace(";", " ").split()[:2])
-            rows.append((x, p))
-        except ValueError:
-            continue
-    x, p = np.array(rows).reshape(-1, 2).T
-    if len(x) < 2 or not (np.diff(x) > 0).all() or not (p >= 0).all() or not p.any() \
-            or not np.isfinite([x, p]).all():
-        sys.exit(f"Seal/Pressure profile = {path} must hold two or more lines of a position that "
-                 "grows and a pressure that is not negative.")
-    return x, p
+    Two resistances of a box are not more than that of two in a row, as reservoirs between them
+    would be a short circuit; their difference is free of what the ends do.
+    """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        resistance, of_two = 1 / alone, 1 / two
+        difference = np.where(two > 0, of_two - resistance, np.inf)
+        error = (of_two * error_two + resistance * error_alone) / difference
+    difference = np.maximum(difference, resistance)
+    return np.where(alone > 0, 1 / difference, 0.), np.where(two > 0, error, 0.)
 
 
 class Patches:
     """What the realisations conduct: squares under the seal's pressure drop, at all loads."""
 
     def __init__(self, folder, seal):
-        self.along, self.across, self.errors, self.dropped = [], [], [], []
+        self.along, self.across, self.ends = [], [], []
+        self.errors, self.dropped, self.in_rows = [], [], True
         self.factor, self.unit, self.load_unit, solution_sources = 1., "", "", set()
         paths = sorted(folder.glob("realisation-*"), key=lambda path: int(path.name[12:]))
         for path in paths:
             try:
                 run, values = Run(path), read_parameters(scene_in(path))
-                conductances, errors = self._of_loads(run, box_of(values), seal)
+                alone, in_a_row, errors = self._of_loads(run, box_of(values), seal)
             except (OSError, KeyError, ValueError) as problem:
                 self.dropped.append(f"{path.name} ({problem})")
                 continue
             rotated = values["Surface/Rotate"] == "true"
-            (self.across if rotated and not seal.isotropic else self.along).append(conductances)
+            if rotated and not seal.isotropic:
+                self.across.append(in_a_row)
+            else:
+                self.along.append(in_a_row)
+                self.ends.append(alone)
+            self.in_rows = self.in_rows and "two_boxes_leak_rate" in run.table
             self.errors.append(errors)
             solution_sources.add("grid" if "leak_rate_error" in run.table else "mesh")
             self._take_unit(run, seal)
@@ -141,25 +72,28 @@ class Patches:
             sys.exit("The whole seal needs two patches along the flow with leak rates at all "
                      f"loads, and there are {len(self.along)}" +
                      (": " + "; ".join(self.dropped) if self.dropped else "") + ".")
-        self.along = np.array(self.along)
+        self.along, self.ends = np.array(self.along), np.array(self.ends)
         self.across = np.array(self.across) if self.across else self.along
         self.knows_grid = solution_sources == {"grid"}
 
     @staticmethod
     def _of_loads(run, box, seal):
+        """Conductances of one patch: alone between reservoirs, and in an endless row; errors."""
         table, (length, breadth) = run.table, box
-        conductances, errors = [], []
-        for load in seal.loads:
-            row = np.flatnonzero(np.isclose(table["pressure"], load, rtol=1e-9))[:1]
+        rows = [np.flatnonzero(np.isclose(table["pressure"], load, rtol=1e-9))[:1]
+                for load in seal.loads]
+        for load, row in zip(seal.loads, rows):
             if not row.size or not is_trusted(table["status"][row]).all():
                 raise ValueError(f"no leak rate at {load:.6g}")
-            rate, low, high = (abs(float(table[name][row[0]])) for name in
-                               ("leak_rate", "leak_rate_lower", "leak_rate_upper"))
-            conductances.append(rate * length / breadth)
-            known = float(table.get("leak_rate_error", np.full(row[0] + 1, np.nan))[row[0]])
-            errors.append(0. if rate == 0 else known if np.isfinite(known)
-                          else 0.5 * (high - low) / rate)
-        return conductances, errors
+        table = {name: values[np.concatenate(rows)] for name, values in table.items()}
+        errors = relative_errors(table)
+        alone = np.abs(table["leak_rate"])
+        in_a_row = alone
+        if "two_boxes_leak_rate" in table:
+            in_a_row, errors = in_endless_row(alone, np.abs(table["two_boxes_leak_rate"]),
+                                              errors, 0.5 * table["two_boxes_error"])
+        return (alone * length / breadth, in_a_row * length / breadth,
+                np.where(in_a_row > 0, errors, 0.))
 
     def _take_unit(self, run, seal):
         """The unit that was asked for, and what a leak rate of the scene is in it."""
@@ -174,17 +108,30 @@ class Patches:
         self.unit = seal.unit
 
 
+def open_at_ends(along, alone):
+    """Give the first and the last patch of rows one end each that opens on a reservoir."""
+    with np.errstate(divide="ignore"):
+        for column in (0, -1):
+            along[:, column] = 2 / (1 / along[:, column] + 1 / alone[:, column]) \
+                if along.shape[1] > 1 else alone[:, column]
+
+
 def bands_of(seal, patches):
     """(load, Band) of each load that the patches cover."""
     along, across, _ = seal.columns()
     scale = patches.factor * seal.circumference / seal.width
     rng = np.random.default_rng(1)
     errors = np.mean(patches.errors, axis=0)
+
+    def at(pool, load, columns):
+        return scale * (at_loads(seal.loads, pool, load * columns) if len(seal.loads) > 1
+                        else np.repeat(pool, len(columns), axis=1))
+
     for load in seal.rows():
-        k_along, k_across = ((scale * at_loads(seal.loads, pool, load * np.asarray(columns)))
-                             if len(seal.loads) > 1 else np.repeat(scale * pool, len(columns), 1)
-                             for pool, columns in ((patches.along, along),
-                                                   (patches.across, across)))
+        k_along, k_across, k_ends = (at(pool, load, columns) for pool, columns in
+                                     ((patches.along, along), (patches.across, across),
+                                      (patches.ends, along)))
+        open_at_ends(k_along, k_ends)
         yield load, Band(k_along, k_across, seal.n_around, seal.breadth / seal.length,
                          float(np.interp(load, seal.loads, errors)), rng)
 
@@ -232,6 +179,9 @@ def doubts(seal, patches):
     if seal.roll_off is None:
         yield ("whether patches of this size are independent is not known of a measured map: "
                "compare with patches twice as large")
+    if seal.n_along > 1 and not patches.in_rows:
+        yield ("the ends of patches open on reservoirs, which in a row of them counts too often "
+               "and leaks too much: that cannot be allowed for here (Seal/Two in a row)")
     if seal.n_along * seal.length > 1.5 * seal.width:
         yield f"a patch is longer than the contact is wide ({seal.width:.4g})"
     if not patches.knows_grid:

@@ -161,6 +161,11 @@ namespace strait
                 not_negative,
                 "Find the load at which the whole seal leaks as much, in the first of "
                 "Output/Leak rate units if that is set; 0: do not [length^3/time].");
+    section.add(
+      "Two in a row",
+      two_in_a_row,
+      "Of a single box: solve the flow through two of it as well, one behind the other. "
+      "The patches of a seal that is wider than one do so by themselves.");
   }
 
   void

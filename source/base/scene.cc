@@ -232,6 +232,14 @@ namespace strait
     output.bind(section("Output"));
   }
 
+  bool
+  Scene::can_flow_in_a_row() const
+  {
+    return fluid.enabled && fluid.direction == FlowDirection::x &&
+           fluid.mesh_file.empty() && fluid.rarefaction == Rarefaction::none &&
+           !fluid.feedback.enabled && !contact.zoom.enabled;
+  }
+
   void
   Scene::check() const
   {
@@ -242,6 +250,10 @@ namespace strait
     realisations.check();
     seal.check();
     check_whole_seal(*this);
+    if (seal.two_in_a_row && !can_flow_in_a_row())
+      throw InputError(
+        "Seal/Two in a row needs a flow along x that is linear in the pressure and leaves "
+        "the gap as it is: no Fluid/Mesh, Rarefaction or Wall feedback, no Contact/Zoom.");
     check_programme(*this);
     check_theory(*this);
     check_yielding(*this);

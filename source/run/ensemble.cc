@@ -49,7 +49,9 @@ namespace strait
 
     /** What makes the scene file this realisation alone. */
     Overrides
-    overrides_of(const Realisation &realisation, const std::string &directory)
+    overrides_of(const Realisation &realisation,
+                 const std::string &directory,
+                 const bool         two_in_a_row)
     {
       const bool inverted = realisation.orientation == Orientation::inverted ||
                             realisation.orientation == Orientation::inverted_and_rotated;
@@ -61,6 +63,7 @@ namespace strait
               "Realisations/Seeds=",
               "Realisations/Orientations=" + name_of(Orientation::as_is),
               "Seal/Enabled=false",
+              "Seal/Two in a row=" + yes_or_no(two_in_a_row),
               "Output/Directory=" + directory};
     }
 
@@ -187,7 +190,9 @@ namespace strait
                  name_of(realisation.orientation));
         Overrides all = overrides;
         for (const std::string &own :
-             overrides_of(realisation, folder + "/realisation-" + number))
+             overrides_of(realisation,
+                          folder + "/realisation-" + number,
+                          scene.seal.two_in_a_row || scene.has_patches_in_a_row()))
           all.push_back(own);
         const Scene alone = read_scene(path, all);
         Log         own_log(MPI_COMM_WORLD, log.is_quiet());

@@ -48,6 +48,8 @@ namespace strait
         flow = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
         if (scene.programme.find_threshold)
           flow->watch_constrictions();
+        if (scene.seal.two_in_a_row)
+          row = std::make_unique<FlowInARow>(scene.fluid, *layout, log, timers);
         coarser      = std::make_unique<CoarserSeals>(scene, contact, heights, log);
         error_budget = std::make_unique<ErrorBudget>(scene, heights, *coarser);
       }
@@ -195,6 +197,8 @@ namespace strait
     if (step.state.fluid && step.flow->solution)
       allow_for_feedback(step.flow->leakage, *step.state.fluid, accuracy);
     flow->warn_of_width(step.flow->leakage);
+    if (row)
+      step.two_boxes = row->solve(step.state.gap(), step.state.control.slip_length);
     step.flow_seconds += Timers::seconds_since(start);
   }
 
@@ -278,6 +282,7 @@ namespace strait
   std::size_t
   LoadSweep::memory_consumption() const
   {
-    return seal->memory_consumption() + (flow ? flow->memory_consumption() : 0);
+    return seal->memory_consumption() + (flow ? flow->memory_consumption() : 0) +
+           (row ? row->memory_consumption() : 0);
   }
 } // namespace strait

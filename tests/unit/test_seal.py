@@ -13,6 +13,7 @@ import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
+import seal_scene  # noqa: E402
 import whole_seal  # noqa: E402
 from seal_network import Band, at_loads, network_conductance, sample_seals  # noqa: E402
 
@@ -77,9 +78,9 @@ class Network(unittest.TestCase):
             for sigma, (bias, scatter) in zip((1, 2, 3), rows):
                 def draw(shape, sigma=sigma):
                     return np.exp(sigma * self.rng.standard_normal(shape))
-                logs = [np.log(self.square(draw, n1, n2)) for _ in range(300)]
-                self.assertAlmostEqual(np.mean(logs), bias, delta=0.01 + 0.2 * scatter)
-                self.assertAlmostEqual(np.std(logs) / scatter, 1, delta=0.25)
+                logs = [np.log(self.square(draw, n1, n2)) for _ in range(150)]
+                self.assertAlmostEqual(np.mean(logs), bias, delta=0.01 + 0.3 * scatter)
+                self.assertAlmostEqual(np.std(logs) / scatter, 1, delta=0.35)
 
     def test_sealed_patches(self):
         self.assertEqual(network_conductance(np.zeros((3, 4)), np.ones((2, 4))), 0)
@@ -132,6 +133,29 @@ class InLoad(unittest.TestCase):
         self.assertTrue(np.isnan(whole_seal.crossing(loads, np.array([9., 8., 7.]), 1.)))
 
 
+class InARow(unittest.TestCase):
+    """Patches one behind the other, whose ends do not open on reservoirs."""
+
+    def test_what_the_ends_add_is_counted_once(self):
+        # A resistance of 3 in a row, less 1 for the two ends together.
+        alone, two = np.array([1 / 2]), np.array([1 / 5])
+        inner, _ = whole_seal.in_endless_row(alone, two, 0., 0.)
+        self.assertAlmostEqual(inner[0], 1 / 3)
+        for n in (1, 2, 3, 7):
+            along, ends = np.full((1, n), inner[0]), np.full((1, n), alone[0])
+            whole_seal.open_at_ends(along, ends)
+            self.assertAlmostEqual(1 / network_conductance(along.T, np.zeros((n - 1, 1))),
+                                   3 * n - 1)
+
+    def test_errors_and_sealed_rows(self):
+        alone, two = np.array([1., 1., 0., 1.]), np.array([0.5, 0., 0., 0.6])
+        inner, error = whole_seal.in_endless_row(alone, two, 0.01, 0.01)
+        # No ends; a way through one that does not meet itself; sealed; a bracket that is wide.
+        np.testing.assert_allclose(inner, [1., 0., 0., 1.])
+        self.assertAlmostEqual(error[0], 0.03)
+        self.assertEqual(list(error[1:3]), [0., 0.])
+
+
 class Confidence(unittest.TestCase):
     """The band of 90 % holds the truth as often as it says."""
 
@@ -139,13 +163,13 @@ class Confidence(unittest.TestCase):
         # What a seal of the whole population leaks, against bands from eight of its patches.
         rng = np.random.default_rng(3)
         inside = 0
-        for _ in range(40):
+        for _ in range(25):
             pool = np.repeat(np.exp(rng.standard_normal((8, 1))), 6, axis=1)
             band = Band(pool, pool[:, 1:], 12, 1., 0., rng)
             truth = network_conductance(np.exp(rng.standard_normal((6, 12))),
                                         np.exp(rng.standard_normal((5, 12)))) / 2
             inside += band.lower < truth < band.upper
-        self.assertGreaterEqual(inside, 31)  # 36 are expected; fewer than 31 by a chance of 0.5 %
+        self.assertGreaterEqual(inside, 18)  # 22.5 are expected; fewer than 18 by a chance of 0.2 %
 
     def test_where_it_comes_from(self):
         rng = np.random.default_rng(3)
@@ -274,7 +298,7 @@ class OfAFolder(unittest.TestCase):
 
     def test_hertz(self):
         self.about["profile"] = "hertz"
-        seal = whole_seal.Seal(SCENE.format(**self.about))
+        seal = seal_scene.Seal(SCENE.format(**self.about))
         along, around, _ = seal.columns()
         self.assertAlmostEqual(along.mean(), 1, delta=1e-3)
         # The integrals of (4/π) √(1 − ξ²) over an outer and an inner quarter of the width.
@@ -288,7 +312,7 @@ class OfAFolder(unittest.TestCase):
         table = self.folder / "profile.csv"
         table.write_text("x (m), p\n0, 0.1\n2, 0.3\n4, 0.1\n")
         self.about["profile"] = table
-        seal = whole_seal.Seal(SCENE.format(**self.about))
+        seal = seal_scene.Seal(SCENE.format(**self.about))
         along, _, mean = seal.columns()
         self.assertAlmostEqual(mean, 0.2)
         np.testing.assert_allclose(along, [0.75, 1.25, 1.25, 0.75], rtol=1e-9)

@@ -69,6 +69,7 @@ namespace strait
     std::string pressure_profile; // empty: uniform; hertz; or the path of a table
     bool        isotropic        = true;
     double      wanted_leak_rate = 0.; // 0: none
+    bool        two_in_a_row     = false;
 
     void bind(ParameterSection section);
     void check() const;
