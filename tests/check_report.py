@@ -119,8 +119,10 @@ def check_seal(program, scene, folder):
     if "comes from" not in said:
         fail(f"nothing is said of what dominates: {said}")
     before = rows(folder / "seal.csv")
-    if [row["pressure"] for row in before] != ["60000.0"]:  # Hertz needs more than the others have
+    loads = [float(row["pressure"]) for row in before]  # Hertz needs more than the others have
+    if len(loads) != 3 or loads[1] != 6e4 or not 3e4 < loads[0] < 6e4 < loads[2] < 1.2e5:
         fail(f"seal.csv has {before}")
+    before = before[1:2]
     patches = []
     for k in range(1, 5):
         at_load = rows(folder / f"realisation-{k}" / "leakage.csv")[1]
@@ -131,7 +133,7 @@ def check_seal(program, scene, folder):
     log_of_patch = folder / "realisation-1" / "log.txt"
     untouched = log_of_patch.stat().st_mtime_ns
     run(program, scene, "--output", folder, "--resume", "--set", "Seal/Contact width=8e-4")
-    ratio = float(rows(folder / "seal.csv")[0]["leak_rate_median"]) / median
+    ratio = float(rows(folder / "seal.csv")[1]["leak_rate_median"]) / median
     if not 0.4 < ratio < 0.6:
         fail(f"twice the width leaks {ratio} times as much")
     if log_of_patch.stat().st_mtime_ns != untouched:

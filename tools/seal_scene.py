@@ -62,9 +62,13 @@ class Seal:
         return (halves[::2] + halves[1::2]) / 2, (halves[1:-1:2] + halves[2::2]) / 2, mean
 
     def rows(self):
-        """The mean loads for which the patches know the pressures of the whole profile."""
+        """The mean loads for which the patches know the pressures of the whole profile: those of
+        the patches, the least and the largest that there are, and that of the table."""
         along, _, mean = self.columns()
         wanted = self.loads if mean is None else np.union1d(self.loads, [mean])
+        if not np.allclose(along, 1):
+            ends = self.loads[0] / along.min(), self.loads[-1] / along.max()
+            wanted = np.union1d(wanted, ends) if ends[0] < ends[1] else wanted
         # Rounding of the profile must not cost the first load and the last.
         inside = ((wanted * along.min() >= self.loads[0] * (1 - 1e-9)) &
                   (wanted * along.max() <= self.loads[-1] * (1 + 1e-9)))
