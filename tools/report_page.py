@@ -23,9 +23,10 @@ p, ul { margin: .4rem 0; } .soft { color: var(--soft); } .bad { color: var(--bad
  table { border-collapse: collapse; font-size: .85rem; }
 th, td { padding: .22rem .6rem; text-align: right; border-bottom: 1px solid var(--line);
          vertical-align: top; font-variant-numeric: tabular-nums; }
-th { cursor: pointer; background: #f5f7f9; white-space: nowrap; } th small { font-weight: normal;
+th { cursor: pointer; background: #f5f7f9; vertical-align: bottom; } th small { font-weight: normal;
      color: var(--soft); display: block; } td { white-space: nowrap; }
 .text { text-align: left; } td.text { white-space: normal; } td.text span { white-space: nowrap; }
+td.long { min-width: 16rem; }
 th[aria-sort=ascending]::after { content: " ▴"; } th[aria-sort=descending]::after { content: " ▾"; }
 figure { margin: .4rem 0; break-inside: avoid; } figcaption { font-size: .8rem; color: var(--soft); }
 img { max-width: 100%; height: auto; } .pictures { display: grid; gap: .6rem;
@@ -35,11 +36,12 @@ img { max-width: 100%; height: auto; } .pictures { display: grid; gap: .6rem;
       margin-right: .5rem; } dd { margin: 0; overflow-wrap: anywhere; text-align: right; }
 code, pre { font-family: "DejaVu Sans Mono", monospace; font-size: .82rem; background: #f5f7f9;
       padding: .1rem .3rem; } pre { padding: .5rem; overflow-x: auto; }
-.bar { background: var(--accent); display: inline-block; height: .6rem; }
 @media print { @page { size: A4; margin: 11mm; } body { font-size: 8.5pt; padding: 0; max-width: none; }
   h2 { margin: .6rem 0 .2rem; } details { display: none; } th, td { padding: .1rem .35rem; }
-  .pictures { grid-template-columns: repeat(3, 1fr); } .plot img { max-height: 5.6cm; }
-  .columns { columns: 4; font-size: 6pt; column-gap: .8rem; } ul { font-size: 7.5pt; } table { font-size: 7.5pt; } .scroll { overflow: visible; }
+  .pictures { grid-template-columns: repeat(3, 1fr); gap: .2rem .6rem; } .plot img { max-height: 5cm; }
+  .answer { font-size: 9.5pt; margin: .3rem 0; } figure, p, .scroll { margin: .15rem 0; }
+  figcaption { font-size: 6.5pt; }
+  td.long { min-width: 0; } .columns { columns: 4; font-size: 6pt; column-gap: .8rem; } ul { font-size: 7.5pt; } table { font-size: 7.5pt; } .scroll { overflow: visible; }
 }
 """
 
@@ -77,6 +79,8 @@ class Column:
     def cell(self, row):
         """The cell in a row."""
         text, kind = escape(self.shown[row]), " class=text" if self.is_text else ""
+        if len(text) > 40:
+            kind = ' class="text long"'
         if len(text) < 12:
             text = text.replace(" ", "&nbsp;")
         if self.is_text and " " not in text:  # words of status and validity break between them

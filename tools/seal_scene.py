@@ -37,6 +37,8 @@ class Seal:
         self.n_around = max(1, round(self.circumference / self.breadth))
         self.roll_off = (float(values["Surface/Roll-off wavelength"])
                          if values["Surface/Kind"] == "self-affine" else None)
+        self.depends_on_drop = (values.get("Fluid/Wall feedback/Enabled") == "true" or
+                                values.get("Fluid/Rarefaction", "none") != "none")
         units = values["Output/Leak rate units"].split(",")
         self.unit = units[0].strip()
 

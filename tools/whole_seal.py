@@ -145,19 +145,20 @@ def crossing(loads, rates, wanted):
     return math.nan
 
 
-def verdict(load, band, patches):
+def verdict(load, band, seal, patches):
     """What dominates the uncertainty, and what to do about it: one sentence."""
     n, load = len(patches.along), f"{load:.6g}{patches.load_unit}"
     parts = {"patches": 1.645 * band.student * band.patches, "seal": 1.645 * band.arrangement,
              "solution": band.solution}
     most = max(parts, key=parts.get)
+    more = "Realisations/Seeds" if seal.roll_off else "measure more of the surface"
     factor = f"a factor of {math.exp(parts[most]):.3g}"
     if band.median == 0:
         return (f"at {load} most seals do not leak at all: what leaks is decided by few "
-                "patches; simulate more of them (Realisations/Seeds)")
+                f"patches; simulate more of them ({more})")
     if most == "patches":
         return (f"most of the uncertainty at {load}, {factor} each way, comes from the number "
-                f"of patches: {4 * n} in place of {n} would about halve it (Realisations/Seeds)")
+                f"of patches: {4 * n} in place of {n} would about halve it ({more})")
     if most == "seal":
         return (f"most of the uncertainty at {load}, {factor} each way, is that of the seal "
                 "itself: seals of this size differ so much, and no more patches narrow it")
@@ -182,6 +183,9 @@ def doubts(seal, patches):
     if seal.n_along > 1 and not patches.in_rows:
         yield ("the ends of patches open on reservoirs, which in a row of them counts too often "
                "and leaks too much: that cannot be allowed for here (Seal/Two in a row)")
+    if seal.n_along > 1 and seal.depends_on_drop:
+        yield ("each patch was solved under the whole pressure drop, of which it has a part in a "
+               "row, and with Wall feedback or Rarefaction its conductance depends on that")
     if seal.n_along * seal.length > 1.5 * seal.width:
         yield f"a patch is longer than the contact is wide ({seal.width:.4g})"
     if not patches.knows_grid:
@@ -211,7 +215,8 @@ def assess(folder):
     for load, band in bands:
         print(f"  under {load:.6g}{load_unit}: {band.median:.4g} {unit}, "
               f"90 % between {band.lower:.4g} and {band.upper:.4g}")
-    print("  " + verdict(*bands[-1], patches))
+    print("  " + verdict(*bands[-1], seal, patches))
+    (folder / "seal_load.csv").unlink(missing_ok=True)  # of another wanted leak rate
     if seal.wanted > 0:
         loads = np.array([load for load, _ in bands])
         found = [crossing(loads, np.array([getattr(band, name) for _, band in bands]), seal.wanted)

@@ -289,6 +289,14 @@ class OfAFolder(unittest.TestCase):
         self.assertIn("most seals do not leak at all", self.assess().stdout)
         self.assertEqual(float(self.table()[-1]["leak_rate_median"]), 0)
 
+    def test_what_depends_on_the_drop_is_pointed_out(self):
+        self.write([[1., 1., 1.]] * 4)
+        self.assertNotIn("pressure drop", self.assess().stdout)
+        path = self.folder / "parameters.prm"
+        path.write_text(path.read_text().replace("  set Direction = x",
+                                                 "  set Direction = x\n  set Rarefaction = slip"))
+        self.assertIn("under the whole pressure drop", self.assess().stdout)
+
     def test_small_patches_are_pointed_out(self):
         self.write([[1., 1., 1.]] * 4)
         self.assertNotIn("roll-off", self.assess().stdout)
