@@ -8,6 +8,7 @@
 #include <strait/run/earlier_results.h>
 #include <strait/run/ensemble.h>
 #include <strait/run/result_tables.h>
+#include <strait/run/scripts.h>
 #include <strait/run/simulation.h>
 #include <strait/surface/read_scene.h>
 
@@ -37,7 +38,9 @@ namespace
         return 0;
       }
     const Scene scene = read_scene(command.scene, command.overrides);
-    Log         log(MPI_COMM_WORLD, command.quiet);
+    if (scene.seal.enabled)
+      run_on_root(MPI_COMM_WORLD, [&]() { check_seal_profile(scene); });
+    Log log(MPI_COMM_WORLD, command.quiet);
     catch_signals();
     if (command.dry_run)
       {

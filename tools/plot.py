@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Draw the results of a run: leakage.png, one picture-STEP.png a load step, gaps.png,
-spectrum.png, or ensemble.png.
+spectrum.png, or of several realisations ensemble.png and seal.png.
 
-Reads leakage.csv, fit.csv, spectrum.csv, fields-STEP.h5, picture-STEP.h5 or, of several realisations, ensemble.csv and the
-folders beside it; for the units on the axes, run.json: its entry "units" may name those of length,
+Reads leakage.csv, fit.csv, spectrum.csv, fields-STEP.h5, picture-STEP.h5 or, of several
+realisations, ensemble.csv, seal.csv and the folders beside them; for the units on the axes, run.json: its entry "units" may name those of length,
 pressure, leak_rate and current; without it they are the scene's.
 Exit status 1 where the folder holds no results or a file could not be read or written; whatever
 else can be drawn is drawn.
@@ -20,6 +20,7 @@ try:
     from plot_gaps import draw_gaps
     from plot_leakage import draw_leakage
     from plot_pictures import draw_picture
+    from plot_seal import draw_seal
     from plot_spectrum import draw_spectrum
 except ImportError as missing:
     sys.exit(f"plot.py: the Python module {missing.name} is missing; "
@@ -35,6 +36,9 @@ def find_results(folder, only, steps):
         sys.exit(f"plot.py: {folder} holds no results (leakage.csv, ensemble.csv or "
                  "picture-STEP.h5).")
     wanted = [(draw_ensemble, ensemble)] if only != "pictures" and ensemble.exists() else []
+    seal = folder / "seal.csv"
+    if wanted and seal.exists():
+        wanted.append((draw_seal, seal))
     if only != "pictures" and not wanted:
         wanted += [(draw_leakage, table), (draw_gaps, folder)]
     spectrum = folder / "spectrum.csv"

@@ -42,10 +42,29 @@ def scientific(value):
     return rf"${mantissa}\times10^{{{int(exponent)}}}$" if exponent else mantissa
 
 
+def read_parameters(scene):
+    """The values in the text of a scene, such as parameters.prm, by "Section/Parameter"."""
+    values, section = {}, []
+    for line in scene.splitlines():
+        word, _, rest = line.split("#")[0].strip().partition(" ")
+        if word == "subsection":
+            section.append(rest.strip())
+        elif word == "end":
+            section.pop()
+        elif word == "set":
+            name, _, value = rest.partition("=")
+            values["/".join([*section, name.strip()])] = value.strip()
+    return values
+
+
 def read_units(folder):
-    """The units named in run.json; empty where it names none."""
+    """The units named in run.json, of several realisations in the first one's; empty where it
+    names none."""
+    path = folder / "run.json"
+    if not path.exists():
+        path = folder / "realisation-1" / "run.json"
     try:
-        units = json.loads((folder / "run.json").read_text(encoding="utf-8"))["units"]
+        units = json.loads(path.read_text(encoding="utf-8"))["units"]
         return {name: str(unit) for name, unit in units.items() if unit}
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return {}

@@ -33,9 +33,11 @@ def read_curve(path):
 
 def read_curves(folder):
     """The curves of all realisations that have at least two points, by their number."""
-    curves = {}
+    curves, of_a_seal = {}, (folder / "seal.csv").exists()
     for path in folder.glob("realisation-*/leakage.csv"):
         try:
+            if of_a_seal and "reduced_load" not in read_table(path):
+                continue  # patches, of which no threshold was sought
             curve = read_curve(path)
             if len(curve[0]) > 1:
                 curves[int(path.parent.name.split("-")[1])] = curve
@@ -108,6 +110,8 @@ def draw_ensemble(path, units):
               for name, label, unit in QUANTITIES] if table else []
     strips = [strip for strip in strips if len(strip[0])]
     if not (curves or strips):
+        if path.with_name("seal.csv").exists():
+            return None  # no thresholds were wanted
         return print(f"plot.py: {path} holds no thresholds: no ensemble.png.", file=sys.stderr)
     widths = [4] * bool(curves) + [1] * len(strips)
     figure = Figure(figsize=(0.3 + 1.55 * sum(widths), 4.4), layout="constrained")

@@ -173,6 +173,17 @@ def read_fits(path):
         return []
 
 
+def draw_critical_loads(axes, path):
+    """A line at each critical load of threshold.csv that lies near the steps."""
+    table = read_table(path) if path.exists() else {}
+    middles = [0.5 * sum(pair) for pair in zip(np.ravel(table.get("critical_load_lower", ())),
+                                               np.ravel(table.get("critical_load_upper", ())))]
+    near = [load for load in middles if load < 1.5 * axes.get_xlim()[1]]
+    for load in near:
+        axes.axvline(load, color="0.35", linestyle="--", linewidth=0.9,
+                     label="seals" if load == near[0] else None)
+
+
 def draw_leakage(path, units):
     """leakage.png from leakage.csv: one panel for each relation that the table holds."""
     table = read_table(path)
@@ -190,6 +201,8 @@ def draw_leakage(path, units):
     fits = read_fits(path.with_name("fit.csv"))
     for draw, axes in zip(panels, np.ravel(figure.subplots(1, len(panels)))):
         draw(axes, table, units, fits)
+        if draw is draw_leak_rate:
+            draw_critical_loads(axes, path.with_name("threshold.csv"))
         axes.grid(color="0.9", linewidth=0.6)
         if axes.get_legend_handles_labels()[0]:
             axes.legend()

@@ -136,7 +136,7 @@ namespace strait
       return;
     Parameter &parameter = find(entry);
     parameter.value      = entry.value;
-    if (parameter.is_path && !entry.value.empty())
+    if (parameter.is_path && !entry.value.empty() && entry.value != parameter.keyword)
       parameter.value =
         (std::filesystem::path(entry.folder) / entry.value).lexically_normal().string();
     if (!parameter.take(parameter.value))
@@ -219,17 +219,19 @@ namespace strait
   void
   ParameterSection::add_path(const std::string &name,
                              std::string       &variable,
-                             const std::string &documentation)
+                             const std::string &documentation,
+                             const std::string &keyword)
   {
     add({names,
          name,
          variable,
-         "a path",
+         keyword.empty() ? "a path" : keyword + ", or a path",
          documentation,
          [&variable](const std::string &path) {
            variable = path;
            return true;
          },
-         true});
+         true,
+         keyword});
   }
 } // namespace strait

@@ -137,6 +137,55 @@ namespace strait
   }
 
   void
+  WholeSealParameters::bind(ParameterSection section)
+  {
+    section.add("Enabled",
+                enabled,
+                "Leak rate of a whole seal, with its uncertainty, from the realisations "
+                "as patches of it; see seal.csv.");
+    section.add("Circumference",
+                circumference,
+                not_negative,
+                "Length of the seal across the flow [length].");
+    section.add("Contact width",
+                contact_width,
+                not_negative,
+                "Width of the contact along the flow, the same at all loads [length].");
+    section.add_path(
+      "Pressure profile",
+      pressure_profile,
+      "How the contact pressure is distributed over the width. Empty: uniform; hertz: "
+      "that of a cylinder on a plane, which vanishes at both edges; else a table of two "
+      "columns, position [length] and pressure, say of a finite-element program. A "
+      "nominal pressure is then the mean over the width.",
+      "hertz");
+    section.add(
+      "Isotropic",
+      isotropic,
+      "true: rotated realisations are further samples of the flow along; false: they "
+      "give the conductances across, for a surface with a lay.");
+    section.add("Wanted leak rate",
+                wanted_leak_rate,
+                not_negative,
+                "Find the load at which the whole seal leaks as much, in the first of "
+                "Output/Leak rate units if that is set; 0: do not [length^3/time].");
+    section.add(
+      "Two in a row",
+      two_in_a_row,
+      "Of a single box: solve the flow through two of it as well, one behind the other. "
+      "The patches of a seal that is wider than one do so by themselves.");
+  }
+
+  void
+  WholeSealParameters::check() const
+  {
+    if (enabled && !(circumference > 0. && contact_width > 0.))
+      throw InputError(
+        "Seal/Enabled needs to know how large the seal is; set Seal/Circumference and "
+        "Contact width.");
+  }
+
+  void
   TheoryParameters::bind(ParameterSection section)
   {
     section.add("Enabled",
@@ -217,6 +266,10 @@ namespace strait
     section.add("Surface spectrum",
                 surface_spectrum,
                 "Write and draw the spectrum of the surface (spectrum.csv).");
+    section.add("Report",
+                report,
+                "Write report.html: scene, results, limits, pictures and errors on one "
+                "page that needs no other file.");
     section.add(
       "Leak rate units",
       leak_rate_units,

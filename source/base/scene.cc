@@ -168,6 +168,25 @@ namespace strait
                            "nominal pressures below it.");
     }
 
+    /** What a whole seal is made of. */
+    void
+    check_whole_seal(const Scene &scene)
+    {
+      if (!scene.seal.enabled)
+        return;
+      if (!scene.contact.enabled || !scene.fluid.enabled ||
+          scene.contact.control != ContactControl::load ||
+          scene.programme.pressures.empty() || !scene.fluid.mesh_file.empty())
+        throw InputError(
+          "Seal/Enabled needs leak rates of boxes under loads: Contact/Enabled, "
+          "Fluid/Enabled, Contact/Control = load, Load programme/Pressures, and no "
+          "Fluid/Mesh.");
+      if (!scene.realisations.enabled())
+        throw InputError(
+          "Seal/Enabled needs at least two patches to tell how they scatter; set "
+          "Realisations/Seeds, or Orientations for a measured map.");
+    }
+
     /** What windows of finer points cannot be combined with, and why. */
     void
     check_zoom(const Scene &scene)
@@ -210,8 +229,17 @@ namespace strait
     fluid.bind(section("Fluid"));
     programme.bind(section("Load programme"));
     realisations.bind(section("Realisations"));
+    seal.bind(section("Seal"));
     theory.bind(section("Theory"));
     output.bind(section("Output"));
+  }
+
+  bool
+  Scene::can_flow_in_a_row() const
+  {
+    return fluid.enabled && fluid.direction == FlowDirection::x &&
+           fluid.mesh_file.empty() && fluid.rarefaction == Rarefaction::none &&
+           !fluid.feedback.enabled && !contact.zoom.enabled;
   }
 
   void
@@ -222,6 +250,12 @@ namespace strait
     fluid.check();
     programme.check();
     realisations.check();
+    seal.check();
+    check_whole_seal(*this);
+    if (seal.two_in_a_row && !can_flow_in_a_row())
+      throw InputError(
+        "Seal/Two in a row needs a flow along x that is linear in the pressure and leaves "
+        "the gap as it is: no Fluid/Mesh, Rarefaction or Wall feedback, no Contact/Zoom.");
     check_programme(*this);
     check_theory(*this);
     check_yielding(*this);

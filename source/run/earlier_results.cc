@@ -30,6 +30,8 @@ namespace strait
       for (const char *exact : {"leakage.png",
                                 "gaps.png",
                                 "ensemble.png",
+                                "seal.png",
+                                "report.html",
                                 "surface.nc",
                                 "spectrum.png",
                                 "run.json",
@@ -56,12 +58,16 @@ namespace strait
       return files;
     }
 
-    /** What may change from one part of a run to the next: no number depends on it. */
+    /** What may change from one part of a run to the next: no number of a step depends
+     *  on it. */
     bool
     may_change(const std::string &name)
     {
+      if (name.compare(0, 5, "Seal/") == 0) // what is made of the steps of all patches
+        return name != "Seal/Two in a row";
       for (const char *free : {"Output/Directory",
                                "Output/Pictures",
+                               "Output/Report",
                                "Output/Fields",
                                "Output/Surface map",
                                "Output/Surface spectrum",

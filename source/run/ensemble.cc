@@ -10,6 +10,7 @@
 #include <strait/run/output_directory.h>
 #include <strait/run/result_tables.h>
 #include <strait/run/run_state.h>
+#include <strait/run/scripts.h>
 #include <strait/run/simulation.h>
 #include <strait/surface/read_scene.h>
 
@@ -50,7 +51,9 @@ namespace strait
 
     /** What makes the scene file this realisation alone. */
     Overrides
-    overrides_of(const Realisation &realisation, const std::string &directory)
+    overrides_of(const Realisation &realisation,
+                 const std::string &directory,
+                 const bool         two_in_a_row)
     {
       const bool inverted = realisation.orientation == Orientation::inverted ||
                             realisation.orientation == Orientation::inverted_and_rotated;
@@ -62,6 +65,8 @@ namespace strait
               "Realisations/Seeds=",
               "Realisations/Orientations=" + name_of(Orientation::as_is),
               "Realisations/Ranks each=",
+              "Seal/Enabled=false",
+              "Seal/Two in a row=" + yes_or_no(two_in_a_row),
               "Output/Directory=" + directory};
     }
 
@@ -72,14 +77,18 @@ namespace strait
              name_of(realisation.orientation);
     }
 
-    /** The scene of a realisation alone. Collective. */
+    /** That of a realisation alone, of @p scene, which is at @p path. Collective. */
     Scene
     scene_of(const Realisation &realisation,
+             const Scene       &scene,
              const std::string &path,
              Overrides          overrides,
              const std::string &directory)
     {
-      for (const std::string &own : overrides_of(realisation, directory))
+      for (const std::string &own :
+           overrides_of(realisation,
+                        directory,
+                        scene.seal.two_in_a_row || scene.has_patches_in_a_row()))
         overrides.push_back(own);
       return read_scene(path, overrides);
     }
@@ -280,6 +289,7 @@ namespace strait
             log.line(format("realisation %zu of %zu: ", k + 1, realisations.size()) +
                      name_of(realisations[k]));
             scenes.push_back(scene_of(realisations[k],
+                                      scene,
                                       path,
                                       overrides,
                                       folder + "/realisation-" + std::to_string(k + 1)));
@@ -317,8 +327,11 @@ namespace strait
                  row.quantity.c_str(),
                  row.n_samples,
                  rows.size()));
-    if (scene.output.pictures)
-      run_on_root(MPI_COMM_WORLD, [&]() { draw_pictures(folder, log); });
+    run_on_root(MPI_COMM_WORLD, [&]() {
+      if (scene.seal.enabled)
+        assess_whole_seal(scene, log);
+      draw_results(scene, log);
+    });
     return all_converged;
   }
 } // namespace strait

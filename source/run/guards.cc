@@ -138,7 +138,8 @@ namespace strait
       2 * 8. / 3 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
     return static_cast<double>(scene.contact.grid_points[0]) *
            scene.contact.grid_points[1] *
-           ((scene.contact.enabled ? contact : gap) + (scene.fluid.enabled ? flow : 0.));
+           ((scene.contact.enabled ? contact : gap) +
+            (scene.fluid.enabled ? flow * (scene.seal.two_in_a_row ? 3. : 1.) : 0.));
   }
 
   double

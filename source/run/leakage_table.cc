@@ -103,6 +103,15 @@ namespace strait
                  : "`leak_rate` in this unit"));
         }
       table
+        .when({"with `Seal/Two in a row`, which patches of a seal have",
+               scene.fluid.enabled && scene.seal.two_in_a_row})
+        .add(
+          [](const Step &step) { return step.two_boxes->rate; },
+          "two_boxes_leak_rate [length³/time]: Q through two such boxes, one behind the "
+          "other, under the same pressure drop")
+        .add([](const Step &step) { return step.two_boxes->relative_width(); },
+             "two_boxes_error [1]: relative width of its bracket");
+      table
         .when({"with `Fluid/Rarefaction`",
                scene.fluid.enabled && scene.fluid.rarefaction != Rarefaction::none})
         .add(

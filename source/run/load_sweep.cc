@@ -65,6 +65,8 @@ namespace strait
         flow = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
         if (scene.programme.find_threshold)
           flow->watch_constrictions();
+        if (scene.seal.two_in_a_row)
+          row = std::make_unique<FlowInARow>(scene.fluid, *layout, log, timers);
         coarser      = std::make_unique<CoarserSeals>(scene, contact, heights, log);
         error_budget = std::make_unique<ErrorBudget>(scene, heights, *coarser);
       }
@@ -223,6 +225,8 @@ namespace strait
     const auto scope = timers.scope("flow");
     const auto start = Timers::Clock::now();
     step.flow        = leak_through(step.state, scene, *flow);
+    if (row)
+      step.two_boxes = row->solve(step.state.gap(), step.state.control.slip_length);
     step.flow_seconds += Timers::seconds_since(start);
   }
 
@@ -306,6 +310,7 @@ namespace strait
   std::size_t
   LoadSweep::memory_consumption() const
   {
-    return seal->memory_consumption() + (flow ? flow->memory_consumption() : 0);
+    return seal->memory_consumption() + (flow ? flow->memory_consumption() : 0) +
+           (row ? row->memory_consumption() : 0);
   }
 } // namespace strait

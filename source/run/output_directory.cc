@@ -9,9 +9,9 @@
 #include <strait/run/field_output.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/picture_data.h>
+#include <strait/run/scripts.h>
 #include <strait/run/validity.h>
 
-#include <cstdlib>
 #include <vector>
 
 namespace strait
@@ -42,34 +42,7 @@ namespace strait
             result.set(column.name, in_units_of(column.unit, scene.units));
       return result;
     }
-
-    /** @p text in single quotes for the shell. */
-    std::string
-    quoted(const std::string &text)
-    {
-      std::string result = "'";
-      for (const char c : text)
-        result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-      return result + "'";
-    }
   } // namespace
-
-  void
-  draw_pictures(const std::string &path, Log &log)
-  {
-    const std::string script = find_script("plot.py");
-    if (script.empty())
-      {
-        log.warn("no pictures were drawn because the script plot.py was not found");
-        return;
-      }
-    // An interpreter that inherits MPI's variables may believe it is a rank.
-    const std::string command = "env -u OMPI_COMM_WORLD_SIZE " +
-                                quoted(python_interpreter()) + " " + quoted(script) +
-                                " " + quoted(path);
-    if (std::system(command.c_str()) != 0) // NOLINT(cert-env33-c,concurrency-mt-unsafe)
-      log.warn("the pictures could not be drawn; try again with: " + script + " " + path);
-  }
 
   OutputDirectory::OutputDirectory(const Scene &scene_,
                                    MPI_Comm     comm_,
@@ -210,8 +183,7 @@ namespace strait
       }
     run_on_root(comm, [&]() {
       write_record(timers, bytes_per_point);
-      if (scene.output.pictures)
-        draw_pictures(path, log);
+      draw_results(scene, log);
     });
   }
 

@@ -288,6 +288,57 @@ namespace strait
     return table;
   }
 
+  Table<SealRow>
+  seal_table(const Scene &scene)
+  {
+    Table<SealRow> table("seal.csv",
+                         {"with `Seal/Enabled`", scene.seal.enabled},
+                         "The leak rate of the whole seal, one row for each load whose "
+                         "pressures over the width are covered by those of the patches; "
+                         "see [seal.md](seal.md).");
+    table.add(&SealRow::pressure, "pressure [pressure]: nominal, mean over the width")
+      .add(&SealRow::median,
+           "leak_rate_median [of the column unit]: as likely exceeded as not")
+      .add(
+        &SealRow::lower,
+        "leak_rate_5_percent [of the column unit]: exceeded with a probability of 95 %")
+      .add(&SealRow::upper, "leak_rate_95_percent [of the column unit]: with one of 5 %")
+      .add(&SealRow::unit,
+           "unit: of the leak rates: the first of `Output/Leak rate units`, or that of "
+           "the scene; empty if that states none")
+      .add(&SealRow::sealed, "sealed [1]: fraction of the seals that do not leak")
+      .add(&SealRow::of_patches,
+           "scatter_patches [1]: standard deviation of ln Q that more patches would "
+           "reduce")
+      .add(&SealRow::of_arrangement,
+           "scatter_arrangement [1]: the same between seals of this size and surface, "
+           "which nothing reduces")
+      .add(&SealRow::of_solution,
+           "solution_error [1]: relative error of the patches' leak rates: "
+           "`leak_rate_error` where it is known, else the half width of the brackets");
+    return table;
+  }
+
+  Table<SealLoadRow>
+  seal_load_table(const Scene &scene)
+  {
+    Table<SealLoadRow> table("seal_load.csv",
+                             {"with `Seal/Wanted leak rate`",
+                              scene.seal.enabled && scene.seal.wanted_leak_rate > 0.},
+                             "The load at which the whole seal leaks as wanted; `nan` "
+                             "where it lies beyond the loads of seal.csv.");
+    table
+      .add(&SealLoadRow::wanted,
+           "wanted_leak_rate [of the column unit]: `Seal/Wanted leak rate`")
+      .add(&SealLoadRow::unit, "unit: as in seal.csv")
+      .add(&SealLoadRow::median, "load [pressure]: where the median is as wanted")
+      .add(&SealLoadRow::lower, "load_5_percent [pressure]: where the 5 % quantile is")
+      .add(&SealLoadRow::upper,
+           "load_95_percent [pressure]: where the 95 % quantile is: enough with a "
+           "probability of 95 %");
+    return table;
+  }
+
   Table<SpectrumRow>
   spectrum_table(const Scene &scene)
   {
@@ -321,6 +372,8 @@ namespace strait
             relaxation_table(scene).info(),
             ensemble_table(scene).info(),
             ensemble_summary_table(scene).info(),
+            seal_table(scene).info(),
+            seal_load_table(scene).info(),
             spectrum_table(scene).info()};
   }
 

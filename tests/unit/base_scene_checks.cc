@@ -2,7 +2,7 @@
 #include "scene_text.h"
 
 using namespace strait;
-using test::error_of, test::expect_in, test::scene_of;
+using test::error_of, test::expect_in, test::scene_of, test::operator+;
 
 TEST(Scene, UnknownNamesSuggestTheNearest)
 {
@@ -42,6 +42,31 @@ TEST(Scene, MeshAndWhatGoesWithIt)
                             "Theory/Enabled=true",
                             "Output/Error budget=true"})
     expect_in("Fluid/Mesh", error_of("", {mesh, other}));
+}
+
+TEST(Scene, WholeSealAndWhatGoesWithIt)
+{
+  const Overrides seal = {"Seal/Enabled=true",
+                          "Seal/Circumference=30",
+                          "Seal/Contact width=4",
+                          "Realisations/Seeds=1, 2"};
+  EXPECT_FALSE(scene_of("").seal.enabled);
+  EXPECT_TRUE(scene_of("", seal).has_patches_in_a_row());
+  EXPECT_FALSE(
+    scene_of("", seal + Overrides{"Seal/Contact width=1.4"}).has_patches_in_a_row());
+  EXPECT_FALSE(
+    scene_of("", seal + Overrides{"Fluid/Direction=y"}).has_patches_in_a_row());
+  expect_in("at least two patches",
+            error_of("", seal + Overrides{"Realisations/Seeds="}));
+  expect_in("set Seal/Circumference", error_of("", {"Seal/Enabled=true"}));
+  expect_in("Contact/Control = load",
+            error_of("", seal + Overrides{"Contact/Control=mean gap"}));
+  expect_in("Seal/Two in a row needs",
+            error_of("", {"Seal/Two in a row=true", "Fluid/Direction=y"}));
+  // A keyword is no path, and a path starts at the folder of the scene.
+  EXPECT_EQ(scene_of("", {"Seal/Pressure profile=hertz"}).seal.pressure_profile, "hertz");
+  EXPECT_EQ(scene_of("", {"Seal/Pressure profile=/a/p.csv"}).seal.pressure_profile,
+            "/a/p.csv");
 }
 
 TEST(Scene, YieldingAndWhatGoesWithIt)

@@ -435,6 +435,22 @@ class Ensemble(PlotTest):
         self.assertEqual(list(plot_ensemble.samples(table, "critical_load")), [0.25])
         self.assertEqual(list(plot_ensemble.samples(table, "crossover")), [0.8])
 
+    def test_a_whole_seal(self):
+        header = ("pressure,leak_rate_median,leak_rate_5_percent,leak_rate_95_percent,unit,"
+                  "sealed\n")
+        self.write_ensemble("1,1,as is,nan,nan,nan,nan,nan,nan,ok")
+        (self.folder / "realisation-1").mkdir()
+        (self.folder / "realisation-1" / "leakage.csv").write_text("pressure,leak_rate\n1,2\n")
+        (self.folder / "seal_load.csv").write_text(
+            "wanted_leak_rate,unit,load,load_5_percent,load_95_percent\n1,ml/h,1.5,nan,2\n")
+        for rows in ("1,3,2,4,ml/h,0\n2,0.5,0.1,0.9,ml/h,0\n3,0,0,0.2,ml/h,0.6\n",
+                     "1,0,0,0,ml/h,1\n", "1,2,1,3,,0\n"):
+            (self.folder / "seal.csv").write_text(header + rows)
+            self.assertEqual(self.draw(), (0, ""))
+            self.assertEqual(self.drawn(), ["seal.png"])
+            pixels = imread(self.folder / "seal.png")[..., :3]
+            self.assertEqual(share(pixels, (0, 114, 178)) > 1e-4, "1,0,0,0" not in rows)
+
     def test_odd_ensembles(self):
         self.write_realisation(1, 1)
         self.write_ensemble()

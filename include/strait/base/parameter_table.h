@@ -25,7 +25,8 @@ namespace strait
     /** Hand on the value that stands in a text; false: it is not allowed. */
     std::function<bool(const std::string &)> take;
 
-    bool is_path = false;
+    bool        is_path = false;
+    std::string keyword = {}; // in place of a path
 
     /** "Section/Subsection/Name". */
     std::string path() const;
@@ -87,10 +88,11 @@ namespace strait
     void
     add(const std::string &name, std::string &variable, const std::string &documentation);
 
-    /** The path of a file. */
+    /** The path of a file, or @p keyword. */
     void add_path(const std::string &name,
                   std::string       &variable,
-                  const std::string &documentation);
+                  const std::string &documentation,
+                  const std::string &keyword = {});
 
     /** @p values is a Range, Names or a Text. */
     template <typename Value, typename Values>

@@ -61,6 +61,21 @@ namespace strait
     void check() const;
   };
 
+  /** The section Seal: the whole seal that the realisations are patches of. */
+  struct WholeSealParameters
+  {
+    bool        enabled       = false;
+    double      circumference = 0.;
+    double      contact_width = 0.;
+    std::string pressure_profile; // empty: uniform; hertz; or the path of a table
+    bool        isotropic        = true;
+    double      wanted_leak_rate = 0.; // 0: none
+    bool        two_in_a_row     = false;
+
+    void bind(ParameterSection section);
+    void check() const;
+  };
+
   /** The name of an orientation in a scene. */
   std::string name_of(Orientation orientation);
 
@@ -117,6 +132,7 @@ namespace strait
     bool                     checkpoint       = true;
     bool                     surface_map      = false; // surface.nc
     bool                     surface_spectrum = false; // spectrum.csv
+    bool                     report           = false; // report.html
     std::vector<std::string> leak_rate_units;
 
     void bind(ParameterSection section);

@@ -26,6 +26,7 @@ namespace strait
     FluidParameters       fluid;
     ProgrammeParameters   programme;
     RealisationParameters realisations;
+    WholeSealParameters   seal;
     TheoryParameters      theory;
     OutputParameters      output;
 
@@ -45,6 +46,20 @@ namespace strait
     has_physical_modulus() const
     {
       return !units.pressure.empty() || contact.effective_modulus != 1.;
+    }
+
+    /** Whether the flow through two boxes in a row can be solved, given that through one:
+     *  it must add up, and not change the gap. */
+    bool can_flow_in_a_row() const;
+
+    /** Whether the patches of the seal must be taken in rows, for their ends to count
+     *  once only. */
+    bool
+    has_patches_in_a_row() const
+    {
+      // A contact that is less than half a patch wider than one has one.
+      return seal.enabled && seal.contact_width >= 1.5 * surface.size[0] &&
+             can_flow_in_a_row();
     }
 
     /** The scene file, with every default filled in. */

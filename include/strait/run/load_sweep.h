@@ -6,6 +6,7 @@
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
 #include <strait/run/error_budget.h>
+#include <strait/run/flow_in_a_row.h>
 #include <strait/run/load_stops.h>
 #include <strait/run/step.h>
 #include <strait/run/theory_prediction.h>
@@ -138,6 +139,7 @@ namespace strait
     double                            rms_slope; // of the surface
     ContactParameters                 contact;
     std::unique_ptr<FlowStage>        flow; // unless the fluid is off
+    std::unique_ptr<FlowInARow>       row;  // if the scene asks for two boxes
     std::unique_ptr<TheoryPrediction> theory;
     std::unique_ptr<CoarserSeals>     coarser;      // if there is a fluid
     std::unique_ptr<ErrorBudget>      error_budget; // likewise

@@ -15,10 +15,6 @@
 
 namespace strait
 {
-  /** Let the plotting script draw the results in @p path; a failure is a warning.
-   *  For rank 0 only. */
-  void draw_pictures(const std::string &path, Log &log);
-
   /** What a run leaves besides its files. */
   struct RunSummary
   {

@@ -41,6 +41,21 @@ namespace strait
     std::size_t n_missing          = 0; // the others
   };
 
+  /** A row of seal.csv: what a script makes of the realisations. */
+  struct SealRow
+  {
+    double      pressure, median, lower, upper;
+    std::string unit;
+    double      sealed, of_patches, of_arrangement, of_solution;
+  };
+
+  /** The row of seal_load.csv. */
+  struct SealLoadRow
+  {
+    double      wanted, median, lower, upper;
+    std::string unit;
+  };
+
   /** A row of spectrum.csv. */
   struct SpectrumRow : SpectrumBin
   {
@@ -71,6 +86,12 @@ namespace strait
 
   /** ensemble_summary.csv: means and scatter over these. */
   Table<ScatterRow> ensemble_summary_table(const Scene &scene);
+
+  /** seal.csv: leak rate of the whole seal. */
+  Table<SealRow> seal_table(const Scene &scene);
+
+  /** seal_load.csv: the load for a wanted leak rate. */
+  Table<SealLoadRow> seal_load_table(const Scene &scene);
 
   /** spectrum.csv: of the surface. */
   Table<SpectrumRow> spectrum_table(const Scene &scene);

@@ -79,6 +79,7 @@ namespace strait
     double dissipated_energy = 0.; // by jumps of the contact on the way [energy/area]
 
     std::optional<StepFlow>     flow;         // unless the fluid is off
+    std::optional<Leakage>      two_boxes;    // of two in a row, if the scene asks for it
     std::optional<TheoryResult> theory;       // if the scene asks for it
     std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
     StepErrors                  errors;       // of the leak rate, if there is one

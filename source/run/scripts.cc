@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/build_info.h>
+#include <strait/base/exceptions.h>
+#include <strait/base/text.h>
+#include <strait/run/scripts.h>
+
+#include <array>
+#include <cstdio>
+
+namespace strait
+{
+  namespace
+  {
+    /** @p text in single quotes for the shell. */
+    std::string
+    quoted(const std::string &text)
+    {
+      std::string result = "'";
+      for (const char c : text)
+        result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+      return result + "'";
+    }
+
+    struct ScriptResult
+    {
+      bool        succeeded;
+      std::string said; // on both streams
+    };
+
+    /** With @p input as its standard input, if that is not empty. */
+    ScriptResult
+    run_script(const std::string &name,
+               const std::string &argument,
+               const std::string &input = "")
+    {
+      const std::string script = find_script(name);
+      if (script.empty())
+        return {false, "the script " + name + " was not found"};
+      // An interpreter that inherits MPI's variables may believe it is a rank.
+      const std::string command =
+        (input.empty() ? "" : "printf %s " + quoted(input) + " | ") +
+        "env -u OMPI_COMM_WORLD_SIZE " + quoted(python_interpreter()) + " " +
+        quoted(script) + " " + quoted(argument) + " 2>&1";
+      std::FILE *pipe = popen(command.c_str(), "r"); // NOLINT(cert-env33-c)
+      if (pipe == nullptr)
+        return {false, "no process could be started for " + name};
+      std::string            said;
+      std::array<char, 4096> part;
+      while (const std::size_t n = std::fread(part.data(), 1, part.size(), pipe))
+        said.append(part.data(), n);
+      const bool succeeded = pclose(pipe) == 0;
+      return {succeeded, trim(said)};
+    }
+
+    void
+    run_or_warn(const std::string &name, const std::string &folder, Log &log)
+    {
+      const ScriptResult result = run_script(name, folder);
+      if (!result.said.empty())
+        log.line(result.said);
+      if (!result.succeeded)
+        log.warn(name + " failed; try again with: tools/" + name + " " + folder);
+    }
+  } // namespace
+
+  void
+  check_seal_profile(const Scene &scene)
+  {
+    const ScriptResult result = run_script("whole_seal.py", "--check", scene.resolved);
+    if (!result.succeeded)
+      throw InputError(result.said);
+  }
+
+  void
+  assess_whole_seal(const Scene &scene, Log &log)
+  {
+    const ScriptResult result = run_script("whole_seal.py", scene.output.directory);
+    if (!result.succeeded)
+      throw ComputationError(result.said);
+    log.line(result.said);
+  }
+
+  void
+  draw_results(const Scene &scene, Log &log)
+  {
+    if (scene.output.pictures)
+      run_or_warn("plot.py", scene.output.directory, log);
+    if (scene.output.report)
+      run_or_warn("strait-report", scene.output.directory, log);
+  }
+} // namespace strait

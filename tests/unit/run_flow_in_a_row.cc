@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/run/flow_in_a_row.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <sstream>
+
+namespace strait
+{
+  namespace
+  {
+    /** Leak rates of a box with this gap, and of two in a row. */
+    struct OneAndTwo
+    {
+      Leakage one, two;
+    };
+
+    OneAndTwo
+    leak(const std::function<double(double, double)> &gap_at)
+    {
+      std::ostringstream  said;
+      Log                 log(MPI_COMM_WORLD, said, Log::Screen::silent);
+      Timers              timers;
+      const SlabLayoutPtr layout = make_layout({32, 32, 1., 1.}, MPI_COMM_WORLD);
+      SlabField           gap(layout);
+      for (int row = 0; row < layout->n_rows(); ++row)
+        for (int ix = 0; ix < 32; ++ix)
+          gap(ix, row) = gap_at(ix / 32., (layout->first_row() + row) / 32.);
+      FluidParameters fluid;
+      fluid.target_accuracy = .01;
+      FlowStage  flow(fluid, layout, log, timers);
+      FlowInARow row(fluid, *layout, log, timers);
+      return {flow.solve(gap, 0.).leakage, row.solve(gap, 0.)};
+    }
+
+    TEST(FlowInARow, HalfAsMuchWhereTheEndsDoNothing)
+    {
+      const auto across = leak(
+        [](const double, const double y) { return 1. + .5 * std::cos(2 * M_PI * y); });
+      EXPECT_GT(across.one.rate, 0.);
+      EXPECT_NEAR(across.two.rate / across.one.rate, .5, .01);
+      const auto along = leak(
+        [](const double x, const double) { return 1. + .5 * std::cos(2 * M_PI * x); });
+      EXPECT_NEAR(along.two.rate / along.one.rate, .5, .01);
+    }
+
+    TEST(FlowInARow, TheFluidHasToFindTheWayInTheMiddle)
+    {
+      // Alone the fluid enters below and leaves above, at full width all the way; in a
+      // row it has to squeeze from the upper half to the lower one between the boxes.
+      const auto ends = leak([](const double x, const double y) {
+        const bool wide = y < .5 ? x < .8 : x > .2;
+        return wide ? 1. : .2;
+      });
+      EXPECT_LT(ends.two.upper, .45 * ends.one.lower);
+    }
+
+    TEST(FlowInARow, SealsWhereOneBoxDoes)
+    {
+      const auto sealed =
+        leak([](const double x, const double) { return x > .4 && x < .6 ? 0. : 1.; });
+      EXPECT_EQ(sealed.one.rate, 0.);
+      EXPECT_EQ(sealed.two.rate, 0.);
+      // A channel that leads from one side to the other at another place leads nowhere in
+      // a row.
+      const auto jumps = leak([](const double x, const double y) {
+        const bool first = x < .6 && y > .1 && y < .3;
+        const bool last  = (x > .4 || x == 0.) && y > .6 && y < .8;
+        const bool link  = x > .4 && x < .6 && y > .1 && y < .8;
+        return first || last || link ? 1. : 0.;
+      });
+      EXPECT_GT(jumps.one.rate, 0.);
+      EXPECT_EQ(jumps.two.rate, 0.);
+    }
+  } // namespace
+} // namespace strait

@@ -1,0 +1,127 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Tests of tools/strait-report: the page says what the results say, and odd ones break nothing."""
+import html
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
+sys.path.insert(0, str(TOOLS))
+from report_page import Column, readable  # noqa: E402
+
+SCENE = """subsection Surface
+  set Kind = self-affine
+end
+subsection Theory
+  set Enabled = false
+  set Gamma   = 0.45
+end
+"""
+TABLE = ("step,branch,pressure,contact_area,percolates,leak_rate,leak_rate_lower,leak_rate_upper,"
+         "leak_rate_ml_per_h,status,validity\n"
+         "1,loading,2e5,0.1,1,4e-12,3.96e-12,4.04e-12,0.0144,ok,ok\n"
+         "2,loading,3e5,0.2,1,1e-13,nan,1.1e-13,0.00036,unresolved-throat,steep+plastic\n"
+         "3,loading,4e5,0.4,0,0,0,0,0,ok,ok\n")
+RECORD = {"version": "9.9", "ranks": 1, "grid": {"nx": 64, "ny": 32}, "seconds": {"total": 2.0,
+          "contact": 1.5}, "column_units": {"pressure": "Pa", "leak_rate": "m³/s",
+                                            "leak_rate_ml_per_h": "ml/h"},
+          "validity": [{"step": 2, "validity": "steep", "checks": [
+              {"word": "steep", "number": 0.5, "most": 0.3, "holds": False, "advice": "too steep"},
+              {"word": "coarse-throat", "number": None, "least": 3, "holds": False,
+               "advice": "no points"}]}],
+          "error_budget": [{"step": 1, "relative_errors": {"mesh": 0.01}, "largest": "mesh",
+                            "reduced_by": "Fluid/Target accuracy"}],
+          "warnings": ["steep: told above", "<script>alert(1)</script>"]}
+
+
+class Report(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+        for name, text in (("parameters.prm", SCENE), ("leakage.csv", TABLE),
+                           ("run.json", json.dumps(RECORD)), ("log.txt", "</pre><b>log\n")):
+            (self.folder / name).write_text(text, encoding="utf-8")
+
+    def run_script(self, *arguments):
+        return subprocess.run([sys.executable, str(TOOLS / "strait-report"), *arguments],
+                              text=True, capture_output=True, check=False)
+
+    def page(self):
+        result = self.run_script(str(self.folder))
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        return (self.folder / "report.html").read_text(encoding="utf-8")
+
+    def text(self):
+        return " ".join(html.unescape(re.sub("<[^>]+>", " ", self.page())).split())
+
+    def test_numbers_units_and_errors(self):
+        text = self.text()
+        for words in ("4e-12 ± 1 %", "0.0144 ± 1 %", "kPa", "grid 64 × 32", "too steep",
+                      "at most 0.3", "Fluid/Target accuracy", "contact 1.5 s",
+                      "At a pressure of 200 kPa: 4e-12 m³/s ± 1 %",
+                      "At a pressure of 400 kPa: no leak"):
+            self.assertIn(words, text)
+        self.assertNotIn("Gamma", text.split("parameters.prm")[0])  # of an effect that is off
+
+    def test_an_unknown_bound_gives_no_error(self):
+        cell = re.search(r'data-value="1e-13">([^<]*)<', self.page()).group(1)
+        self.assertEqual(cell, "1e-13")
+
+    def test_texts_are_no_markup(self):
+        page = self.page()
+        self.assertNotIn("<script>alert", page)
+        self.assertNotIn("<b>log", page)
+        self.assertEqual(page.count("<script>"), 1)
+        self.assertIn("default-src 'none'", page)
+
+    def test_a_run_that_goes_on(self):
+        (self.folder / "run.json").unlink()
+        self.assertIn("run not complete", self.text())
+
+    def test_realisations(self):
+        one = self.folder / "realisation-1"
+        one.mkdir()
+        for name in ("leakage.csv", "run.json", "parameters.prm"):
+            (self.folder / name).rename(one / name) if name != "parameters.prm" else \
+                (one / name).write_text(SCENE)
+        (self.folder / "ensemble.csv").write_text("realisation,seed,status\n1,7,ok\n")
+        (self.folder / "log.txt").write_text(
+            "whole seal: old\n  under 1\nwhole seal: new\n  under 2\n  warning: small\nmore\n")
+        text = self.text()
+        self.assertIn("1 realisations", text)
+        self.assertIn("under 2", text)
+        self.assertIn("small", text)
+        self.assertNotIn("under 1", text.split("log.txt")[0])
+        self.assertIn("leak rate at 300 kPa", text)
+
+    def test_what_is_no_result(self):
+        for arguments in ([], ["--help"], [str(self.folder / "none")]):
+            result = self.run_script(*arguments)
+            self.assertEqual(result.returncode, 1)
+            self.assertNotIn("Traceback", result.stderr)
+
+
+class Columns(unittest.TestCase):
+    def test_readable_units(self):
+        for unit, values, known in (("Pa", [1e5, 5e5], "kPa"), ("Pa", [3e6], "MPa"),
+                                    ("m", [2e-7, 0.], "nm"), ("m", [1e-6, 2e-6], "µm"),
+                                    ("m", [1e-12], "nm"), ("m³/s", [1e-12], "m³/s"),
+                                    ("Pa", [np.nan], "Pa")):
+            self.assertEqual(readable(unit, np.array(values))[1], known)
+
+    def test_sorts_by_the_number_and_not_by_what_is_shown(self):
+        column = Column("gap", "m", [2e-6, 1e-7])
+        self.assertIn('data-value="2e-06">2<', column.cell(0))
+        self.assertIn('data-value="1e-07">0.1<', column.cell(1))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,360 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Tests of tools/seal_network.py and tools/whole_seal.py: a seal from its patches."""
+import csv
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+import seal_scene  # noqa: E402
+import whole_seal  # noqa: E402
+from seal_network import Band, at_loads, network_conductance, sample_seals  # noqa: E402
+
+# ln(K/e^µ) of N1 × N2 bonds with ln K ~ (µ, σ²): mean and standard deviation at σ = 1, 2, 3.
+KNOWN = {(4, 4): ((0.03, 0.25), (0.09, 0.54), (0.18, 0.89)),
+         (8, 8): ((0.04, 0.12), (0.11, 0.25), (0.19, 0.43)),
+         (32, 32): ((0.01, 0.03), (0.03, 0.06), (0.06, 0.11)),
+         (4, 128): ((0.09, 0.04), (0.29, 0.11), (0.61, 0.19))}
+
+
+class Network(unittest.TestCase):
+    """Conductances of bonds, where they are known."""
+
+    def setUp(self):
+        self.rng = np.random.default_rng(7)
+
+    def square(self, draw, n1, n2):
+        return network_conductance(draw((n1, n2)), draw((n1 - 1, n2))) * n1 / n2
+
+    def test_side_by_side_and_one_after_the_other(self):
+        bonds = np.array([2., 3., 5.])
+        self.assertAlmostEqual(network_conductance(bonds[None], np.zeros((0, 3))), 10, 12)
+        self.assertAlmostEqual(network_conductance(bonds[:, None], np.ones((2, 1))),
+                               1 / (1 / bonds).sum(), 12)
+
+    def test_a_network_solved_by_hand(self):
+        # Two columns, without and with a short circuit between their middles.
+        along = np.array([[1., 3.], [3., 1.]])
+        for across, exact in ((0., 1.5), (1e9, 2.)):
+            self.assertAlmostEqual(network_conductance(along, np.full((1, 2), across)), exact, 6)
+
+    def test_against_a_dense_solution(self):
+        for n1, n2 in ((2, 2), (3, 2), (4, 3), (3, 8), (6, 5)):
+            along, across = self.rng.random((n1, n2)), self.rng.random((n1 - 1, n2))
+            matrix, right = np.zeros((2, (n1 - 1) * n2, (n1 - 1) * n2)), np.zeros((n1 - 1) * n2)
+            node = np.arange((n1 - 1) * n2).reshape(n1 - 1, n2)
+            matrix = matrix[0]
+            for i in range(n1):
+                for j in range(n2):
+                    ends = [node[k, j] for k in (i - 1, i) if 0 <= k < n1 - 1]
+                    matrix[ends, ends] += along[i, j]
+                    if len(ends) == 2:
+                        matrix[ends, ends[::-1]] -= along[i, j]
+                    if i < n1 - 1:
+                        ends = [node[i, j], node[i, (j + 1) % n2]]
+                        for a, b in (ends, ends[::-1]):
+                            matrix[a, a] += across[i, j]
+                            matrix[a, b] -= across[i, j]
+            right[node[0]] = along[0]
+            potential = np.linalg.solve(matrix, right)
+            exact = (along[0] * (1 - potential[node[0]])).sum()
+            self.assertAlmostEqual(network_conductance(along, across) / exact, 1, 10)
+
+    def test_dykhne(self):
+        def half(shape):
+            return self.rng.choice([1., 100.], size=shape)
+        logs = [np.log(self.square(half, 48, 48)) for _ in range(40)]
+        self.assertAlmostEqual(np.mean(logs), np.log(10), delta=0.06)  # 2.3 %; scatter 0.007
+
+    def test_log_normal_bias_and_scatter(self):
+        for (n1, n2), rows in KNOWN.items():
+            for sigma, (bias, scatter) in zip((1, 2, 3), rows):
+                def draw(shape, sigma=sigma):
+                    return np.exp(sigma * self.rng.standard_normal(shape))
+                logs = [np.log(self.square(draw, n1, n2)) for _ in range(150)]
+                self.assertAlmostEqual(np.mean(logs), bias, delta=0.01 + 0.3 * scatter)
+                self.assertAlmostEqual(np.std(logs) / scatter, 1, delta=0.35)
+
+    def test_sealed_patches(self):
+        self.assertEqual(network_conductance(np.zeros((3, 4)), np.ones((2, 4))), 0)
+        blocked = np.ones((3, 4))
+        blocked[1] = 0
+        self.assertEqual(network_conductance(blocked, np.ones((2, 4))), 0)
+        one = np.zeros((3, 4))
+        one[:, 2] = 3
+        island = np.zeros((2, 4))
+        island[0, 0] = 1  # a bond that nothing leads to
+        self.assertAlmostEqual(network_conductance(one, island), 1, 12)
+        sealed = [self.square(lambda shape: (self.rng.random(shape) > f) * 1., 60, 60)
+                  for f in (0.05, 0.6)]
+        self.assertAlmostEqual(sealed[0], 0.9, delta=0.04)
+        self.assertEqual(sealed[1], 0)
+
+    def test_ten_orders_of_magnitude(self):
+        def draw(shape):
+            return np.exp(6 * self.rng.standard_normal(shape))
+        along, across = draw((16, 16)), draw((15, 16))
+        direct = network_conductance(along, across)
+        self.assertAlmostEqual(network_conductance(along * 1e-30, across * 1e-30) * 1e30 / direct,
+                               1, 8)
+
+    def test_patches_that_are_not_square(self):
+        pool = np.full((3, 4), 7.)
+        for aspect in (0.5, 1, 2):
+            seals = sample_seals(pool, pool[:, 1:], 12, aspect, True, self.rng)
+            np.testing.assert_allclose(seals, 7., rtol=1e-9)
+
+
+class InLoad(unittest.TestCase):
+    """Patches between the loads where they are known."""
+
+    def test_exponential_is_exact(self):
+        loads = np.array([1., 2., 4.])
+        wanted = np.array([1., 1.3, 2., 3.7, 4.])
+        np.testing.assert_allclose(at_loads(loads, np.exp(-3 * loads)[None], wanted),
+                                   np.exp(-3 * wanted)[None])
+
+    def test_towards_a_sealed_patch(self):
+        known = at_loads(np.array([1., 2., 3.]), np.array([[4., 2., 0.]]),
+                         np.array([2.5, 3.]))
+        np.testing.assert_allclose(known, [[1., 0.]])
+
+    def test_wanted_load(self):
+        loads = np.array([1., 2., 3.])
+        self.assertAlmostEqual(whole_seal.crossing(loads, np.array([100., 10., 0.]), 10**1.5), 1.5)
+        self.assertAlmostEqual(whole_seal.crossing(loads, np.array([100., 10., 0.]), 2.5), 2.75)
+        self.assertTrue(np.isnan(whole_seal.crossing(loads, np.array([9., 8., 7.]), 1.)))
+
+
+class InARow(unittest.TestCase):
+    """Patches one behind the other, whose ends do not open on reservoirs."""
+
+    def test_what_the_ends_add_is_counted_once(self):
+        # A resistance of 3 in a row, less 1 for the two ends together.
+        alone, two = np.array([1 / 2]), np.array([1 / 5])
+        inner, _ = whole_seal.in_endless_row(alone, two, 0., 0.)
+        self.assertAlmostEqual(inner[0], 1 / 3)
+        for n in (1, 2, 3, 7):
+            along, ends = np.full((1, n), inner[0]), np.full((1, n), alone[0])
+            whole_seal.open_at_ends(along, ends)
+            self.assertAlmostEqual(1 / network_conductance(along.T, np.zeros((n - 1, 1))),
+                                   3 * n - 1)
+
+    def test_errors_and_sealed_rows(self):
+        alone, two = np.array([1., 1., 0., 1.]), np.array([0.5, 0., 0., 0.6])
+        inner, error = whole_seal.in_endless_row(alone, two, 0.01, 0.01)
+        # No ends; a way through one that does not meet itself; sealed; a bracket that is wide.
+        np.testing.assert_allclose(inner, [1., 0., 0., 1.])
+        self.assertAlmostEqual(error[0], 0.03)
+        self.assertEqual(list(error[1:3]), [0., 0.])
+
+
+class Confidence(unittest.TestCase):
+    """The band of 90 % holds the truth as often as it says."""
+
+    def test_coverage_of_log_normal_patches(self):
+        # What a seal of the whole population leaks, against bands from eight of its patches.
+        rng = np.random.default_rng(3)
+        inside = 0
+        for _ in range(25):
+            pool = np.repeat(np.exp(rng.standard_normal((8, 1))), 6, axis=1)
+            band = Band(pool, pool[:, 1:], 12, 1., 0., rng)
+            truth = network_conductance(np.exp(rng.standard_normal((6, 12))),
+                                        np.exp(rng.standard_normal((5, 12)))) / 2
+            inside += band.lower < truth < band.upper
+        self.assertGreaterEqual(inside, 18)  # 22.5 are expected; fewer than 18 by a chance of 0.2 %
+
+    def test_where_it_comes_from(self):
+        rng = np.random.default_rng(3)
+        many = np.repeat(np.exp(rng.standard_normal((400, 1))), 4, axis=1)
+        band = Band(many, many[:, 1:], 4, 1., 0., rng)
+        self.assertAlmostEqual(band.arrangement, 0.25, delta=0.05)  # σ/√(N1 N2)
+        self.assertLess(band.patches, 0.6 * band.arrangement)  # σ/√n = 0.05, hidden below it
+        few = many[:8]
+        band = Band(few, few[:, 1:], 500, 1., 0., rng)
+        expected = np.log(few[:, 0]).std(ddof=1) / np.sqrt(8)
+        self.assertAlmostEqual(band.patches / expected, 1, delta=0.3)
+        self.assertLess(band.arrangement, 0.3 * band.patches)
+
+
+SCENE = """subsection Surface
+  set Kind = self-affine
+  set Size = 1
+  set Roll-off wavelength = 0.25
+  set Rotate = {rotate}
+end
+subsection Fluid
+  set Direction = x
+end
+subsection Load programme
+  set Pressures = {loads}
+end
+subsection Seal
+  set Enabled = true
+  set Circumference = 20
+  set Contact width = 4
+  set Pressure profile = {profile}
+  set Isotropic = {isotropic}
+  set Wanted leak rate = {wanted}
+end
+subsection Output
+  set Leak rate units =
+end
+"""
+
+
+class OfAFolder(unittest.TestCase):
+    """The script, with made-up results."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+        self.about = {"loads": "0.1, 0.2, 0.4", "profile": "", "isotropic": "true", "wanted": 0,
+                      "rotate": "false"}
+
+    def write(self, rates, rotated=(), status="ok", **about):
+        """A realisation for each list of leak rates."""
+        self.about.update(about)
+        loads = self.about["loads"].split(", ")
+        for k, of_one in enumerate([None, *rates]):
+            folder = self.folder / f"realisation-{k}" if k else self.folder
+            folder.mkdir(exist_ok=True)
+            about = {**self.about, "rotate": "true" if k in rotated else "false"}
+            (folder / "parameters.prm").write_text(SCENE.format(**about))
+            if k:
+                (folder / "leakage.csv").write_text(
+                    "pressure,leak_rate,leak_rate_lower,leak_rate_upper,status\n" +
+                    "".join(f"{load},{rate},{0.99 * rate},{1.01 * rate},{status}\n"
+                            for load, rate in zip(loads, of_one)))
+
+    def assess(self, *arguments, scene=None):
+        return subprocess.run(
+            [sys.executable, str(ROOT / "tools" / "whole_seal.py"),
+             *(arguments or [str(self.folder)])],
+            text=True, capture_output=True, check=False,
+            input=scene if scene is not None else "")
+
+    def table(self, name="seal.csv"):
+        with open(self.folder / name, encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def test_equal_patches(self):
+        self.write([[8., 2., 0.5]] * 4, wanted=4.)
+        result = self.assess()
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for row, rate in zip(self.table(), (8., 2., 0.5)):  # times 20/4
+            self.assertAlmostEqual(float(row["leak_rate_median"]) / (5 * rate), 1, delta=0.01)
+            self.assertGreater(float(row["leak_rate_5_percent"]), 4.9 * rate)
+            self.assertLess(float(row["leak_rate_95_percent"]), 5.1 * rate)
+            self.assertAlmostEqual(float(row["solution_error"]), 0.01)
+        # ln Q is linear in the load: from 10 at 0.2 to 2.5 at 0.4.
+        load = 0.2 + 0.2 * np.log(10 / 4) / np.log(4)
+        found = self.table("seal_load.csv")[0]
+        self.assertAlmostEqual(float(found["load"]), load, delta=0.004)
+        self.assertLess(float(found["load_5_percent"]), float(found["load_95_percent"]))
+
+    def test_columns_are_those_of_the_manual(self):
+        self.write([[8., 2., 0.5], [6., 1., 0.1]], wanted=4.)
+        self.assess()
+        manual = (ROOT / "doc" / "results.md").read_text(encoding="utf-8")
+        for name in ("seal.csv", "seal_load.csv"):
+            section = manual.split(f"## {name}\n")[1].split("\n## ")[0]
+            self.assertEqual(list(self.table(name)[0]), re.findall(r"^\| `(\w+)`", section, re.M))
+
+    def test_a_lay_across_the_flow(self):
+        # Along 1, across 1e-6: no current leaves its column, so the mean of series of four.
+        self.write([[1.] * 3] * 2 + [[1e-6] * 3] * 2, rotated=(3, 4), isotropic="false")
+        result = self.assess()
+        self.assertIn("2 along the flow and 2 across", result.stdout)
+        self.assertAlmostEqual(float(self.table()[0]["leak_rate_median"]), 5, delta=0.1)
+        self.write([[1.] * 3] * 2 + [[1e-6] * 3] * 2, rotated=(3, 4), isotropic="true")
+        self.assertIn("4 along the flow and 4 across", self.assess().stdout)
+        self.assertLess(float(self.table()[0]["leak_rate_median"]), 1)
+
+    def test_what_dominates(self):
+        rng = np.random.default_rng(2)
+        self.write(np.exp(rng.standard_normal((8, 1))) * [1, 1, 1])
+        self.assertRegex(self.assess().stdout, "comes from the number of patches: 32 in place of 8")
+        self.write([[1., 1., 1.]] * 8)
+        self.assertIn("comes from the solutions of the patches", self.assess().stdout)
+        self.write([[1., 1., 0.]] * 7 + [[1., 1., 1.]])
+        self.assertIn("most seals do not leak at all", self.assess().stdout)
+        self.assertEqual(float(self.table()[-1]["leak_rate_median"]), 0)
+
+    def test_what_depends_on_the_drop_is_pointed_out(self):
+        self.write([[1., 1., 1.]] * 4)
+        self.assertNotIn("pressure drop", self.assess().stdout)
+        path = self.folder / "parameters.prm"
+        path.write_text(path.read_text().replace("  set Direction = x",
+                                                 "  set Direction = x\n  set Rarefaction = slip"))
+        self.assertIn("under the whole pressure drop", self.assess().stdout)
+
+    def test_small_patches_are_pointed_out(self):
+        self.write([[1., 1., 1.]] * 4)
+        self.assertNotIn("roll-off", self.assess().stdout)
+        for path in self.folder.rglob("parameters.prm"):
+            path.write_text(path.read_text().replace("= 0.25", "= 0.5"))
+        self.assertIn("are 2 roll-off wavelengths long", self.assess().stdout)
+
+    def test_hertz(self):
+        self.about["profile"] = "hertz"
+        seal = seal_scene.Seal(SCENE.format(**self.about))
+        along, around, _ = seal.columns()
+        self.assertAlmostEqual(along.mean(), 1, delta=1e-3)
+        # The integrals of (4/π) √(1 − ξ²) over an outer and an inner quarter of the width.
+        outer = 4 / np.pi * (np.pi / 3 - np.sqrt(3) / 4)
+        np.testing.assert_allclose(along, [outer, 2 - outer, 2 - outer, outer], rtol=2e-3)
+        self.assertEqual(len(around), 3)
+        self.assertGreater(around[1], around[0])
+        # 0.1 and 0.4 would need more than the patches know.
+        np.testing.assert_allclose(seal.rows(), [0.1 / outer, 0.2, 0.4 / (2 - outer)], rtol=2e-3)
+
+    def test_profile_of_a_table(self):
+        table = self.folder / "profile.csv"
+        table.write_text("x (m), p\n0, 0.1\n2, 0.3\n4, 0.1\n")
+        self.about["profile"] = table
+        seal = seal_scene.Seal(SCENE.format(**self.about))
+        along, _, mean = seal.columns()
+        self.assertAlmostEqual(mean, 0.2)
+        np.testing.assert_allclose(along, [0.75, 1.25, 1.25, 0.75], rtol=1e-9)
+        np.testing.assert_allclose(seal.rows(), [0.1 / 0.75, 0.2, 0.4 / 1.25])
+
+    def test_what_is_refused(self):
+        scene = SCENE.format(**{**self.about, "profile": "hertz"})
+        self.assertEqual(self.assess("--check", scene=scene).returncode, 0)
+        narrow = self.assess("--check", scene=scene.replace("0.1, 0.2, 0.4", "0.2, 0.21"))
+        self.assertEqual(narrow.returncode, 1)
+        self.assertRegex(narrow.stderr, r"presses the patches by 0\.16\d* to 0\.24\d*; let Load")
+        bad = self.folder / "bad.txt"
+        for text, words in (("1 2\n", "two or more lines"), ("0 1\n4 -1\n", "not negative"),
+                            ("4 1\n0 1\n", "grows"), ("0 1\n3 1\n", "make them the same")):
+            bad.write_text(text)
+            result = self.assess("--check", scene=SCENE.format(**{**self.about, "profile": bad}))
+            self.assertEqual(result.returncode, 1, text)
+            self.assertIn(words, result.stderr)
+        gone = self.assess("--check", scene=SCENE.format(**{**self.about, "profile": "/none"}))
+        self.assertRegex(gone.stderr, "^Seal/Pressure profile: .*/none.*\n$")
+
+    def test_patches_that_failed_are_left_out(self):
+        self.write([[8., 2., 0.5]] * 3)
+        path = self.folder / "realisation-2" / "leakage.csv"
+        path.write_text(path.read_text().replace("ok\n0.4", "flow-not-converged\n0.4"))
+        result = self.assess()
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("left out: realisation-2", result.stdout)
+        (self.folder / "realisation-1" / "leakage.csv").unlink()
+        result = self.assess()
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("needs two patches", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The results of a folder as report.html needs them: of one run, or of several realisations."""
+import re
+
+import numpy as np
+
+from plot_common import read_parameters
+from strait_results import Run
+
+
+class Results:
+    """All that a folder holds: one run, or realisations each with a run."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        folders = sorted(folder.glob("realisation-*/leakage.csv"),
+                         key=lambda path: int(path.parent.name.split("-")[1]))
+        self.is_ensemble = (folder / "ensemble.csv").exists()
+        self.runs = [Run(path.parent) for path in folders] if self.is_ensemble else [Run(folder)]
+        if not self.runs:
+            raise FileNotFoundError(f"{folder} holds no realisation that has begun")
+        self.scene = (folder / "parameters.prm").read_text(encoding="utf-8")
+        self.parameters = read_parameters(self.scene)
+        log = folder / "log.txt"
+        self.log = log.read_text(encoding="utf-8", errors="replace") if log.exists() else ""
+
+    def path(self, name):
+        """A file of the folder if it is there."""
+        path = self.folder / name
+        return path if path.exists() else None
+
+    def whole_seal(self):
+        """What the log says of the whole seal, the last time it was assessed."""
+        found = re.findall(r"^whole seal:.*(?:\n  .*)*", self.log, re.MULTILINE)
+        return found[-1].splitlines() if found else []
+
+
+def relative_errors(columns):
+    """Of the leak rates: the whole error where it is known, else half the bracket's width."""
+    rate = np.abs(columns["leak_rate"])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        bracket = 0.5 * (columns["leak_rate_upper"] - columns["leak_rate_lower"]) / rate
+    known = columns.get("leak_rate_error", np.full(len(rate), np.nan))
+    return np.where(np.isfinite(known), known, bracket)
+
+
+def step_of(path):
+    """The number in picture-STEP.png."""
+    return int(path.stem.split("-")[1])

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a scene says of a whole seal: its size, and the pressure over its width."""
+import math
+import pathlib
+import sys
+
+import numpy as np
+
+from plot_common import read_parameters
+
+
+def scene_in(folder):
+    """The text of the scene whose results a folder holds."""
+    return (folder / "parameters.prm").read_text(encoding="utf-8")
+
+
+def box_of(values):
+    """Sides of the box of a scene, along the flow and across."""
+    sizes = [float(size) for size in values["Surface/Size"].split(",")]
+    return (sizes[0], sizes[-1]) if values["Fluid/Direction"] == "x" else (sizes[-1], sizes[0])
+
+
+class Seal:
+    """What the scene says of the seal."""
+
+    def __init__(self, scene):
+        values = read_parameters(scene)
+        self.loads = np.unique([float(load) for load in
+                                values["Load programme/Pressures"].split(",") if load.strip()])
+        self.circumference = float(values["Seal/Circumference"])
+        self.width = float(values["Seal/Contact width"])
+        self.isotropic = values["Seal/Isotropic"] == "true"
+        self.wanted = float(values["Seal/Wanted leak rate"])
+        self.profile = values["Seal/Pressure profile"]
+        self.length, self.breadth = box_of(values)
+        self.n_along = max(1, round(self.width / self.length))
+        self.n_around = max(1, round(self.circumference / self.breadth))
+        self.roll_off = (float(values["Surface/Roll-off wavelength"])
+                         if values["Surface/Kind"] == "self-affine" else None)
+        self.depends_on_drop = (values.get("Fluid/Wall feedback/Enabled") == "true" or
+                                values.get("Fluid/Rarefaction", "none") != "none")
+        units = values["Output/Leak rate units"].split(",")
+        self.unit = units[0].strip()
+
+    def profile_values(self, places):
+        """Pressure over its mean at places from 0 to 1 across the width, and the mean."""
+        if not self.profile:
+            return np.ones_like(places), None
+        if self.profile == "hertz":
+            return 4 / math.pi * np.sqrt(np.clip(1 - (2 * places - 1)**2, 0, None)), None
+        x, p = read_profile(self.profile)
+        if abs(np.ptp(x) / self.width - 1) > 0.01:
+            sys.exit(f"Seal/Pressure profile = {self.profile} spans {np.ptp(x):.6g}, and "
+                     f"Seal/Contact width is {self.width:.6g}; make them the same.")
+        mean = np.trapz(p, x) / np.ptp(x)
+        return np.interp(places, (x - x[0]) / np.ptp(x), p) / mean, mean
+
+    def columns(self):
+        """Pressure over its mean at the patches, one after the other along the flow; at those in
+        between, which lead around; and the table's own mean pressure, if there is one."""
+        fine = 64 * self.n_along
+        values, mean = self.profile_values((np.arange(fine) + 0.5) / fine)
+        halves = values.reshape(2 * self.n_along, -1).mean(axis=1)
+        return (halves[::2] + halves[1::2]) / 2, (halves[1:-1:2] + halves[2::2]) / 2, mean
+
+    def rows(self):
+        """The mean loads for which the patches know the pressures of the whole profile: those of
+        the patches, the least and the largest that there are, and that of the table."""
+        along, _, mean = self.columns()
+        wanted = self.loads if mean is None else np.union1d(self.loads, [mean])
+        if not np.allclose(along, 1):
+            ends = self.loads[0] / along.min(), self.loads[-1] / along.max()
+            wanted = np.union1d(wanted, ends) if ends[0] < ends[1] else wanted
+        # Rounding of the profile must not cost the first load and the last.
+        inside = ((wanted * along.min() >= self.loads[0] * (1 - 1e-9)) &
+                  (wanted * along.max() <= self.loads[-1] * (1 + 1e-9)))
+        if len(self.loads) < 2 and not np.allclose(along, 1):
+            inside[:] = False
+        if not inside.any() or (mean is not None and not inside[wanted == mean].all()):
+            load = self.loads.mean() if mean is None else mean
+            sys.exit(f"Under a mean pressure of {load:.6g} Seal/Pressure profile presses the "
+                     f"patches by {load * along.min():.6g} to {load * along.max():.6g}; let Load "
+                     "programme/Pressures begin below and end above that, as nothing is "
+                     "extrapolated.")
+        return wanted[inside]
+
+
+def read_profile(path):
+    """Positions and pressures of a table of two columns; lines without two numbers are headers."""
+    rows = []
+    try:
+        text = pathlib.Path(path).read_text(encoding="utf-8", errors="replace")
+    except OSError as error:
+        sys.exit(f"Seal/Pressure profile: {error}.")
+    for line in text.splitlines():
+        try:
+            x, p = (float(word) for word in line.replace(",", " ").replace(";", " ").split()[:2])
+            rows.append((x, p))
+        except ValueError:
+            continue
+    x, p = np.array(rows).reshape(-1, 2).T
+    if len(x) < 2 or not (np.diff(x) > 0).all() or not (p >= 0).all() or not p.any() \
+            or not np.isfinite([x, p]).all():
+        sys.exit(f"Seal/Pressure profile = {path} must hold two or more lines of a position that "
+                 "grows and a pressure that is not negative.")
+    return x, p

@@ -1,0 +1,250 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The leak rate of a whole seal from the realisations of a run: seal.csv and seal_load.csv.
+
+Reads parameters.prm and the folders of the realisations; see doc/seal.md. Exit status 1 with a
+sentence where something is missing.
+"""
+import argparse
+import csv
+import math
+import pathlib
+import sys
+
+try:
+    import numpy as np
+
+    from plot_common import is_trusted, read_parameters
+    from report_results import relative_errors
+    from seal_network import Band, at_loads
+    from seal_scene import Seal, box_of, scene_in
+    from strait_results import Run
+except ImportError as missing:
+    sys.exit(f"whole_seal.py: the Python module {missing.name} is missing; "
+             "install python3-numpy, python3-scipy and python3-matplotlib.")
+
+# Patches shorter than this many of the longest waves are neither representative nor uncoupled:
+# at four, waves longer than a patch, which no patch has, would carry 3 % of the variance of the
+# heights for a Hurst exponent of 0.8 and a flat spectrum beyond; 11 % at two, 0.7 % at eight.
+LEAST_WAVES = 4
+
+
+def in_endless_row(alone, two, error_alone, error_two):
+    """Leak rate of a box in an endless row from those of one and of two, and its error.
+
+    Two resistances of a box are not more than that of two in a row, as reservoirs between them
+    would be a short circuit; their difference is free of what the ends do.
+    """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        resistance, of_two = 1 / alone, 1 / two
+        difference = np.where(two > 0, of_two - resistance, np.inf)
+        error = (of_two * error_two + resistance * error_alone) / difference
+    difference = np.maximum(difference, resistance)
+    return np.where(alone > 0, 1 / difference, 0.), np.where(two > 0, error, 0.)
+
+
+class Patches:
+    """What the realisations conduct: squares under the seal's pressure drop, at all loads."""
+
+    def __init__(self, folder, seal):
+        self.along, self.across, self.ends = [], [], []
+        self.errors, self.dropped, self.in_rows = [], [], True
+        self.factor, self.unit, self.load_unit, solution_sources = 1., "", "", set()
+        paths = sorted(folder.glob("realisation-*"), key=lambda path: int(path.name[12:]))
+        for path in paths:
+            try:
+                run, values = Run(path), read_parameters(scene_in(path))
+                alone, in_a_row, errors = self._of_loads(run, box_of(values), seal)
+            except (OSError, KeyError, ValueError) as problem:
+                self.dropped.append(f"{path.name} ({problem})")
+                continue
+            rotated = values["Surface/Rotate"] == "true"
+            if rotated and not seal.isotropic:
+                self.across.append(in_a_row)
+            else:
+                self.along.append(in_a_row)
+                self.ends.append(alone)
+            self.in_rows = self.in_rows and "two_boxes_leak_rate" in run.table
+            self.errors.append(errors)
+            solution_sources.add("grid" if "leak_rate_error" in run.table else "mesh")
+            self._take_unit(run, seal)
+        if len(self.along) < 2:
+            sys.exit("The whole seal needs two patches along the flow with leak rates at all "
+                     f"loads, and there are {len(self.along)}" +
+                     (": " + "; ".join(self.dropped) if self.dropped else "") + ".")
+        self.along, self.ends = np.array(self.along), np.array(self.ends)
+        self.across = np.array(self.across) if self.across else self.along
+        self.knows_grid = solution_sources == {"grid"}
+
+    @staticmethod
+    def _of_loads(run, box, seal):
+        """Conductances of one patch: alone between reservoirs, and in an endless row; errors."""
+        table, (length, breadth) = run.table, box
+        rows = [np.flatnonzero(np.isclose(table["pressure"], load, rtol=1e-9))[:1]
+                for load in seal.loads]
+        for load, row in zip(seal.loads, rows):
+            if not row.size or not is_trusted(table["status"][row]).all():
+                raise ValueError(f"no leak rate at {load:.6g}")
+        table = {name: values[np.concatenate(rows)] for name, values in table.items()}
+        errors = relative_errors(table)
+        alone = np.abs(table["leak_rate"])
+        in_a_row = alone
+        if "two_boxes_leak_rate" in table:
+            in_a_row, errors = in_endless_row(alone, np.abs(table["two_boxes_leak_rate"]),
+                                              errors, 0.5 * table["two_boxes_error"])
+        return (alone * length / breadth, in_a_row * length / breadth,
+                np.where(in_a_row > 0, errors, 0.))
+
+    def _take_unit(self, run, seal):
+        """The unit that was asked for, and what a leak rate of the scene is in it."""
+        self.unit = run.unit("leak_rate")
+        self.load_unit = f" {run.unit('pressure')}".rstrip()  # as it follows a number
+        if not seal.unit:
+            return
+        column = "leak_rate_" + seal.unit.replace("/", "_per_").replace(" ", "_")
+        leaks = np.flatnonzero(run.table["leak_rate"] != 0)
+        if leaks.size:
+            self.factor = run.table[column][leaks[0]] / run.table["leak_rate"][leaks[0]]
+        self.unit = seal.unit
+
+
+def open_at_ends(along, alone):
+    """Give the first and the last patch of rows one end each that opens on a reservoir."""
+    with np.errstate(divide="ignore"):
+        for column in (0, -1):
+            along[:, column] = 2 / (1 / along[:, column] + 1 / alone[:, column]) \
+                if along.shape[1] > 1 else alone[:, column]
+
+
+def bands_of(seal, patches):
+    """(load, Band) of each load that the patches cover."""
+    along, across, _ = seal.columns()
+    scale = patches.factor * seal.circumference / seal.width
+    rng = np.random.default_rng(1)
+    errors = np.mean(patches.errors, axis=0)
+
+    def at(pool, load, columns):
+        return scale * (at_loads(seal.loads, pool, load * columns) if len(seal.loads) > 1
+                        else np.repeat(pool, len(columns), axis=1))
+
+    for load in seal.rows():
+        k_along, k_across, k_ends = (at(pool, load, columns) for pool, columns in
+                                     ((patches.along, along), (patches.across, across),
+                                      (patches.ends, along)))
+        open_at_ends(k_along, k_ends)
+        yield load, Band(k_along, k_across, seal.n_around, seal.breadth / seal.length,
+                         float(np.interp(load, seal.loads, errors)), rng)
+
+
+def crossing(loads, rates, wanted):
+    """The load at which a falling leak rate passes the wanted one; NaN beyond the loads."""
+    for k in np.flatnonzero((rates[:-1] > wanted) & (rates[1:] <= wanted)):
+        (a, b), (la, lb) = rates[k:k + 2], loads[k:k + 2]
+        part = math.log(a / wanted) / math.log(a / b) if b > 0 else (a - wanted) / (a - b)
+        return la + part * (lb - la)
+    return math.nan
+
+
+def verdict(load, band, seal, patches):
+    """What dominates the uncertainty, and what to do about it: one sentence."""
+    n, load = len(patches.along), f"{load:.6g}{patches.load_unit}"
+    parts = {"patches": 1.645 * band.student * band.patches, "seal": 1.645 * band.arrangement,
+             "solution": band.solution}
+    most = max(parts, key=parts.get)
+    more = "Realisations/Seeds" if seal.roll_off else "measure more of the surface"
+    factor = f"a factor of {math.exp(parts[most]):.3g}"
+    if band.median == 0:
+        return (f"at {load} most seals do not leak at all: what leaks is decided by few "
+                f"patches; simulate more of them ({more})")
+    if most == "patches":
+        return (f"most of the uncertainty at {load}, {factor} each way, comes from the number "
+                f"of patches: {4 * n} in place of {n} would about halve it ({more})")
+    if most == "seal":
+        return (f"most of the uncertainty at {load}, {factor} each way, is that of the seal "
+                "itself: seals of this size differ so much, and no more patches narrow it")
+    advice = ("Contact/Grid points, Contact/Zoom or Fluid/Target accuracy, as their logs say"
+              if patches.knows_grid else "Fluid/Target accuracy")
+    return (f"most of the uncertainty at {load}, {factor} each way, comes from the solutions "
+            f"of the patches: improve {advice}")
+
+
+def doubts(seal, patches):
+    """What the band does not know of."""
+    if patches.dropped:
+        yield f"left out: {'; '.join(patches.dropped)}"
+    side = min(seal.length, seal.breadth)
+    if seal.roll_off and side < LEAST_WAVES * seal.roll_off * (1 - 1e-9):
+        yield (f"patches of {side:.4g} are {side / seal.roll_off:.3g} roll-off wavelengths long, "
+               f"where {LEAST_WAVES} are needed: longer waves couple neighbours and are missing, "
+               "which the band does not know of; enlarge Surface/Size")
+    if seal.roll_off is None:
+        yield ("whether patches of this size are independent is not known of a measured map: "
+               "compare with patches twice as large")
+    if seal.n_along > 1 and not patches.in_rows:
+        yield ("the ends of patches open on reservoirs, which in a row of them counts too often "
+               "and leaks too much: that cannot be allowed for here (Seal/Two in a row)")
+    if seal.n_along > 1 and seal.depends_on_drop:
+        yield ("each patch was solved under the whole pressure drop, of which it has a part in a "
+               "row, and with Wall feedback or Rarefaction its conductance depends on that")
+    if seal.n_along * seal.length > 1.5 * seal.width:
+        yield f"a patch is longer than the contact is wide ({seal.width:.4g})"
+    if not patches.knows_grid:
+        yield ("the error of the contact grid is not in the band; Output/Error budget = true "
+               "estimates it")
+
+
+def write(path, header, rows):
+    """A table, whose columns doc/results.md defines."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows([header, *rows])
+
+
+def assess(folder):
+    """Write the tables and say what they mean."""
+    seal = Seal(scene_in(folder))
+    patches = Patches(folder, seal)
+    bands = list(bands_of(seal, patches))
+    write(folder / "seal.csv",
+          ("pressure", "leak_rate_median", "leak_rate_5_percent", "leak_rate_95_percent", "unit",
+           "sealed", "scatter_patches", "scatter_arrangement", "solution_error"),
+          [(load, band.median, band.lower, band.upper, patches.unit, band.sealed, band.patches,
+            band.arrangement, band.solution) for load, band in bands])
+    unit, load_unit = patches.unit or "in the scene's units", patches.load_unit
+    print(f"whole seal: {seal.n_along} × {seal.n_around} patches, drawn from "
+          f"{len(patches.along)} along the flow and {len(patches.across)} across")
+    for load, band in bands:
+        print(f"  under {load:.6g}{load_unit}: {band.median:.4g} {unit}, "
+              f"90 % between {band.lower:.4g} and {band.upper:.4g}")
+    print("  " + verdict(*bands[-1], seal, patches))
+    (folder / "seal_load.csv").unlink(missing_ok=True)  # of another wanted leak rate
+    if seal.wanted > 0:
+        loads = np.array([load for load, _ in bands])
+        found = [crossing(loads, np.array([getattr(band, name) for _, band in bands]), seal.wanted)
+                 for name in ("median", "lower", "upper")]
+        write(folder / "seal_load.csv",
+              ("wanted_leak_rate", "unit", "load", "load_5_percent", "load_95_percent"),
+              [(seal.wanted, patches.unit, *found)])
+        print(f"  {seal.wanted:.4g} {unit}: under {found[0]:.4g}{load_unit}, 90 % between "
+              f"{found[1]:.4g} and {found[2]:.4g}" +
+              ("; nan: beyond these loads" if np.isnan(found).any() else ""))
+    for doubt in doubts(seal, patches):
+        print("  warning: " + doubt)
+
+
+def main():
+    """Read the command line; the exit status is 0 unless a sentence ended it."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("folder", metavar="OUTPUT_DIR", type=pathlib.Path, nargs="?")
+    parser.add_argument("--check", action="store_true",
+                        help="only check the pressure profile of the scene on standard input")
+    options = parser.parse_args()
+    if options.check:
+        Seal(sys.stdin.read()).rows()
+    elif options.folder:
+        assess(options.folder)
+    else:
+        parser.error("which results?")
+
+
+if __name__ == "__main__":
+    main()
