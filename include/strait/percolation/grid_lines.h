@@ -119,8 +119,8 @@ namespace strait
     }
 
   private:
-    // Values of a block and what a search keeps of them fit a processor's cache. With half
-    // of it a path at 4096² takes as long, with double of it a quarter longer.
+    // Values of a block and what a search keeps of them fit a processor's cache. With
+    // half of it a path at 4096² takes as long, with double of it a quarter longer.
     static constexpr std::size_t block_size = 32;
 
     SlabLayoutPtr                     layout;
