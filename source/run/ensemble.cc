@@ -268,7 +268,7 @@ namespace strait
     if (!resume)
       prepare_directory(folder, MPI_COMM_WORLD);
     log.attach_file(folder + "/log.txt", resume);
-    state.save_end({}); // that it is these realisations
+    state.save_end(RunSummary()); // that it is these realisations
     Table<RealisationRow> table = ensemble_table(scene);
     run_on_root(MPI_COMM_WORLD, [&]() {
       table.open(folder + "/ensemble.csv");

@@ -2,7 +2,6 @@
 #ifndef strait_seal_transition_search_h
 #define strait_seal_transition_search_h
 
-#include <strait/percolation/flow_lattice.h>
 
 #include <array>
 #include <functional>
