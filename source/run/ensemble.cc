@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
+#include <utility>
 #include <vector>
 
 namespace strait
@@ -116,41 +116,6 @@ namespace strait
               run.validity};
     }
 
-    /** Mean and standard deviation of what the scene looks for. */
-    std::vector<ScatterRow>
-    scatter_of(const std::vector<RealisationRow> &realisations, const Scene &scene)
-    {
-      using Row = RealisationRow;
-      std::vector<ScatterRow> rows;
-      const auto              add = [&](const char *quantity, const auto value) {
-        std::vector<double> samples;
-        for (const Row &row : realisations)
-          if (std::isfinite(std::invoke(value, row)))
-            samples.push_back(std::invoke(value, row));
-        const auto n    = static_cast<double>(samples.size());
-        double     mean = samples.empty() ? std::nan("") : 0., square = 0;
-        for (const double sample : samples)
-          mean += sample / n;
-        for (const double sample : samples)
-          square += (sample - mean) * (sample - mean);
-        rows.push_back({quantity,
-                        mean,
-                        n > 1 ? std::sqrt(square / (n - 1)) : std::nan(""),
-                        samples.size(),
-                        realisations.size() - samples.size()});
-      };
-      if (!scene.programme.find_threshold)
-        return rows; // none of them is sought
-      add("contact_area", &Row::contact_area);
-      add("critical_load", [](const Row &row) { return .5 * (row.lower + row.upper); });
-      add("crossover_load", &Row::crossover_load);
-      add("crossover_reduced_load", &Row::crossover_reduced_load);
-      add("exponent", &Row::exponent);
-      if (scene.theory.enabled)
-        add("theory_crossover_load", &Row::theory_crossover_load);
-      return rows;
-    }
-
     /** The same on all ranks of @p comm. */
     bool
     has_checkpoint(const Scene &scene, MPI_Comm comm)
@@ -235,6 +200,23 @@ namespace strait
       return outcome;
     }
 
+    /** Run each of @p scenes in a group of its own, and tell all ranks what came of it.
+     *  Collective. */
+    std::vector<Outcome>
+    run_together(const std::vector<Scene> &scenes,
+                 const RankGroups         &groups,
+                 const bool                is_quiet,
+                 const bool                resume)
+    {
+      std::vector<Outcome> outcomes(scenes.size());
+      const auto           mine = static_cast<std::size_t>(groups.mine());
+      if (mine < scenes.size())
+        outcomes[mine] = run_alone(scenes[mine], groups, is_quiet, resume);
+      for (std::size_t group = 0; group < scenes.size(); ++group)
+        share(outcomes[group], groups.root_of(static_cast<int>(group)));
+      return outcomes;
+    }
+
     [[noreturn]] void
     throw_interruption(const Scene &scene)
     {
@@ -294,23 +276,18 @@ namespace strait
                                       overrides,
                                       folder + "/realisation-" + std::to_string(k + 1)));
           }
-        Outcome mine;
-        if (const std::size_t k = first + groups.mine(); k < end)
-          mine = run_alone(scenes[groups.mine()], groups, log.is_quiet(), resume);
-        for (std::size_t k = first; k < end; ++k)
+        for (Outcome &outcome : run_together(scenes, groups, log.is_quiet(), resume))
           {
-            const auto group   = static_cast<int>(k - first);
-            Outcome    outcome = group == groups.mine() ? mine : Outcome();
-            share(outcome, groups.root_of(group));
             if (outcome.stopped)
               throw_interruption(scene);
             if (!outcome.warning.empty())
               log.warn(outcome.warning);
-            all_converged = all_converged && outcome.converged;
-            rows.push_back(outcome.row);
-            rows.back().number      = static_cast<int>(k + 1);
-            rows.back().seed        = realisations[k].seed;
-            rows.back().orientation = name_of(realisations[k].orientation);
+            all_converged                  = all_converged && outcome.converged;
+            const Realisation &realisation = realisations[rows.size()];
+            rows.push_back(std::move(outcome.row));
+            rows.back().number      = static_cast<int>(rows.size());
+            rows.back().seed        = realisation.seed;
+            rows.back().orientation = name_of(realisation.orientation);
             run_on_root(MPI_COMM_WORLD, [&]() {
               table.append(rows.back());
               ensemble_summary_table(scene).write_rows(folder + "/ensemble_summary.csv",
