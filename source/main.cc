@@ -24,13 +24,14 @@ namespace
     using namespace strait;
     const CommandLine command = parse_command_line(argc, argv);
     const bool on_root = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-    if (command.help || command.version || !command.parameters_format.empty() ||
-        !command.columns_format.empty())
+    if (command.asks_for_text())
       {
         if (on_root && command.help)
           std::cout << help_text();
         else if (on_root && command.version)
           std::cout << "strait " << version() << std::endl;
+        else if (on_root && command.scenes)
+          std::cout << list_of_scenes();
         else if (on_root && !command.columns_format.empty())
           print_columns(std::cout, command.columns_format);
         else if (on_root)

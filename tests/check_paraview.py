@@ -125,7 +125,7 @@ def numbers(text):
 def check_grid(folder, row):
     """The data sets of fields-STEP.h5 where fields-STEP.xmf puts them."""
     step = row["step"]
-    root = xml.etree.ElementTree.parse(folder / f"fields-{step}.xmf").getroot()
+    root = xml.etree.xml.etree.ElementTree.parse(folder / f"fields-{step}.xmf").getroot()
     check(root.tag == "Xdmf" and root.get("Version") == "2.0", "no XDMF of version 2")
     grid = root.find("Domain/Grid")
     check(grid.find("Topology").get("TopologyType") == "3DCoRectMesh", "another topology")
@@ -179,6 +179,9 @@ def main():
         ix, iy = (centres[:, :2] / [LX / NX, LY / NY]).astype(int).T
         corners = [in_channel[(iy + j) % NY, (ix + i) % NX] for i in (0, 1) for j in (0, 1)]
         check(small.any() and np.any(corners, axis=0).all(), "cells leak beside the channel")
+    series = xml.etree.ElementTree.parse(folder / "flow.pvd").getroot().iter("DataSet")
+    check([(float(entry.get("timestep")), entry.get("file")) for entry in series] ==
+          [(1., "flow-1.pvtu"), (2., "flow-2.pvtu")], "the series is not that of the steps")
     shutil.rmtree(folder)
 
 

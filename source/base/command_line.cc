@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/build_info.h>
 #include <strait/base/command_line.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <optional>
 
@@ -16,6 +19,7 @@ namespace strait
       {"--force", &CommandLine::force},
       {"--dry-run", &CommandLine::dry_run},
       {"--quiet", &CommandLine::quiet},
+      {"--scenes", &CommandLine::scenes},
       {"--version", &CommandLine::version},
       {"--help", &CommandLine::help},
       {"-h", &CommandLine::help}};
@@ -27,6 +31,18 @@ namespace strait
       for (const auto &flag : flags)
         known.push_back(flag.first);
       return nearest_name(name, known);
+    }
+
+    /** The first clause of the comment at the head of a scene file. */
+    std::string
+    first_clause(const std::filesystem::path &scene)
+    {
+      std::ifstream file(scene);
+      std::string   comment;
+      for (std::string line; std::getline(file, line) && line.compare(0, 2, "# ") == 0;)
+        comment += (comment.empty() ? "" : " ") + trim(line.substr(2));
+      return comment.substr(
+        0, std::min({comment.find(". "), comment.find(": "), comment.find("; ")}));
     }
   } // namespace
 
@@ -89,10 +105,28 @@ namespace strait
 
     if (!output.empty())
       command.overrides.push_back("Output/Directory=" + output);
-    require(!command.scene.empty() || command.help || command.version ||
-              !command.parameters_format.empty() || !command.columns_format.empty(),
+    require(!command.scene.empty() || command.asks_for_text(),
             "No scene was given; try 'strait SCENE.prm' or 'strait --help'.");
     return command;
+  }
+
+  std::string
+  list_of_scenes()
+  {
+    // Beside the scripts where strait is installed, beside their folder in the sources.
+    std::string folder = find_script("prm");
+    if (folder.empty())
+      folder = find_script("../prm");
+    require(!folder.empty(), "The scenes that come with strait were not found.");
+    std::vector<std::filesystem::path> scenes;
+    for (const auto &entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().extension() == ".prm")
+        scenes.push_back(entry.path());
+    std::sort(scenes.begin(), scenes.end());
+    std::string text = "Scenes in " + folder + ":\n\n";
+    for (const std::filesystem::path &scene : scenes)
+      text += format("  %-28s", scene.filename().c_str()) + first_clause(scene) + "\n";
+    return text;
   }
 
   std::string
@@ -113,6 +147,7 @@ namespace strait
                                     meaning
   --columns [md]                    print all tables of results with the units and
                                     meaning of their columns
+  --scenes                          list the scenes that come with strait
   --quiet                           nothing on the screen but errors
   --version
   --help

@@ -27,7 +27,8 @@ namespace strait
       for (const TableInfo &table : all_tables({}))
         if (std::regex_replace(name, number, "-STEP.") == table.file)
           return true;
-      for (const char *exact : {"leakage.png",
+      for (const char *exact : {"flow.pvd",
+                                "leakage.png",
                                 "gaps.png",
                                 "ensemble.png",
                                 "seal.png",

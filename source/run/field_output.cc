@@ -8,9 +8,11 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace strait
@@ -248,6 +250,24 @@ namespace strait
     write_windows(directory, file, step, labels, datasets);
   }
 
+  namespace
+  {
+    /** Write flow.pvd, the series of the steps up to @p last that have a flow. */
+    void
+    list_flow_fields(const std::string &directory, const int last)
+    {
+      std::vector<std::pair<double, std::string>> steps;
+      for (int step = 1; step <= last; ++step)
+        {
+          const std::string name = "flow-" + std::to_string(step) + ".pvtu";
+          if (std::filesystem::exists(directory + "/" + name))
+            steps.emplace_back(step, name);
+        }
+      std::ofstream series(directory + "/flow.pvd");
+      dealii::DataOutBase::write_pvd_record(series, steps);
+    }
+  } // namespace
+
   void
   write_flow_fields(const std::string &directory, const Step &step)
   {
@@ -297,6 +317,8 @@ namespace strait
     run_on_root(comm, [&]() {
       std::ofstream record(name + ".pvtu");
       out.write_pvtu_record(record, {"flow-" + std::to_string(step.number) + ".vtu"});
+      record.close();
+      list_flow_fields(directory, step.number);
     });
     require_end(name + ".pvtu", "</VTKFile>", comm);
   }

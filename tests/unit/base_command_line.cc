@@ -56,6 +56,15 @@ TEST(CommandLine, OptionsThatNeedNoScene)
   EXPECT_EQ(parse({"--parameters=md"}).parameters_format, "md");
 }
 
+TEST(CommandLine, ScenesThatComeWithIt)
+{
+  EXPECT_TRUE(parse({"--scenes"}).asks_for_text());
+  const std::string scenes = list_of_scenes();
+  for (const char *line :
+       {"\n  quickstart.prm", "\n  given_gap.prm               A pure flow problem\n"})
+    EXPECT_NE(scenes.find(line), std::string::npos) << scenes;
+}
+
 TEST(CommandLine, WrongUse)
 {
   EXPECT_EQ(error_of({"--dryrun", "a.prm"}),

@@ -20,6 +20,15 @@ namespace strait
     bool                     quiet   = false;
     bool                     version = false;
     bool                     help    = false;
+    bool                     scenes  = false;
+
+    /** Whether it asks for something to read rather than for a scene to be run. */
+    bool
+    asks_for_text() const
+    {
+      return version || help || scenes || !parameters_format.empty() ||
+             !columns_format.empty();
+    }
   };
 
   /**
@@ -31,6 +40,10 @@ namespace strait
 
   /** The text of --help. */
   std::string help_text();
+
+  /** The scenes that come with the program, each with the first clause of the comment at
+   *  its head. Throws InputError if they are not there. */
+  std::string list_of_scenes();
 } // namespace strait
 
 #endif

@@ -22,7 +22,8 @@ namespace strait
    * Write flow-STEP.vtu and flow-STEP.pvtu to @p directory for ParaView: the
    * fluid's pressure, and per cell its mean conductivity, refinement level and
    * whether it leaks; where it does not, the pressure has no meaning.
-   * Nothing where nothing percolates. Collective.
+   * Nothing where nothing percolates. flow.pvd lists them as a series, whose time is the
+   * number of the step. Collective.
    */
   void write_flow_fields(const std::string &directory, const Step &step);
 
