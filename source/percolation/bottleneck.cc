@@ -4,7 +4,9 @@
 #include <strait/percolation/bottleneck.h>
 #include <strait/percolation/lattice_search.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace strait
 {
@@ -43,13 +45,14 @@ namespace strait
         },
         [&](const std::size_t k) { return lattice.is_outlet(k); });
 
-      if (!std::isfinite(end.cost))
+      // Where the walls are apart a gap is infinite.
+      constexpr auto nowhere = std::numeric_limits<double>::infinity();
+      if (end.cost == nowhere)
         throw InputError(
           "The contact grid is too coarse for Fluid/Mesh: no chain of grid points leads "
           "from the inlet to the outlet; raise Contact/Grid points.");
       // The first of the points whose value it is.
-      constexpr auto nowhere = std::numeric_limits<double>::infinity();
-      double         first   = nowhere;
+      double first = nowhere;
       for (std::size_t k = 0; k < lattice.size(); ++k)
         if (lattice.is_own(k) && -lattice[k] == end.cost && search.cost(k) == end.cost)
           first = std::min(first, static_cast<double>(lattice.global_number(k)));

@@ -55,6 +55,7 @@ namespace strait
       return lines;
     }
 
+    /** Whether point @p k is one of a window. */
     bool
     in_window(const std::size_t k) const
     {
@@ -137,6 +138,7 @@ namespace strait
       return lines.n_blocks() + levels.size() - 1;
     }
 
+    /** The block that point @p k is in. */
     std::size_t
     block_of(const std::size_t k) const
     {

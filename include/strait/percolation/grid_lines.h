@@ -65,12 +65,14 @@ namespace strait
       return own;
     }
 
+    /** The line of point @p k, counted over the whole grid. */
     int
     line_of(const std::size_t k) const
     {
       return first_line + static_cast<int>(k / n_along_line);
     }
 
+    /** The place of point @p k on its line. */
     int
     position_of(const std::size_t k) const
     {
@@ -111,6 +113,7 @@ namespace strait
       return (n_lines + block_size - 1) / block_size * blocks_per_line;
     }
 
+    /** The block that point @p k is in. */
     std::size_t
     block_of(const std::size_t k) const
     {

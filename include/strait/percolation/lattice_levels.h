@@ -74,6 +74,7 @@ namespace strait
                                          levels.back().n_across;
     }
 
+    /** The level of point @p k, 0 for the grid. */
     int
     level_of(const std::size_t k) const
     {
@@ -106,6 +107,7 @@ namespace strait
     /** The point of the parent that stands for a point of a window. */
     Place parent_of(const Place &p) const;
 
+    /** The point of the grid or of a window at a place. */
     GridPoint point(const Place &p) const;
 
     /** The point of the grid that stands for point @p p. */
