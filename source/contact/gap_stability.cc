@@ -100,9 +100,6 @@ namespace strait
     : problem(problem_)
     , kind(kind_)
   {
-    vectors[0].resize(problem.size());
-    problem.fill_with_noise(vectors[0].data());
-    problem.precondition(vectors[0].data(), no_pass, no_pass);
   }
 
   double
@@ -110,6 +107,14 @@ namespace strait
   {
     gap       = gaps;
     curvature = curvatures;
+    // A rank without points has none in either case.
+    const bool is_known = problem.largest_over_ranks(vectors[0].empty() ? 0. : 1.) > 0;
+    vectors[0].resize(problem.size());
+    if (!is_known)
+      {
+        problem.fill_with_noise(vectors[0].data());
+        problem.precondition(vectors[0].data(), no_pass, no_pass);
+      }
     for (int k = 0; k < 3; ++k)
       {
         vectors[k].resize(problem.size());

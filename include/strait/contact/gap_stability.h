@@ -25,7 +25,8 @@ namespace strait
 
     /**
      * The smallest quotient found for @p gap, where γ'' is @p curvature; with an early
-     * stop once it is negative. Starts from the last gap's v. Collective.
+     * stop once it is negative. Starts from direction(), from noise if that is empty.
+     * Collective.
      */
     double smallest_curvature(const double *gap, const double *curvature);
 
