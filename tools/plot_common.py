@@ -36,6 +36,25 @@ def with_unit(text, name, units):
     return f"{text} ({unit})" if unit else text
 
 
+# Powers of ten of the units of SI that read better than the unit itself.
+PREFIXED = {"m": {-9: "nm", -6: "µm", -3: "mm"},
+            "Pa": {3: "kPa", 6: "MPa", 9: "GPa"}}
+
+
+def label_axis(axis, text, name, units, largest):
+    """Label a linear axis that goes to @p largest, in a unit that makes that no tiny or huge
+    number where the unit of quantity @p name is of SI."""
+    label = with_unit(text, name, units)
+    unit = (units or {}).get(name)
+    fitting = [power for power in PREFIXED.get(unit, {})
+               if np.isfinite(largest) and 1 <= largest / 10.**power < 1000]
+    if fitting and not 0.1 <= largest < 1000:
+        power = fitting[0]
+        label = f"{text} ({PREFIXED[unit][power]})"
+        axis.set_major_formatter(lambda value, _: f"{value / 10.**power:.4g}")
+    axis.set_label_text(label)
+
+
 def scientific(value):
     """A number to three digits, with a power of ten where that is shorter."""
     mantissa, _, exponent = f"{value:.3g}".partition("e")

@@ -5,8 +5,8 @@ import sys
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import (COLOURS, GREEN, VERMILLION, is_trusted, is_uncertain, scientific,
-                         with_unit)
+from plot_common import (COLOURS, GREEN, VERMILLION, is_trusted, is_uncertain, label_axis,
+                         scientific, with_unit)
 from plot_theory import draw_theory
 from strait_results import read_table
 
@@ -95,15 +95,16 @@ def draw_leak_rate(axes, table, units, _):
         axes.plot(pressure[sealed], np.full(sealed.sum(), 0.035), "v", color=VERMILLION,
                   markersize=7, fillstyle="none", transform=axes.get_xaxis_transform(),
                   label="sealed")
-    axes.set(xlabel=with_unit("Nominal pressure", "pressure", units),
-             ylabel=with_unit("Leak rate", "leak_rate", units))
+    label_axis(axes.xaxis, "Nominal pressure", "pressure", units, pressure.max(initial=0))
+    axes.set_ylabel(with_unit("Leak rate", "leak_rate", units))
 
 
 def draw_contact(axes, table, units, _):
     """Contact area (left scale) and mean gap (right scale) against load."""
-    axes.set_xlabel(with_unit("Nominal pressure", "pressure", units))
+    label_axis(axes.xaxis, "Nominal pressure", "pressure", units,
+               table["pressure"].max(initial=0))
     quantities = [("contact_area", "Contact area / nominal area", GREEN, "o"),
-                  ("mean_gap", with_unit("Mean gap", "length", units), VERMILLION, "s")]
+                  ("mean_gap", "Mean gap", VERMILLION, "s")]
     present = [quantity for quantity in quantities if quantity[0] in table]
     branches = column(table, "branch", "")
     for i, (name, label, colour, marker) in enumerate(present):
@@ -113,6 +114,9 @@ def draw_contact(axes, table, units, _):
             draw_line(scale, table["pressure"][rows], table[name][rows],
                       np.zeros(rows.sum(), bool), marker=marker, color=colour)
         draw_theory(scale, table, "pressure", f"theory_{name}", None if i else "theory")
+        if name == "mean_gap":
+            label_axis(scale.yaxis, label, "length", units, np.nanmax(table[name], initial=0))
+            label = scale.get_ylabel()
         scale.set_ylabel(label, color=colour)
         scale.tick_params(axis="y", colors=colour)
         scale.set_ylim(bottom=0)

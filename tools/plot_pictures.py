@@ -7,7 +7,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize
 from matplotlib.figure import Figure
 
-from plot_common import scientific, with_unit
+from plot_common import label_axis, scientific, with_unit
 
 CONTACT, POCKET, PATH = (0, 0, 0), (62, 76, 97), (150, 190, 205)  # open = 0, 1, 2
 OUTSIDE = (236, 236, 236)  # open = 3: no part of the mesh
@@ -114,8 +114,9 @@ def show_box(axes, image, about, units, outline=None):
     """An image of the box, with the worst constriction circled and a mesh's outline drawn."""
     axes.imshow(image, origin="lower", extent=(0, about["lx"], 0, about["ly"]), aspect="auto")
     axes.plot(about["worst_x"], about["worst_y"], markersize=19, clip_on=False, **RING)
-    axes.set(xlabel=with_unit("x", "length", units), ylabel=with_unit("y", "length", units),
-             xlim=(0, about["lx"]), ylim=(0, about["ly"]))
+    axes.set(xlim=(0, about["lx"]), ylim=(0, about["ly"]))
+    for axis, name in ((axes.xaxis, "x"), (axes.yaxis, "y")):
+        label_axis(axis, name, "length", units, max(about["lx"], about["ly"]))
     if outline is not None:
         for kind, style in OUTLINES.items():
             pieces = outline[outline[:, 4] == kind, :4].reshape(-1, 2, 2)
