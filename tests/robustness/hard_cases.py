@@ -210,7 +210,7 @@ def without_times(file):
         return content_of(file)
     with open(file, "rb") as stream:
         content = stream.read()
-    if name.endswith("vtu"):
+    if name.endswith(("vtu", ".pvd")):
         return re.sub(rb"<!--.*?-->", b"", content, flags=re.DOTALL)
     if name.endswith(".csv"):
         rows = list(csv.reader(content.decode().splitlines()))
