@@ -125,7 +125,7 @@ def numbers(text):
 def check_grid(folder, row):
     """The data sets of fields-STEP.h5 where fields-STEP.xmf puts them."""
     step = row["step"]
-    root = xml.etree.xml.etree.ElementTree.parse(folder / f"fields-{step}.xmf").getroot()
+    root = xml.etree.ElementTree.parse(folder / f"fields-{step}.xmf").getroot()
     check(root.tag == "Xdmf" and root.get("Version") == "2.0", "no XDMF of version 2")
     grid = root.find("Domain/Grid")
     check(grid.find("Topology").get("TopologyType") == "3DCoRectMesh", "another topology")

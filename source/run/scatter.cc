@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/run/result_tables.h>
+#include <strait/run/scatter.h>
 
 #include <cmath>
 #include <functional>

@@ -41,10 +41,6 @@ namespace strait
     std::size_t n_missing          = 0; // the others
   };
 
-  /** Mean and standard deviation of what @p scene looks for, over @p realisations. */
-  std::vector<ScatterRow> scatter_of(const std::vector<RealisationRow> &realisations,
-                                     const Scene                       &scene);
-
   /** A row of seal.csv: what a script makes of the realisations. */
   struct SealRow
   {
