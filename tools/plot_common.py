@@ -36,22 +36,29 @@ def with_unit(text, name, units):
     return f"{text} ({unit})" if unit else text
 
 
-# Powers of ten of the units of SI that read better than the unit itself.
-PREFIXED = {"m": {-9: "nm", -6: "µm", -3: "mm"},
-            "Pa": {3: "kPa", 6: "MPa", 9: "GPa"}}
+# (factor, name) of what reads better, by what the scene states.
+PREFIXES = {"m": ((1, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm")),
+            "Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"), (1, "Pa"))}
+
+
+def readable(unit, values):
+    """The unit of PREFIXES in which most values lie between 1 and 1000, and what one of it is."""
+    sizes = np.abs(values[np.isfinite(values) & (values != 0)])
+    if unit not in PREFIXES or not sizes.size:
+        return 1, unit
+    middle = np.median(sizes)
+    fitting = [prefix for prefix in PREFIXES[unit] if middle >= 0.9999 * prefix[0]]
+    return max(fitting) if fitting else min(PREFIXES[unit])
 
 
 def label_axis(axis, text, name, units, largest):
     """Label a linear axis that goes to @p largest, in a unit that makes that no tiny or huge
     number where the unit of quantity @p name is of SI."""
     label = with_unit(text, name, units)
-    unit = (units or {}).get(name)
-    fitting = [power for power in PREFIXED.get(unit, {})
-               if np.isfinite(largest) and 1 <= largest / 10.**power < 1000]
-    if fitting and not 0.1 <= largest < 1000:
-        power = fitting[0]
-        label = f"{text} ({PREFIXED[unit][power]})"
-        axis.set_major_formatter(lambda value, _: f"{value / 10.**power:.4g}")
+    factor, unit = readable((units or {}).get(name), np.array([largest]))
+    if factor != 1 and not 0.1 <= largest < 1000:
+        label = f"{text} ({unit})"
+        axis.set_major_formatter(lambda value, _: f"{value / factor:.4g}")
     axis.set_label_text(label)
 
 

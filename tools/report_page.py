@@ -7,6 +7,8 @@ from html import escape
 
 import numpy as np
 
+from plot_common import readable
+
 # Nothing may be loaded: not even by what a scene or a log smuggles in.
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 
@@ -58,11 +60,6 @@ document.querySelectorAll("th").forEach(head => head.addEventListener("click", (
 }));
 """
 
-# (factor, name) of what reads better, by what the scene states.
-PREFIXES = {"m": ((1, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm")),
-            "Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"), (1, "Pa"))}
-
-
 class Column:
     """One column of a table: a heading, and for each row what is shown and by what it is sorted."""
 
@@ -86,16 +83,6 @@ class Column:
         if self.is_text and " " not in text:  # words of status and validity break between them
             text = " ".join(f"<span>{word}</span>" for word in text.split("+"))
         return f'<td{kind} data-value="{escape(self.keys[row])}">{text}</td>'
-
-
-def readable(unit, values):
-    """The unit of PREFIXES in which most values lie between 1 and 1000, and what one of it is."""
-    sizes = np.abs(values[np.isfinite(values) & (values != 0)])
-    if unit not in PREFIXES or not sizes.size:
-        return 1, unit
-    middle = np.median(sizes)
-    fitting = [prefix for prefix in PREFIXES[unit] if middle >= 0.9999 * prefix[0]]
-    return max(fitting) if fitting else min(PREFIXES[unit])
 
 
 def quantity(value, unit, digits=4):

@@ -125,9 +125,10 @@ namespace strait
       }
     // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
     // saddle at 0.229: start a little to the side that the scene names.
-    const SearchStart start((unloads ? .28 : .2) * contact.pressure_scale(rms_slope));
-    return contact.yields() ? SearchStart{start.value, start.step, contact.hardness}
-                            : start;
+    SearchStart start((unloads ? .28 : .2) * contact.pressure_scale(rms_slope));
+    if (contact.yields())
+      start.end = contact.hardness;
+    return start;
   }
 
   /** Whether loads that are counted from a critical one begin where its search ended. */

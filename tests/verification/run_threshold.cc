@@ -123,11 +123,12 @@ namespace strait
       return lines;
     }
 
-    TEST(Ensemble, EachRealisationIsThatSurfaceAlone)
+    /** A scene of small surfaces whose critical loads are sought. */
+    void
+    write_ensemble(const std::string &scene_file,
+                   const std::string &reduced_loads,
+                   const std::string &realisations)
     {
-      const test::TemporaryFolder temporary;
-      const std::string           folder     = temporary.path();
-      const std::string           scene_file = folder + "/scene.prm";
       std::ofstream(scene_file) << "subsection Surface\n"
                                    "  set Short cut-off wavelength = 0.125\n"
                                    "end\n"
@@ -137,15 +138,27 @@ namespace strait
                                    "subsection Load programme\n"
                                    "  set Pressures =\n"
                                    "  set Find threshold = true\n"
-                                   "  set Reduced loads = 0.5, 0.3\n"
+                                   "  set Reduced loads = "
+                                << reduced_loads
+                                << "\n"
                                    "end\n"
                                    "subsection Realisations\n"
-                                   "  set Seeds = 3, 4\n"
-                                   "  set Orientations = as is, inverted\n"
-                                   "end\n"
+                                << realisations
+                                << "end\n"
                                    "subsection Output\n"
                                    "  set Pictures = false\n"
                                    "end\n";
+    }
+
+    TEST(Ensemble, EachRealisationIsThatSurfaceAlone)
+    {
+      const test::TemporaryFolder temporary;
+      const std::string           folder     = temporary.path();
+      const std::string           scene_file = folder + "/scene.prm";
+      write_ensemble(scene_file,
+                     "0.5, 0.3",
+                     "  set Seeds = 3, 4\n"
+                     "  set Orientations = as is, inverted\n");
       const Overrides overrides = {"Output/Directory=" + folder + "/all"};
       Log             log(MPI_COMM_WORLD, true);
       EXPECT_TRUE(run_all_realisations(
@@ -195,23 +208,7 @@ namespace strait
       const test::TemporaryFolder temporary;
       const std::string           folder     = temporary.path();
       const std::string           scene_file = folder + "/scene.prm";
-      std::ofstream(scene_file) << "subsection Surface\n"
-                                   "  set Short cut-off wavelength = 0.125\n"
-                                   "end\n"
-                                   "subsection Contact\n"
-                                   "  set Grid points = 64\n"
-                                   "end\n"
-                                   "subsection Load programme\n"
-                                   "  set Pressures =\n"
-                                   "  set Find threshold = true\n"
-                                   "  set Reduced loads = 0.5\n"
-                                   "end\n"
-                                   "subsection Realisations\n"
-                                   "  set Seeds = 3, 4, 5\n"
-                                   "end\n"
-                                   "subsection Output\n"
-                                   "  set Pictures = false\n"
-                                   "end\n";
+      write_ensemble(scene_file, "0.5", "  set Seeds = 3, 4, 5\n");
       MPI_Barrier(MPI_COMM_WORLD);
       const auto run = [&](const std::string &name, const Overrides &own, bool resume) {
         Overrides overrides = own;
