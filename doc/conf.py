@@ -28,7 +28,9 @@ suppress_warnings = ["myst.header"]
 
 html_theme = "furo"
 html_title = f"strait {release}".strip()
-html_static_path = ["static"]
+# Formulas need a font made for them, which phones lack; it comes with fonts-dejavu-extra.
+html_static_path = ["static"] + [str(font) for font in pathlib.Path("/usr/share/fonts").glob(
+    "truetype/dejavu/DejaVuMathTeXGyre.ttf")]
 html_css_files = ["manual.css"]
 html_math_renderer = "mathml"
 html_copy_source = html_show_sourcelink = html_show_copyright = False
