@@ -7,7 +7,9 @@
 - Each scene and each script that is named or linked has a page of its own.
 - Formulas are MathML, which browsers render by themselves.
 """
+import functools
 import pathlib
+import posixpath
 import re
 
 from docutils import nodes
@@ -30,14 +32,12 @@ def add_navigation(app, name, source):
         return
 
     def with_contents(match):
-        entries = [f"{title} <{(pathlib.Path('doc') / page).as_posix()}>" if page[:3] != "../"
-                   else f"{title} <{page[3:]}>"
-                   for title, page in re.findall(r"^- \[([^\]]+)\]\(([\w./]+)\.(?:md|rst)\)",
-                                                 match[2], re.MULTILINE)]
-        contents = "\n".join("/" + entry if "<" not in entry else entry.replace("<", "</")
-                             for entry in entries)
+        # Pages as Sphinx names them, from the top of the project.
+        pages = re.findall(r"^- \[([^\]]+)\]\(([\w./]+)\.(?:md|rst)\)", match[2], re.MULTILINE)
+        entries = "\n".join(f"{title} </{posixpath.normpath('doc/' + page)}>"
+                            for title, page in pages)
         return (f"## {match[1]}\n{match[2]}\n```{{toctree}}\n:hidden:\n:caption: {match[1]}\n\n"
-                f"{contents}\n```\n\n")
+                f"{entries}\n```\n\n")
 
     source[0] = re.sub(r"^## (.+)\n((?:(?!## ).*\n)*)", with_contents, source[0],
                        flags=re.MULTILINE)
@@ -70,11 +70,11 @@ def parameter_named(app, text):
     return objects.get(("parameter", text.split(" = ")[0].strip()))
 
 
-def page_named(app, text):
-    """The page of a scene or a script that is named from the top of the project, or None."""
-    path = pathlib.PurePosixPath(text)
-    is_page = any(path.match(pattern.replace("**/", "")) for pattern in PAGES)
-    return text if is_page and (pathlib.Path(app.srcdir) / text).is_file() else None
+@functools.lru_cache(None)
+def files_with_pages(project):
+    """The language of each file that has a page, by its name from the top of the project."""
+    return {path.relative_to(project).as_posix(): language for pattern, language in PAGES.items()
+            for path in sorted(pathlib.Path(project).glob(pattern))}
 
 
 def add_links(app, document, page):
@@ -86,19 +86,19 @@ def add_links(app, document, page):
     for literal in list(document.findall(nodes.literal)):
         if isinstance(literal.parent, (nodes.reference, nodes.title)):
             continue
-        named, file = parameter_named(app, literal.astext()), page_named(app, literal.astext())
+        named = parameter_named(app, literal.astext())
         if named and named[0] != page:
             reference = link(named[0], "#" + named[1])
-        elif file:
-            reference = link(file)
+        elif literal.astext() in files_with_pages(app.srcdir):
+            reference = link(literal.astext())
         else:
             continue
         literal.replace_self(reference)
         reference += literal
     for download in list(document.findall(addnodes.download_reference)):
         path = (pathlib.Path(app.srcdir) / page).parent / download["reftarget"]
-        file = page_named(app, path.resolve().relative_to(app.srcdir).as_posix())
-        if file:
+        file = path.resolve().relative_to(app.srcdir).as_posix()
+        if file in files_with_pages(app.srcdir):
             reference = link(file)
             reference += download.children
             download.replace_self(reference)
@@ -106,12 +106,10 @@ def add_links(app, document, page):
 
 def source_pages(app):
     """A page of each scene and script."""
-    for pattern, language in PAGES.items():
-        for path in sorted(pathlib.Path(app.srcdir).glob(pattern)):
-            name = path.relative_to(app.srcdir).as_posix()
-            code = highlight(path.read_text("utf-8"), get_lexer_by_name(language),
-                             HtmlFormatter())
-            yield name, {"title": name, "body": f"<h1>{name}</h1>\n{code}"}, "page.html"
+    for name, language in files_with_pages(app.srcdir).items():
+        code = highlight((pathlib.Path(app.srcdir) / name).read_text("utf-8"),
+                         get_lexer_by_name(language), HtmlFormatter())
+        yield name, {"title": name, "body": f"<h1>{name}</h1>\n{code}"}, "page.html"
 
 
 def visit_math(translator, node):
