@@ -57,7 +57,7 @@ def name_rows(app, document):
             continue
         title = section.next_node(nodes.title).astext().replace(" / ", "/")
         for row in next(table.findall(nodes.tbody)).findall(nodes.row):
-            name = row[0].astext()
+            name = row[0].astext().replace("’", "'")  # as before typesetting
             full = f"{title}/{name}" if kind == "parameter" else f"{name} ({title})"
             anchor = nodes.make_id(f"{title}-{name}")
             row[0]["ids"].append(anchor)

@@ -93,6 +93,24 @@ def check_references(pages, html):
     return problems
 
 
+def rows_below(heading, text):
+    """(section, first cell) of each row of the tables whose first column has this heading."""
+    rows, section, inside = [], "", False
+    for line in text.splitlines():
+        cell = line.split("|")[1].strip(" `") if line.startswith("|") else ""
+        if line.startswith("#"):
+            section = line.strip("# ")
+        inside = bool(cell) and (inside or cell == heading)
+        if inside and cell != heading and cell.strip("-:"):
+            rows.append((section, cell))
+    return rows
+
+
+def anchor_of(name):
+    """Small letters and digits, joined by hyphens, as docutils makes identifiers."""
+    return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
+
+
 def check_contents(project, pages, html):
     """Tables, formulas and anchors of parameters are as many as in the sources."""
     problems = []
@@ -102,14 +120,12 @@ def check_contents(project, pages, html):
         n_tables = len(re.findall(r"^ *\|[ :|-]*-[ :|-]*\|$", text, re.MULTILINE))
         if page.n_tables != n_tables:
             problems.append(f"{source.name}: {page.n_tables} of its {n_tables} tables are there")
-    parameters = (project / "doc" / "parameters.md").read_text("utf-8")
-    n_parameters = len(re.findall(r"^\| [A-Z]", parameters, re.MULTILINE)) - \
-        parameters.count("| Parameter |")
-    anchors = sum(anchor.startswith(("surface-", "contact-", "fluid-", "output-", "units-",
-                                     "load-programme-", "realisations-", "seal-", "theory-"))
-                  for anchor in pages[html / "doc" / "parameters.html"].anchors)
-    if not 0 < n_parameters <= anchors:
-        problems.append(f"parameters.md: {anchors} anchors of {n_parameters} parameters")
+    for page, heading in (("parameters", "Parameter"), ("results", "column")):
+        names = rows_below(heading, (project / "doc" / f"{page}.md").read_text("utf-8"))
+        anchors = pages[html / "doc" / f"{page}.html"].anchors
+        problems += [f"{page}.md: {section}/{name} has no anchor" for section, name in names
+                     if anchor_of(f"{section}-{name}") not in anchors] \
+            or ([] if names else [f"{page}.md: no table begins with '{heading}'"])
     if sum(page.n_formulas for page in pages.values()) == 0:
         problems.append("no page has a formula")
     return problems
