@@ -460,6 +460,16 @@ class Ensemble(PlotTest):
         self.assertEqual(list(plot_ensemble.samples(table, "critical_load")), [0.25])
         self.assertEqual(list(plot_ensemble.samples(table, "crossover")), [0.8])
 
+    def test_quantities_in_units_that_read_well(self):
+        table = {"critical_load_lower": np.array([2e5, 2.2e5]),
+                 "critical_load_upper": np.array([2e5, 2.2e5])}
+        table.update(contact_area=np.ones(2), crossover_load=np.ones(2))
+        quantity = ("critical_load", "Critical load", "pressure")
+        for units, label, first in (({"pressure": "Pa"}, "Critical load (kPa)", 200),
+                                    ({}, "Critical load (scene units)", 2e5)):
+            values, text = plot_ensemble.strip_of(table, *quantity, units)
+            self.assertEqual((text, values[0]), (label, first))
+
     def test_a_whole_seal(self):
         header = ("pressure,leak_rate_median,leak_rate_5_percent,leak_rate_95_percent,unit,"
                   "sealed\n")
