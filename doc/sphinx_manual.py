@@ -55,6 +55,7 @@ def name_rows(app, document):
         heading = next(table.findall(nodes.entry)).astext().lower()
         if not isinstance(section, nodes.section) or heading != kind:
             continue
+        table["classes"].append("names")
         title = section.next_node(nodes.title).astext().replace(" / ", "/")
         for row in next(table.findall(nodes.tbody)).findall(nodes.row):
             name = row[0].astext().replace("’", "'")  # as before typesetting
