@@ -23,8 +23,6 @@ include_patterns = ["README.md", "doc/*.md", "doc/*.rst"]
 exclude_patterns = ["build*", "output*", ".git", "source", "include", "tests", "examples"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4  # the anchors that GitHub gives headings
-# README.md is a page of its own elsewhere, whose title there is the program's name.
-suppress_warnings = ["myst.header"]
 
 html_theme = "furo"
 html_title = f"strait {release}".strip()
