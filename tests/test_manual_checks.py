@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of check_links.py, check_manual.py and check_doxygen.py: do they find mistakes?"""
+"""Tests of check_links.py, check_pages.py, check_manual.py and check_doxygen.py: do they find
+mistakes?"""
 import sys
 import tempfile
 import unittest
@@ -10,6 +11,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import check_doxygen  # noqa: E402
 import check_links  # noqa: E402
 import check_manual  # noqa: E402
+import check_pages  # noqa: E402
 
 
 class Pages(unittest.TestCase):
@@ -52,6 +54,35 @@ class Links(Pages):
     def test_unused_picture(self):
         self.write("doc/images/x.png", "")
         self.expect_one("x.png: no page shows this picture")
+
+
+class Rendered(Pages):
+    """Pages as Sphinx leaves them."""
+
+    def problems(self, body):
+        self.write("doc/b.html", '<a href="#here" id="here">b</a>')
+        self.write("doc/a.html", body)
+        html = self.project.resolve() / "doc"
+        pages = {path: check_pages.Page(path) for path in html.glob("*.html")}
+        return check_pages.check_references(pages, html)
+
+    def test_good_pages(self):
+        self.assertEqual(self.problems('<a href="b.html#here">b</a> <code>**no**</code>'
+                                       '<a href="https://example.org">web</a>'), [])
+
+    def test_mistakes(self):
+        for body, complaint in (('<a href="c.html">c</a>', "'c.html' does not exist"),
+                                ('<a href="b.html#there">b</a>', "has no such anchor"),
+                                ('<img src="https://example.org/x.png">', "from elsewhere"),
+                                ('<script src="/x.js"></script>', "from elsewhere"),
+                                ("<p>**not bold**</p>", "was not rendered"),
+                                ("<p>| a | b |\n|---|---|</p>", "was not rendered"),
+                                ("<p>$$ x $$</p>", "was not rendered")):
+            self.assertIn(complaint, "\n".join(self.problems(body)), body)
+
+    def test_style_that_loads_a_font(self):
+        self.write("doc/a.css", "@import url(https://example.org/a.css);")
+        self.assertIn("a.css loads something", "\n".join(self.problems("")))
 
 
 class Commands(Pages):

@@ -3,6 +3,7 @@
 """Make prm/data/ground_surface.txt, the map of prm/measured_surface.prm.
 
     tools/make_example_map.py > prm/data/ground_surface.txt
+    tools/make_example_map.py 512 > large.txt     # with so many points a side
 
 Not a measurement: a periodic, self-affine surface (H = 0.8, wavelengths from 8
 to 64 grid spacings, rms slope 0.1) as a matrix below a header of units, heights in
@@ -21,11 +22,11 @@ RMS_SLOPE = 0.1
 LONGEST, SHORTEST = 64, 8  # wavelengths in grid spacings
 
 
-def heights():
+def heights(points):
     """Heights in metres: a sum of waves with random phases."""
     phases = random.Random(1)
-    spectrum = numpy.zeros((POINTS, POINTS), dtype=complex)
-    smallest, largest = POINTS / LONGEST, POINTS / SHORTEST
+    spectrum = numpy.zeros((points, points), dtype=complex)
+    smallest, largest = points / LONGEST, points / SHORTEST
     for ky in range(0, int(largest) + 1):
         for kx in range(-int(largest), int(largest) + 1):
             k = numpy.hypot(kx, ky)
@@ -33,7 +34,7 @@ def heights():
             if 1. <= k <= largest and (ky > 0 or kx > 0):
                 amplitude = max(k, smallest) ** -(1. + HURST)
                 spectrum[ky, kx] = amplitude * numpy.exp(1j * phase)
-    wave = 2. * numpy.pi * numpy.fft.fftfreq(POINTS, SPACING)
+    wave = 2. * numpy.pi * numpy.fft.fftfreq(points, SPACING)
     slopes = [numpy.fft.ifft2(1j * q * spectrum).real
               for q in (wave[numpy.newaxis, :], wave[:, numpy.newaxis])]
     rms_slope = numpy.sqrt(sum(numpy.mean(slope ** 2) for slope in slopes))
@@ -41,9 +42,10 @@ def heights():
 
 
 def main():
-    values = numpy.rint(heights() / NANOMETRE).astype(int)
-    print(f"# Width: {POINTS * SPACING:g} m")
-    print(f"# Height: {POINTS * SPACING:g} m")
+    points = int(sys.argv[1]) if sys.argv[1:] else POINTS
+    values = numpy.rint(heights(points) / NANOMETRE).astype(int)
+    print(f"# Width: {points * SPACING:g} m")
+    print(f"# Height: {points * SPACING:g} m")
     print("# Value units: nm")
     numpy.savetxt(sys.stdout, values - values.min(), fmt="%d")
 

@@ -15,6 +15,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from plot_common import BLUE, COLOURS, UNCERTAIN, VERMILLION, use_style
+from plot_leakage import error_bars
 from strait_results import read_table
 
 
@@ -36,6 +37,8 @@ def draw_leakage(runs):
         for axes, name in ((left, "pressure"), (right, "reduced_load")):
             rows = order[table[name][order] > 0]
             axes.plot(table[name][rows], table["leak_rate"][rows], label=label, **style)
+            axes.errorbar(table[name][rows], table["leak_rate"][rows],
+                          yerr=error_bars(table, rows), fmt="none", ecolor=style["color"])
             axes.plot(table[name][hollow], table["leak_rate"][hollow],
                       **{**style, "linestyle": "none", "markerfacecolor": "white"})
     left.set(yscale="log", xlabel="Nominal pressure", ylabel="Leak rate")

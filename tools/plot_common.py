@@ -5,6 +5,8 @@ import json
 import matplotlib
 import numpy as np
 
+from strait_results import Run
+
 STYLE = {"font.size": 10, "xtick.labelsize": 9, "ytick.labelsize": 9, "legend.fontsize": 9,
          "legend.frameon": False, "lines.linewidth": 1.4, "lines.markersize": 5, "savefig.dpi": 150,
          "axes.formatter.use_mathtext": True, "axes.formatter.limits": (-3, 4)}
@@ -60,6 +62,26 @@ def label_axis(axis, text, name, units, largest):
         label = f"{text} ({unit})"
         axis.set_major_formatter(lambda value, _: f"{value / factor:.4g}")
     axis.set_label_text(label)
+
+
+def with_best_unit(value, unit):
+    """A number in the unit that reads best; without one, as it is."""
+    factor, unit = readable(unit, np.array([value])) if unit else (1, "")
+    return f"{scientific(value / factor)} {unit}".rstrip()
+
+
+def wanted_leak_rate(folder, units):
+    """The first unit of Output/Leak rate units: what the scene's leak rate is to be multiplied
+    with, and all units with that in place of the scene's; 1, and these, if none is asked for."""
+    try:
+        run = Run(folder)
+        column = next(name for name in run.table if name.startswith("leak_rate_") and name not in
+                      ("leak_rate_lower", "leak_rate_upper", "leak_rate_error"))
+        leaks = np.flatnonzero(np.isfinite(run.table["leak_rate"]) & (run.table["leak_rate"] != 0))
+        factor = run.table[column][leaks[0]] / run.table["leak_rate"][leaks[0]]
+        return factor, {**units, "leak_rate": run.record["column_units"][column]}
+    except (OSError, ValueError, KeyError, IndexError, AttributeError, StopIteration):
+        return 1, units
 
 
 def scientific(value):

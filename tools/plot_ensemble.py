@@ -9,7 +9,8 @@ import sys
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, with_unit)
+from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, readable,
+                         with_unit)
 from strait_results import read_table
 
 LARGEST_SUPERPOSED = 0.3
@@ -92,6 +93,15 @@ def samples(table, name):
     return values[np.isfinite(values)]
 
 
+def strip_of(table, name, label, unit, units):
+    """The values of a quantity in a unit that reads well, and what they are."""
+    values = samples(table, name)
+    if not (unit and units):
+        return values, with_unit(label, unit, units) if unit else label
+    factor, readable_unit = readable(units.get(unit), values)
+    return values / factor, with_unit(label, unit, {**units, unit: readable_unit})
+
+
 def draw_strip(axes, values, label):
     """The values as dots over a band, mean and standard deviation."""
     axes.plot(np.linspace(-0.3, 0.3, len(values)), values, "o", color=BLUE, fillstyle="none")
@@ -106,8 +116,7 @@ def draw_ensemble(path, units):
     """ensemble.png from ensemble.csv and the folders of the realisations beside it."""
     table = read_table(path)
     curves = read_curves(path.parent)
-    strips = [(samples(table, name), with_unit(label, unit, units) if unit else label)
-              for name, label, unit in QUANTITIES] if table else []
+    strips = [strip_of(table, *quantity, units) for quantity in QUANTITIES] if table else []
     strips = [strip for strip in strips if len(strip[0])]
     if not (curves or strips):
         if path.with_name("seal.csv").exists():

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from plot_common import (COLOURS, GREEN, VERMILLION, is_trusted, is_uncertain, label_axis,
-                         scientific, with_unit)
+                         scientific, wanted_leak_rate, with_unit)
 from plot_theory import draw_theory
 from strait_results import read_table
 
@@ -193,6 +193,10 @@ def draw_leakage(path, units):
     table = read_table(path)
     if table and "pressure" not in table:
         return None  # a given gap: one row, nothing to draw it against
+    factor, units = wanted_leak_rate(path.parent, units)
+    for name in ("leak_rate", "leak_rate_lower", "leak_rate_upper", "theory_leak_rate"):
+        if name in table:
+            table[name] = factor * table[name]
     reduced = table.get("reduced_load", np.zeros(1))
     panels = [draw_leak_rate] if "leak_rate" in table else \
         [draw_theory_alone] if "theory_leak_rate" in table else []

@@ -7,7 +7,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize
 from matplotlib.figure import Figure
 
-from plot_common import label_axis, scientific, with_unit
+from plot_common import label_axis, scientific, wanted_leak_rate, with_best_unit
 
 CONTACT, POCKET, PATH = (0, 0, 0), (62, 76, 97), (150, 190, 205)  # open = 0, 1, 2
 OUTSIDE = (236, 236, 236)  # open = 3: no part of the mesh
@@ -123,13 +123,14 @@ def show_box(axes, image, about, units, outline=None):
             axes.add_collection(collections.LineCollection(pieces, clip_on=False, **style))
 
 
-def add_colour_bars(axes, inches, bars):
-    """Colour bars, (scale, label) each, side by side below a panel."""
+def add_colour_bars(axes, inches, bars, units):
+    """Colour bars, (scale, label, quantity) each, side by side below a panel."""
     width, height = inches
     share = max(width, NARROWEST) / width
-    for start, (scale, label) in zip((0.5 - share / 2, 0.5 + 0.15 / width), bars):
+    for start, (scale, label, quantity) in zip((0.5 - share / 2, 0.5 + 0.15 / width), bars):
         place = axes.inset_axes((start, -0.78 / height, share / 2 - 0.15 / width, 0.13 / height))
-        axes.figure.colorbar(scale, cax=place, orientation="horizontal").set_label(label)
+        axes.figure.colorbar(scale, cax=place, orientation="horizontal")
+        label_axis(place.xaxis, label, quantity, units, scale.norm.vmax)
 
 
 def add_legend(axes, inches, about):
@@ -161,11 +162,10 @@ def mark_flow(axes, about):
 
 def headline(about, units):
     """What is known of load, contact area, leak rate and the model's limits, in one line."""
-    words = {"nominal pressure": (scientific(about["nominal_pressure"]), units.get("pressure", "")),
-             "contact area": (f"{100 * about['contact_area']:.1f}", "%"),
-             "leak rate": (scientific(about["leak_rate"]), units.get("leak_rate", ""))}
-    parts = [f"{name} {value} {unit}".rstrip()
-             for name, (value, unit) in words.items() if value != "nan"]
+    words = {"nominal pressure": with_best_unit(about["nominal_pressure"], units.get("pressure")),
+             "contact area": f"{100 * about['contact_area']:.1f} %",
+             "leak rate": with_best_unit(about["leak_rate"], units.get("leak_rate"))}
+    parts = [f"{name} {value}" for name, value in words.items() if not value.startswith("nan")]
     if about.get("validity", "ok") != "ok":
         parts.append(f"validity: {about['validity']}")
     return "   ·   ".join(parts)
@@ -192,18 +192,21 @@ def draw_picture(path, units):
     """picture-STEP.png from picture-STEP.h5: the contact, and the flow (or load) in it."""
     fields, about = read_picture(path)
     scales = colour_scales(fields, about)
-    labels = {"pressure": with_unit("Contact pressure", "pressure", units),
-              "fluid_pressure": with_unit("Fluid pressure", "pressure", units),
-              "current": with_unit("Current density", "current", units)}
+    factor, units = wanted_leak_rate(path.parent, units)
+    about["leak_rate"] *= factor
+    labels = {"pressure": ("Contact pressure", "pressure"),
+              "fluid_pressure": ("Fluid pressure", "pressure"),
+              "current": ("Current density", "current")}
     figure, (left, right), inches = add_panels(about["lx"], about["ly"])
     outline = fields.get("outline")
     show_box(left, paint_gap(fields, scales), about, units, outline)
-    add_colour_bars(left, inches, [(scales["gap"], with_unit("Gap", "length", units))])
+    add_colour_bars(left, inches, [(scales["gap"], "Gap", "length")], units)
     add_legend(left, inches, about)
     add_window(left, fields, about)
     dry = np.isnan(about["percolates"])
     show_box(right, (paint_load if dry else paint_flow)(fields, scales), about, units, outline)
-    add_colour_bars(right, inches, [(scales[key], labels[key]) for key in labels if key in scales])
+    add_colour_bars(right, inches,
+                    [(scales[key], *labels[key]) for key in labels if key in scales], units)
     if not dry:
         mark_flow(right, about)
     title = about["title"].replace("$", r"\$")

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import BLUE, VERMILLION, with_unit
+from plot_common import BLUE, VERMILLION, label_axis
 from strait_results import read_table
 
 
@@ -54,8 +54,9 @@ def draw_seal(path, units):
     if wanted.exists():
         draw_wanted(axes, wanted)
     unit = str(np.ravel(table["unit"])[0])
-    axes.set(xlabel=with_unit("Nominal pressure, mean over the width", "pressure", units),
-             ylabel="Leak rate of the whole seal (" +
+    label_axis(axes.xaxis, "Nominal pressure, mean over the width", "pressure", units,
+               table["pressure"].max(initial=0))
+    axes.set(ylabel="Leak rate of the whole seal (" +
                     ("scene units" if unit in ("", "nan") else unit) + ")")
     axes.grid(color="0.9", linewidth=0.6)
     axes.legend()

@@ -23,6 +23,9 @@ import sys
 import numpy as np
 
 
+WIDTH = 80  # columns of a terminal
+
+
 def _number(text):
     try:
         return float(text)
@@ -43,8 +46,8 @@ class Table(dict):
     >>> table = Table({"seed": np.array([1, 1, 2]), "leak_rate": np.array([3., 2., 5.])},
     ...               {"leak_rate": "m³/s"})
     >>> print(table)
-    seed                             1 1 2
-    leak_rate (m³/s)                 3 2 5
+    seed             1 1 2
+    leak_rate (m³/s) 3 2 5
     >>> for seed, rows in table.groups("seed"):
     ...     print(seed, rows["leak_rate"])
     1 [3. 2.]
@@ -77,14 +80,23 @@ class Table(dict):
         return frame
 
     def __str__(self):
-        lines = []
-        for name, values in self.items():
-            unit = self.units.get(name, "")
-            title = name + (f" ({unit})" if unit not in ("", "1") else "")
-            cells = [f"{value:.6g}" if isinstance(value, float) else str(value)
-                     for value in values.tolist()]
-            lines.append(f"{title:32} {' '.join(cells)}")
-        return "\n".join(lines)
+        titles = [name + (f" ({self.units[name]})" if self.units.get(name, "1") not in ("", "1")
+                          else "") for name in self]
+        # One a row of the table, below its name; as many beside each other as a terminal holds.
+        cells = [[f"{value:.6g}" if isinstance(value, float) else str(value)
+                  for value in values] for values in zip(*(v.tolist() for v in self.values()))]
+        widths = [max(map(len, row)) for row in cells]
+        left, blocks, begin = max(map(len, titles), default=0), [], 0
+        while begin < len(cells) or not blocks:
+            end = begin + 1
+            while end < len(cells) and left + sum(widths[begin:end + 1]) + end + 1 - begin <= WIDTH:
+                end += 1
+            blocks.append("\n".join(
+                f"{title:{left}} " + " ".join(f"{row[k]:>{width}}" for row, width in
+                                              zip(cells[begin:end], widths[begin:end]))
+                for k, title in enumerate(titles)))
+            begin = end
+        return "\n\n".join(blocks)
 
     def __reduce__(self):
         return Table, (dict(self), self.units)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <sstream>
 
 namespace strait
 {
@@ -22,6 +23,53 @@ namespace strait
       if (quiet)
         return Log::Screen::silent;
       return isatty(STDOUT_FILENO) != 0 ? Log::Screen::terminal : Log::Screen::plain;
+    }
+
+    constexpr int columns = 80; // of a terminal, as they have been since punched cards
+
+    /** Where the first @p n characters of @p text end; continuation bytes of UTF-8 do not
+     *  count. */
+    std::size_t
+    end_of(const std::string &text, const int n)
+    {
+      int n_begun = 0;
+      for (std::size_t k = 0; k < text.size(); ++k)
+        if ((static_cast<unsigned char>(text[k]) & 0xC0) != 0x80 && ++n_begun > n)
+          return k;
+      return text.size();
+    }
+
+    /** A line in pieces that a terminal holds, those that go on indented; words are kept.
+     */
+    std::string
+    folded(std::string line)
+    {
+      const std::size_t indent =
+        std::min<std::size_t>(line.find_first_not_of(' '), 20) + 4;
+      std::string result;
+      while (end_of(line, columns) < line.size())
+        {
+          const std::size_t first = line.find_first_not_of(' ');
+          std::size_t       blank = line.rfind(' ', end_of(line, columns));
+          if (blank == std::string::npos || blank < first)
+            blank = line.find(' ', first);
+          if (blank == std::string::npos)
+            break;
+          result += line.substr(0, blank) + "\n";
+          line = std::string(indent, ' ') + line.substr(blank + 1);
+        }
+      return result + line;
+    }
+
+    /** All lines of @p text, folded. */
+    std::string
+    for_terminal(const std::string &text)
+    {
+      std::istringstream lines(text);
+      std::string        result;
+      for (std::string line; std::getline(lines, line);)
+        result += (result.empty() ? "" : "\n") + folded(line);
+      return result;
     }
   } // namespace
 
@@ -53,7 +101,7 @@ namespace strait
       return;
     clear_progress();
     if (screen != Screen::silent)
-      stream << text << std::endl;
+      stream << (screen == Screen::terminal ? for_terminal(text) : text) << std::endl;
     if (file.is_open())
       file << text << std::endl;
     else
@@ -76,7 +124,9 @@ namespace strait
       return;
     if (screen == Screen::terminal)
       {
-        stream << "\r" << text << "\x1b[K" << std::flush;
+        // A line that is folded could not be overwritten.
+        stream << "\r" << text.substr(0, end_of(text, columns - 1)) << "\x1b[K"
+               << std::flush;
         progress_shown = true;
         return;
       }

@@ -168,6 +168,24 @@ namespace strait
                            "nominal pressures below it.");
     }
 
+    /** That the realisations of a measured map are windows of it. */
+    void
+    check_windows(const Scene &scene)
+    {
+      const MapParameters                   &map   = scene.surface.map;
+      const std::vector<unsigned long long> &seeds = scene.realisations.seeds;
+      if (scene.surface.kind != SurfaceKind::file)
+        return;
+      if (seeds.empty())
+        map.check_window(scene.surface.seed);
+      for (const unsigned long long seed : seeds)
+        map.check_window(seed);
+      if (seeds.size() > 1 && map.windows == std::array<int, 2>{{1, 1}})
+        throw InputError(
+          "Realisations/Seeds of a measured map are windows of it; set Surface/Windows, "
+          "or they would be copies.");
+    }
+
     /** What a whole seal is made of. */
     void
     check_whole_seal(const Scene &scene)
@@ -184,7 +202,8 @@ namespace strait
       if (!scene.realisations.enabled())
         throw InputError(
           "Seal/Enabled needs at least two patches to tell how they scatter; set "
-          "Realisations/Seeds, or Orientations for a measured map.");
+          "Realisations/Seeds, which of a measured map are its Surface/Windows, or "
+          "Orientations.");
     }
 
     /** What windows of finer points cannot be combined with, and why. */
@@ -251,6 +270,7 @@ namespace strait
     programme.check();
     realisations.check();
     seal.check();
+    check_windows(*this);
     check_whole_seal(*this);
     if (seal.two_in_a_row && !can_flow_in_a_row())
       throw InputError(

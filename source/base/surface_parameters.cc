@@ -66,6 +66,12 @@ namespace strait
       not_negative.at_most(1.),
       "Kind = file: missing points are filled by harmonic interpolation if they "
       "are not more than this share of all [1].");
+    section.add(
+      "Windows",
+      windows,
+      any_number.at_least(1).at_most(1000),
+      "Kind = file: cut the map into so many equal windows along x and y, and take the one "
+      "with the number Seed, counted along x from 1; one number: both [1].");
     section.add("Detrend",
                 detrend,
                 Names<Detrend>({{Detrend::none, "none"},
@@ -116,6 +122,18 @@ namespace strait
   }
 
   void
+  MapParameters::check_window(const unsigned long long seed) const
+  {
+    const auto n = static_cast<unsigned long long>(windows[0]) * windows[1];
+    if (n > 1 && (seed < 1 || seed > n))
+      throw InputError(
+        "The seed " + std::to_string(seed) +
+        " is none of the windows that Surface/Windows = " + std::to_string(windows[0]) +
+        ", " + std::to_string(windows[1]) +
+        " cuts the map into; they are numbered from 1 to " + std::to_string(n) + ".");
+  }
+
+  void
   SurfaceParameters::bind(ParameterSection section)
   {
     section.add("Kind",
@@ -141,7 +159,7 @@ namespace strait
       seed,
       not_negative,
       "Kind = self-affine: number of the realisation. The same seed gives the same "
-      "surface on every grid and number of ranks.");
+      "surface on every grid and number of ranks. Kind = file: number of the window.");
     section.add("Hurst exponent",
                 hurst_exponent,
                 positive.at_most(1.),

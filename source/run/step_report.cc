@@ -48,7 +48,9 @@ namespace strait
     if (!step.errors.items.empty())
       log.line(describe_errors(step.errors));
     if (step.number < n_steps)
-      log.progress(format("  about %.0f s remain",
+      log.progress(format("  step %d of %d, about %.0f s remain",
+                          step.number + 1,
+                          n_steps,
                           seconds_so_far / step.number * (n_steps - step.number)));
   }
 } // namespace strait

@@ -154,6 +154,7 @@ namespace strait
   {
     run_on_root(communicator, [&]() {
       map = read_height_map(file);
+      cut_window(map, scene, file);
       process_map(map, scene.map, file, of_map);
       if (map.size)
         check_size(scene, *map.size, file);

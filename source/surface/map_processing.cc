@@ -223,6 +223,36 @@ namespace strait
   }
 
   void
+  cut_window(HeightMap &map, const SurfaceParameters &parameters, const std::string &file)
+  {
+    const auto [n_x, n_y] = parameters.map.windows;
+    if (n_x == 1 && n_y == 1)
+      return;
+    parameters.map.check_window(parameters.seed);
+    const int nx = map.nx / n_x, ny = map.ny / n_y;
+    if (nx == 0 || ny == 0)
+      reject_height_map(file,
+                        "has fewer points than Surface/Windows asks for windows: give "
+                        "fewer of them.");
+    const auto          number  = static_cast<int>(parameters.seed - 1);
+    const int           first_x = number % n_x * nx, first_y = number / n_x * ny;
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(nx) * ny);
+    for (int iy = first_y; iy < first_y + ny; ++iy)
+      {
+        const auto begin =
+          map.values.begin() + static_cast<std::ptrdiff_t>(iy) * map.nx + first_x;
+        values.insert(values.end(), begin, begin + nx);
+      }
+    if (map.size)
+      map.size = {{(*map.size)[0] * nx / map.nx, (*map.size)[1] * ny / map.ny}};
+    map.values      = std::move(values);
+    map.nx          = nx;
+    map.ny          = ny;
+    map.is_periodic = false;
+  }
+
+  void
   process_map(HeightMap           &map,
               const MapParameters &parameters,
               const std::string   &file,

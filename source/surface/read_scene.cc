@@ -55,6 +55,7 @@ namespace strait
       Frame frame;
       run_on_root(MPI_COMM_WORLD, [&]() {
         HeightMap map = read_height_map(surface.map.file);
+        cut_window(map, surface, surface.map.file);
         convert_to_scene_units(map, surface.map, surface.map.file);
         // Nothing else that is done to a map changes its frame.
         const int n       = surface.map.make_periodic == MakePeriodic::mirror ? 2 : 1;

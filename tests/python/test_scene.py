@@ -5,6 +5,8 @@ import doctest
 import importlib
 import pathlib
 import pickle
+import subprocess
+import sys
 import tempfile
 import unittest
 import warnings
@@ -113,6 +115,46 @@ class Runs(unittest.TestCase):
                               "Fluid/Inlet pressure": 0.01}).run().table.to_pandas()
         self.assertEqual(frame.shape[0], 2)
         self.assertEqual(frame.attrs["units"]["leak_rate"], "m³/s")
+
+
+class Windows(unittest.TestCase):
+    """Realisations that are windows of one large map."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        text = subprocess.run([sys.executable, PROJECT / "tools" / "make_example_map.py"],
+                              stdout=subprocess.PIPE, text=True, check=True).stdout
+        self.map = 1e-9 * np.loadtxt(text.splitlines())
+        (self.folder / "map.txt").write_text(text, encoding="utf-8")
+        self.scene = strait.Scene.from_prm(
+            PROJECT / "prm" / "measured_surface.prm",
+            surface=dict(file=self.folder / "map.txt"), fluid=dict(target_accuracy=0.2),
+            load_programme=dict(pressures=5e4), output=dict(pictures=False))
+
+    def test_a_window_is_a_part_of_the_map(self):
+        scene = self.scene.replace(surface=dict(windows=(2, 3), seed=4))
+        self.assertEqual(scene.shape, (42, 64))
+        np.testing.assert_allclose(scene.size, (64e-6, 42e-6))
+        np.testing.assert_allclose(scene.heights(), self.map[42:84, 64:], atol=1e-20)
+
+    def test_a_seal_of_windows_is_one_of_their_own_files(self):
+        run = self.scene.replace(
+            surface=dict(windows=(2, 1), detrend="tilt"), realisations=dict(seeds=(1, 2)),
+            seal=dict(enabled=True, circumference=1e-2, contact_width=64e-6)
+            ).run(self.folder / "seal")
+        leak_rates = []
+        for k in (1, 2):
+            np.save(self.folder / f"{k}.npy", self.map[:, 64 * (k - 1):64 * k])
+            alone = self.scene.replace(surface=dict(file=self.folder / f"{k}.npy", detrend="tilt",
+                                                    size=(64e-6, 128e-6))
+                                       ).run(self.folder / str(k))
+            leak_rates.append(alone.table["leak_rate"][0])
+            patch = strait.read_table(run.folder / f"realisation-{k}" / "leakage.csv")
+            np.testing.assert_allclose(patch["leak_rate"], leak_rates[-1], rtol=1e-6)
+        self.assertNotAlmostEqual(leak_rates[0] / leak_rates[1], 1, 2)
+        # One after the other around the ring: that leaks their mean, times how many there are.
+        median = run.csv("seal.csv")["leak_rate_median"][0]
+        self.assertTrue(min(leak_rates) < median / (1e-2 / 128e-6) < max(leak_rates))
 
 
 class Sweeps(unittest.TestCase):

@@ -83,6 +83,28 @@ TEST(Log, ProgressOverwritesItselfOnATerminalOnly)
   EXPECT_EQ(pipe.str(), on_root() ? "done\n" : "");
 }
 
+TEST(Log, LinesFitATerminal)
+{
+  const std::string  sentence = "  step 3 of 7: leak rate 1.5e-9 ± 0.3 %, ";
+  std::ostringstream screen, pipe;
+  Log                log(MPI_COMM_WORLD, screen, Log::Screen::terminal);
+  Log                plain(MPI_COMM_WORLD, pipe, Log::Screen::plain);
+  const std::string  text =
+    sentence + sentence + sentence + "\nshort\n" + std::string(99, 'x');
+  log.line(text);
+  plain.line(text);
+  log.progress(std::string(99, '*'));
+  if (!on_root())
+    return;
+  EXPECT_EQ(pipe.str(), text + "\n");
+  EXPECT_EQ(
+    screen.str(),
+    "  step 3 of 7: leak rate 1.5e-9 ± 0.3 %,   step 3 of 7: leak rate 1.5e-9 ± 0.3\n"
+    "      %,   step 3 of 7: leak rate 1.5e-9 ± 0.3 %, \n"
+    "short\n" +
+      std::string(99, 'x') + "\n\r" + std::string(79, '*') + "\x1b[K");
+}
+
 TEST(Log, QuietScreen)
 {
   std::ostringstream screen;

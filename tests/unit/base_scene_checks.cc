@@ -44,6 +44,23 @@ TEST(Scene, MeshAndWhatGoesWithIt)
     expect_in("Fluid/Mesh", error_of("", {mesh, other}));
 }
 
+TEST(Scene, RealisationsOfAMapAreItsWindows)
+{
+  // What says its frame leaves the file unread.
+  const Overrides map = {"Surface/Kind=file",
+                         "Surface/File=/a/map.nc",
+                         "Surface/Size=1",
+                         "Contact/Grid points=64",
+                         "Units/Length=m"};
+  const Overrides two = map + Overrides{"Realisations/Seeds=1, 4"};
+  expect_in("set Surface/Windows", error_of("", two));
+  expect_in("numbered from 1 to 3",
+            error_of("", two + Overrides{"Surface/Windows=3, 1"}));
+  EXPECT_EQ(scene_of("", two + Overrides{"Surface/Windows=2"}).surface.map.windows[1], 2);
+  expect_in("numbered from 1 to 4",
+            error_of("", map + Overrides{"Surface/Windows=2", "Surface/Seed=0"}));
+}
+
 TEST(Scene, WholeSealAndWhatGoesWithIt)
 {
   const Overrides seal = {"Seal/Enabled=true",

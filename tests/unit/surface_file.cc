@@ -105,6 +105,27 @@ namespace
                     1e-12);
   }
 
+  TEST(FileSurface, WindowsOfTheMap)
+  {
+    // Three windows along x, two along y; a column and a row are left over.
+    const TemporaryFile file(
+      "# Width: 7\n# Height: 5\n"
+      "1 2 3 4 5 6 7\n11 12 13 14 15 16 17\n21 22 23 24 25 26 27\n"
+      "31 32 33 34 35 36 37\n41 42 43 44 45 46 47\n");
+    auto parameters        = surface_from(file, 2., 2.);
+    parameters.map.windows = {{3, 2}};
+    EXPECT_EQ(whole_surface(parameters, 2, 2), (std::vector<double>{1, 2, 11, 12}));
+    parameters.seed = 6;
+    EXPECT_EQ(whole_surface(parameters, 2, 2), (std::vector<double>{25, 26, 35, 36}));
+    parameters.seed = 2;
+    EXPECT_EQ(whole_surface(parameters, 2, 2), (std::vector<double>{3, 4, 13, 14}));
+    parameters.seed = 7;
+    EXPECT_TRUE(mentions(complaint(parameters, 2, 2), "numbered from 1 to 6"));
+    parameters.seed        = 1;
+    parameters.map.windows = {{8, 1}};
+    EXPECT_TRUE(mentions(complaint(parameters, 2, 2), "give fewer of them"));
+  }
+
   TEST(FileSurface, TwoRoughBodies)
   {
     const TemporaryFile first(matrix("1 2 3\n4 5 6\n")),

@@ -257,6 +257,28 @@ class Leakage(PlotTest):
         self.assertEqual(plot_common.with_unit("Current", "current", {"length": "m"}), "Current")
 
 
+    def test_leak_rate_in_the_unit_that_was_asked_for(self):
+        header = HEADER.replace("leak_rate_upper", "leak_rate_upper,leak_rate_ml_per_h")
+        rows = [ROWS[0].replace("1.1e-3", "1.1e-3,2e-3"), ROWS[1].replace("1.2e-6", "1.2e-6,2e-6")]
+        (self.folder / "run.json").write_text(
+            '{"units": {"leak_rate": "m³/s"}, "column_units": {"leak_rate_ml_per_h": "ml/h"}}')
+        self.assert_draws(header, *rows)
+        factor, units = plot_common.wanted_leak_rate(self.folder, {"leak_rate": "m³/s"})
+        self.assertAlmostEqual(factor, 2)
+        self.assertEqual(units, {"leak_rate": "ml/h"})
+        self.write_table(HEADER, *ROWS)
+        self.assertEqual(plot_common.wanted_leak_rate(self.folder, {"length": "m"}),
+                         (1, {"length": "m"}))
+
+    def test_colour_bars_read_well(self):
+        axes = Figure().subplots()
+        scale = plot_pictures.ScalarMappable(plot_pictures.Normalize(0, 2.5e-6))
+        plot_pictures.add_colour_bars(axes, (5, 5), [(scale, "Gap", "length")], {"length": "m"})
+        bar = axes.child_axes[0]
+        self.assertEqual(bar.get_xlabel(), "Gap (µm)")
+        self.assertEqual(bar.xaxis.get_major_formatter()(1e-6), "1")
+
+
 class Pictures(PlotTest):
     """picture-STEP.png."""
 
@@ -349,6 +371,9 @@ class Pictures(PlotTest):
                           r"leak rate $2\times10^{-9}$"])
         self.assertTrue(plot_pictures.headline({**about, "validity": "steep+plastic"}, {})
                         .endswith("   ·   validity: steep+plastic"))
+        about.update(nominal_pressure=2.5e5)
+        self.assertTrue(plot_pictures.headline(about, {"pressure": "Pa", "leak_rate": "ml/h"})
+                        .startswith("nominal pressure 250 kPa "))
         about.update(nominal_pressure=np.nan, leak_rate=np.nan)
         self.assertEqual(plot_pictures.headline(about, {}), "contact area 25.0 %")
 
@@ -434,6 +459,16 @@ class Ensemble(PlotTest):
         table = plot_leakage.read_table(self.folder / "ensemble.csv")
         self.assertEqual(list(plot_ensemble.samples(table, "critical_load")), [0.25])
         self.assertEqual(list(plot_ensemble.samples(table, "crossover")), [0.8])
+
+    def test_quantities_in_units_that_read_well(self):
+        table = {"critical_load_lower": np.array([2e5, 2.2e5]),
+                 "critical_load_upper": np.array([2e5, 2.2e5])}
+        table.update(contact_area=np.ones(2), crossover_load=np.ones(2))
+        quantity = ("critical_load", "Critical load", "pressure")
+        for units, label, first in (({"pressure": "Pa"}, "Critical load (kPa)", 200),
+                                    ({}, "Critical load (scene units)", 2e5)):
+            values, text = plot_ensemble.strip_of(table, *quantity, units)
+            self.assertEqual((text, values[0]), (label, first))
 
     def test_a_whole_seal(self):
         header = ("pressure,leak_rate_median,leak_rate_5_percent,leak_rate_95_percent,unit,"

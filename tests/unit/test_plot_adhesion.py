@@ -13,7 +13,7 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 plot_adhesion = importlib.import_module("plot_adhesion")
 
-HEADER = "step,branch,pressure,reduced_load,leak_rate,status\n"
+HEADER = "step,branch,pressure,reduced_load,leak_rate,leak_rate_lower,leak_rate_upper,status\n"
 
 
 class Comparison(unittest.TestCase):
@@ -27,8 +27,9 @@ class Comparison(unittest.TestCase):
             path = pathlib.Path(self.folder.name) / branch
             path.mkdir()
             (path / "leakage.csv").write_text(
-                HEADER + f"1,{branch},0.1,0.5,1e-3,ok\n2,{branch},0.19,0.05,1e-6,unresolved-throat\n"
-                f"3,{branch},0.3,-0.5,0,ok\n", encoding="utf-8")
+                HEADER + f"1,{branch},0.1,0.5,1e-3,9e-4,1.2e-3,ok\n"
+                f"2,{branch},0.19,0.05,1e-6,1e-6,1e-6,unresolved-throat\n"
+                f"3,{branch},0.3,-0.5,0,0,0,ok\n", encoding="utf-8")
             for step, contact in ((2, 1), (10, 3)):
                 with h5py.File(path / f"fields-{step}.h5", "w") as file:
                     gap = np.ones((4, 8))
@@ -48,6 +49,8 @@ class Comparison(unittest.TestCase):
         self.assertEqual([line.get_linestyle() for line in lines], ["-", "--"])
         self.assertEqual(lines[0].get_color(), lines[1].get_color())
         self.assertEqual(left.get_yscale(), "log")
+        bracket = left.collections[0].get_segments()[0]
+        np.testing.assert_allclose(bracket[:, 1], [9e-4, 1.2e-3])
 
     def test_contact(self):
         """The fields of the last step, not of the last name in the alphabet."""

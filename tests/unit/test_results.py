@@ -48,7 +48,16 @@ class ReadsARun(unittest.TestCase):
         script = [sys.executable, str(TOOLS / "strait_results.py")]
         shown = subprocess.run([*script, str(self.folder)], text=True, capture_output=True,
                                check=True)
-        self.assertRegex(shown.stdout, r"leak_rate +1\.5e-09 0")
+        self.assertRegex(shown.stdout, r"leak_rate +1\.5e-09 +0\n")
+        wide = "step,status\n" + "".join(f"{k},{'ok' if k % 9 else 'inaccurate'}\n"
+                                         for k in range(1, 60))
+        (self.folder / "leakage.csv").write_text(wide, encoding="utf-8")
+        lines = subprocess.run([*script, str(self.folder)], text=True, capture_output=True,
+                               check=True).stdout.splitlines()
+        self.assertLessEqual(max(map(len, lines)), 80)
+        self.assertGreater(max(map(len, lines)), 70)
+        self.assertEqual([int(cell) for line in lines if line.startswith("step")
+                          for cell in line.split()[1:]], list(range(1, 60)))
         missing = subprocess.run([*script, str(self.folder / "none")], text=True,
                                  capture_output=True, check=False)
         self.assertEqual(missing.returncode, 1)

@@ -32,23 +32,27 @@ namespace strait
    */
   struct MapParameters
   {
-    std::string  file;
-    std::string  second_file;
-    std::string  height_unit;  // settles or overrides what the file states
-    std::string  lateral_unit; // likewise
-    double       largest_missing_share = 0.;
-    Detrend      detrend               = Detrend::none;
-    MakePeriodic make_periodic         = MakePeriodic::no;
-    double       window_width          = 0.1; // share of each side
-    bool         resample              = false;
-    double       shortest_wavelength   = 0.; // 0: no filter
-    double       longest_wavelength    = 0.; // 0: no filter
+    std::string file;
+    std::string second_file;
+    std::string height_unit;  // settles or overrides what the file states
+    std::string lateral_unit; // likewise
+    double      largest_missing_share = 0.;
+    /** Into how many windows the map is cut, along x and y; the seed says which it is. */
+    std::array<int, 2> windows             = {{1, 1}};
+    Detrend            detrend             = Detrend::none;
+    MakePeriodic       make_periodic       = MakePeriodic::no;
+    double             window_width        = 0.1; // share of each side
+    bool               resample            = false;
+    double             shortest_wavelength = 0.; // 0: no filter
+    double             longest_wavelength  = 0.; // 0: no filter
 
     /** The scene's unit of length, from the section Units. */
     double length_in_metres = 1.;
 
     void bind(ParameterSection section);
     void check() const;
+    /** Throws InputError if there is no window with the number @p seed. */
+    void check_window(unsigned long long seed) const;
   };
 
   /** The height profiles that strait knows. */

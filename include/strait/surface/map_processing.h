@@ -52,7 +52,16 @@ namespace strait
                      const std::string   &file,
                      Remarks             &remarks);
 
-  /** All of that, in this order. */
+  /**
+   * Keep of @p map the window of @p parameters, with the points that it has in the file.
+   * Rows and columns that are left over where the windows do not divide the map belong to
+   * none. Throws InputError if there is no such window, or no point in it.
+   */
+  void cut_window(HeightMap               &map,
+                  const SurfaceParameters &parameters,
+                  const std::string       &file);
+
+  /** All but the last, in this order. */
   void process_map(HeightMap           &map,
                    const MapParameters &parameters,
                    const std::string   &file,
