@@ -2,59 +2,108 @@
 #include <strait/contact/optimisers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace strait
 {
+  namespace
+  {
+    double
+    squared(const double x)
+    {
+      return x * x;
+    }
+
+    /** unmarked(begin, end) or some(begin, end) for eight points of a range at a time. As
+     *  contact lies in patches, most of these are marked alike. */
+    template <class Unmarked, class Some>
+    void
+    by_eights(const std::uint8_t          *marks,
+              const ContactProblem::Block &range,
+              const Unmarked              &unmarked,
+              const Some                  &some)
+    {
+      std::size_t i = range.begin;
+      for (; i + 8 <= range.end; i += 8)
+        {
+          std::uint64_t eight;
+          std::memcpy(&eight, marks + i, 8);
+          if (eight == 0)
+            unmarked(i, i + 8);
+          else
+            some(i, i + 8);
+        }
+      some(i, range.end);
+    }
+
+    /** visit(i) for the marked points of a range. */
+    template <class Visit>
+    void
+    for_each_marked(const std::uint8_t          *marks,
+                    const ContactProblem::Block &range,
+                    const Visit                 &visit)
+    {
+      by_eights(
+        marks,
+        range,
+        [](std::size_t, std::size_t) {},
+        [=, &visit](const std::size_t begin, const std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i)
+            if (marks[i])
+              visit(i);
+        });
+    }
+  } // namespace
+
   ContactSolution
   DualConjugateGradients::solve(double *pressures, double *gaps)
   {
-    pressure      = pressures;
-    gap           = gaps;
-    lowest_energy = std::numeric_limits<double>::infinity();
-    std::fill(direction.begin(), direction.end(), 0.);
-    std::fill(response.begin(), response.end(), 0.);
+    pressure = pressures;
+    gap      = gaps;
+    std::fill(direction.begin(), direction.end(), 0.f);
+    std::fill(response.begin(), response.end(), 0.f);
     for (std::size_t i = 0, n = problem.size(); i < n; ++i)
       in_contact[i] = pressure[i] > 0;
 
     ContactSolution solution;
-    bool            truncation_due   = true;
-    int             since_truncation = 0;
+    int             steps_beyond = 0; // since the pressure was within its limits
+    find_gap();
     while (true)
       {
-        if (truncation_due || (any_beyond && (cautious || since_truncation >= 2)))
-          {
-            truncate();
-            since_truncation = 0;
-            truncation_due   = false;
-          }
         solution.residual = survey(); // C, y, and z = M y
         const bool small  = solution.residual <= tolerance.residual;
         const bool late   = solution.iterations >= tolerance.max_iterations;
         if (!any_beyond && (small || late || !std::isfinite(energy)))
           {
-            solution.converged = small && std::isfinite(energy);
-            break;
-          }
-        if (any_beyond && (solution.residual <= 0.3 * tolerance.residual || late))
-          {
-            truncation_due = true;
+            if (gap_is_exact)
+              {
+                solution.converged = small && std::isfinite(energy);
+                break;
+              }
+            find_gap();
             continue;
           }
 
-        const double slope     = choose_direction();
-        const double curvature = step(slope);
-        if (!(curvature > 0))
+        const double slope = choose_direction();
+        if (any_beyond && (late || cautious || steps_beyond >= 2 ||
+                           solution.residual <= 0.3 * tolerance.residual))
           {
-            if (!any_beyond) // nothing is left to improve: one point, say
-              break;
-            truncation_due = true;
-            continue;
+            // What raised the energy before shall not do so again.
+            step_within_limits(late || cautious ? 0. : last_length);
+            steps_beyond = 0;
           }
-        energy -= 0.5 * slope * slope / curvature;
+        else if (step(slope))
+          ++steps_beyond;
+        else if (any_beyond)
+          step_within_limits(0.);
+        else if (gap_is_exact) // nothing is left to improve: one point, say
+          break;
+        else
+          find_gap();
         watch_energy();
-        ++since_truncation;
         ++solution.iterations;
       }
 
@@ -68,42 +117,39 @@ namespace strait
   // contact. They work on local copies of members because, for all the compiler
   // knows, a write to a field might change a member.
 
-  /** p within its limits with the prescribed mean, g = G p + u0 − h. */
+  /** p within its limits with the prescribed mean, and g = G p + u0 − h, in all digits.
+   */
   void
-  DualConjugateGradients::truncate()
+  DualConjugateGradients::find_gap()
   {
-    double       *p = pressure, *g = gap;
-    const double *h = problem.heights(), limit = constraint.limit();
-    if (constraint.is_limited())
-      bring_within_limits(problem, constraint, in_contact, p);
-
-    const auto [mean, p_h] = weighted_sums<2>(problem, [=](const auto i, auto &sums) {
-      p[i] = p[i] > 0 ? p[i] : 0.;
+    double            *p = pressure, *g = gap;
+    const double      *h     = problem.heights();
+    const WithinLimits limit = within_limits(problem, constraint, in_contact, p);
+    const auto [mean, p_h]   = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
+      p[i] = limit(p[i], in_contact[i] != 0);
       sums[0] += p[i];
       sums[1] += p[i] * h[i];
     });
-    const double    factor = constraint.rescale(mean);
-    const double    u0     = constraint.displacement();
-    WeightedSums<2> contact_sums;
-    const double    p_Gp =
-      problem.apply(p, g, no_pass, [&](const Block &range, const double) {
-        contact_sums.run_over(range, [=](const auto i, auto &sums) {
-          const double free = p[i] != 0 && p[i] != limit ? 1. : 0.;
-          p[i] *= factor;
-          g[i] = factor * g[i] + (u0 - h[i]);
-          sums[0] += free * g[i];
-          sums[1] += free;
-        });
+    const double    u0       = constraint.displacement();
+    const double    upper    = constraint.limit();
+    WeightedSums<3> free;
+    const double    p_Gp = problem.apply(p, g, [&](const Block &range, const double) {
+      free.run_over(range, [=](const auto i, auto &sums) {
+        g[i] += u0 - h[i];
+        const double is_free = p[i] != 0 && p[i] != upper ? 1. : 0.;
+        sums[1] += is_free * g[i];
+        sums[2] += is_free;
       });
-    const auto [sum_g, area] = contact_sums.over_ranks(problem);
-    shift                    = rigid_shift(sum_g, area);
-    any_beyond               = false;
+    });
+    note_free(free);
+    gap_is_exact = true;
 
-    const double elastic = 0.5 * factor * factor * p_Gp;
-    const double work    = factor * (p_h - u0 * mean);
+    const double elastic = 0.5 * p_Gp;
+    const double work    = p_h - u0 * mean;
     energy               = elastic - work;
     energy_scale         = elastic + std::abs(work);
-    watch_energy();
+    lowest_energy        = energy;
+    cautious             = false;
   }
 
   /** What the gap is off by: its mean on the points between the limits, of sum @p sum_g
@@ -153,50 +199,71 @@ namespace strait
   /**
    * C: the points between the limits of the pressure and, unless some pressure is beyond
    * these, those that penetrate without pressure or part under the largest. Set y, the
-   * gap on C and 0 elsewhere. Return the residual.
+   * gap on C and 0 elsewhere. Return the largest gap that should be none.
    */
   double
   DualConjugateGradients::choose_contact(const Block &range)
   {
     const double *p = pressure, *g = gap;
-    double       *y     = problem.scratch();
-    std::uint8_t *c     = in_contact.data();
-    const double  s     = shift;
-    const double  limit = constraint.limit();
-    const bool    grows = !any_beyond;
-    double        worst = 0;
-    for (std::size_t i = range.begin, end = range.end; i < end; ++i)
-      {
-        const double centred  = g[i] - s;
-        const bool   is_free  = p[i] != 0 && p[i] != limit;
-        const bool   is_wrong = is_free || (p[i] == 0 ? centred < 0 : centred > 0);
-        c[i]                  = is_free || (is_wrong && grows);
-        y[i]                  = c[i] ? centred : 0.;
-        worst                 = is_wrong ? std::max(worst, std::abs(centred)) : worst;
-      }
+    float        *y = problem.scratch();
+    std::uint8_t *c = in_contact.data();
+    const double  s = shift, unit = 1. / tolerance.length;
+    const double  limit  = constraint.limit();
+    const bool    grows  = !any_beyond;
+    const auto    choose = [=](const std::size_t begin, const std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        {
+          const double centred  = g[i] - s;
+          const bool   is_free  = (p[i] != 0) & (p[i] != limit);
+          const bool   is_wrong = is_free | (p[i] == 0 ? centred < 0 : centred > 0);
+          c[i]                  = is_wrong;
+          y[i]                  = is_wrong ? static_cast<float>(unit * centred) : 0.f;
+        }
+    };
+    const auto choose_open = [        =,
+                              limited = constraint.is_limited()](const std::size_t begin,
+                                                                 const std::size_t end) {
+      bool any = limited;
+      for (std::size_t i = begin; i < end; ++i)
+        any |= g[i] < s;
+      if (any)
+        return choose(begin, end);
+      std::fill(y + begin, y + end, 0.f);
+    };
+    by_eights(c, range, choose_open, choose);
+    double worst = 0;
+    for_each_marked(c, range, [=, &worst](const std::size_t i) {
+      worst = std::max(worst, std::abs(g[i] - s));
+      if (!grows && (p[i] == 0 || p[i] == limit))
+        {
+          c[i] = 0;
+          y[i] = 0.f;
+        }
+    });
     return worst;
   }
 
   void
   DualConjugateGradients::measure(const Block &range)
   {
-    const double       *g = gap, *z = problem.scratch();
-    const double       *t = direction.data(), *r = response.data();
-    const std::uint8_t *c = in_contact.data();
-    on_contact.run_over(range, [=, s = shift](const auto i, auto &sums) {
-      if (!c[i])
-        return;
-      const double z_i = z[i], t_i = t[i], r_i = r[i], y_i = g[i] - s;
-      sums[0] += 1;
-      sums[1] += z_i;
-      sums[2] += t_i;
-      sums[3] += y_i;
-      sums[4] += r_i;
-      sums[5] += z_i * r_i;
-      sums[6] += t_i * r_i;
-      sums[7] += y_i * z_i;
-      sums[8] += y_i * t_i;
-    });
+    const double *g = gap;
+    const float  *z = problem.scratch(), *t = direction.data(), *r = response.data();
+    const std::uint8_t   *c = in_contact.data();
+    std::array<double, 9> sums{};
+    for_each_marked(
+      c, range, [=, &sums, s = shift, unit = 1. / tolerance.length](const std::size_t i) {
+        const double z_i = z[i], t_i = t[i], r_i = r[i], y_i = unit * (g[i] - s);
+        sums[0] += 1;
+        sums[1] += z_i;
+        sums[2] += t_i;
+        sums[3] += y_i;
+        sums[4] += r_i;
+        sums[5] += z_i * r_i;
+        sums[6] += t_i * r_i;
+        sums[7] += y_i * z_i;
+        sums[8] += y_i * t_i;
+      });
+    on_contact.add(range, sums);
   }
 
   /**
@@ -215,14 +282,16 @@ namespace strait
     if (!(gradient > 0))
       {
         // M is not positive on this C: do without it.
-        double             *z = problem.scratch();
+        float              *z = problem.scratch();
         const double       *g = gap;
         const std::uint8_t *c = in_contact.data();
         const auto [y_y] =
-          weighted_sums<1>(problem, [=, s = shift](const auto i, auto &sums) {
-            z[i] = c[i] ? g[i] - s : 0.;
-            sums[0] += z[i] * z[i];
-          });
+          weighted_sums<1>(problem,
+                           [=, s = shift, unit = 1. / tolerance.length](const auto i,
+                                                                        auto      &sums) {
+                             z[i] = c[i] ? static_cast<float>(unit * (g[i] - s)) : 0.f;
+                             sums[0] += static_cast<double>(z[i]) * z[i];
+                           });
         mean_z = constraint.excess(sum_y, area);
         return y_y - mean_z * sum_y;
       }
@@ -235,63 +304,147 @@ namespace strait
     return gradient;
   }
 
-  /** Form t, find r = G t, and go to the minimum along t. Return <t, r>. */
-  double
+  /** Form t and go to the minimum along it. Return whether there is one. */
+  bool
   DualConjugateGradients::step(const double slope)
   {
     moved                  = {};
-    const double curvature = problem.apply(
+    const double curvature = problem.respond(
       direction.data(),
       response.data(),
-      [&](const Block &range) { form_direction(range); },
+      [&](const Block &range) { form_direction(range, direction.data()); },
       [&](const Block &range, const double t_r) {
         move(range, t_r > 0 ? slope / t_r : 0.);
       });
-    const auto [beyond, sum_g, area] = moved.over_ranks(problem);
-    any_beyond                       = beyond > 0;
-    shift                            = rigid_shift(sum_g, area);
-    return curvature;
+    note_free(moved);
+    if (!(curvature > 0))
+      return false;
+    gap_is_exact = false;
+    last_length  = slope / curvature;
+    energy -= 0.5 * squared(tolerance.length) * slope * last_length;
+    return true;
   }
 
+  /**
+   * Bring the pressure within its limits and, on the way, go along the direction: one
+   * step for the price of one response. A minimum is not sought, as truncation is not
+   * straight: of @p length, that of the last step or 0, one half is gone. (All of it
+   * takes a sixth more responses at 2048² points and as many at 1024², three tenths and
+   * nothing a sixth more at both.) Direction and response of before remain, for what
+   * follows is to be conjugate to them.
+   */
   void
-  DualConjugateGradients::form_direction(const Block &range)
+  DualConjugateGradients::step_within_limits(const double length)
   {
-    const double       *z  = problem.scratch();
-    double             *t  = direction.data();
-    const std::uint8_t *c  = in_contact.data();
-    const double        z0 = mean_z, b = beta, t0 = mean_t;
-    for (std::size_t i = range.begin, end = range.end; i < end; ++i)
-      t[i] = c[i] ? (z[i] - z0) + b * (t[i] - t0) : 0.;
+    double       *p   = pressure;
+    const double *g   = gap;
+    std::uint8_t *c   = in_contact.data();
+    float        *d   = problem.scratch(); // z, the direction, the step, its response
+    const double  far = .5 * tolerance.length * length, unit = 1. / tolerance.length;
+    for (const Block &range : problem.blocks())
+      if (length > 0)
+        {
+          form_direction(range, d);
+          for_each_marked(c, range, [=](const std::size_t i) { p[i] -= far * d[i]; });
+        }
+      else
+        std::fill(d + range.begin, d + range.end, 0.f);
+    const WithinLimits limit = within_limits(problem, constraint, in_contact, p);
+    WeightedSums<1>    gained;
+    moved            = {};
+    const auto enter = [=, &limit, &gained, s = shift](const Block &range) {
+      std::array<double, 1> sums{};
+      const auto            enter_point = [=, &limit, &sums](const std::size_t i) {
+        const double before = p[i] + far * d[i];
+        p[i]                = limit(p[i], c[i] != 0);
+        d[i]                = static_cast<float>(unit * (before - p[i]));
+        c[i]                = p[i] != 0;
+        sums[0] += unit * (g[i] - s) * d[i];
+      };
+      if (limit.all_move && constraint.is_limited())
+        for (std::size_t i = range.begin; i < range.end; ++i)
+          enter_point(i);
+      else
+        for_each_marked(c, range, enter_point);
+      gained.add(range, sums);
+    };
+    const double d_r   = problem.respond(d, d, enter, [&](const Block &range, double) {
+      follow(range, d, 1.);
+    });
+    const auto [slope] = gained.over_ranks(problem);
+    note_free(moved);
+    gap_is_exact = false;
+    energy -= squared(tolerance.length) * (slope - .5 * d_r);
   }
 
-  /** p −= length t, g −= length r; absorb the shift. */
+  /** Write the next direction to @p next, which is that of before or z. */
+  void
+  DualConjugateGradients::form_direction(const Block &range, float *next)
+  {
+    const float        *z = problem.scratch(), *t = direction.data();
+    const std::uint8_t *c  = in_contact.data();
+    const auto          z0 = static_cast<float>(mean_z), b = static_cast<float>(beta),
+               t0 = static_cast<float>(mean_t);
+    by_eights(
+      c,
+      range,
+      [=](const std::size_t begin, const std::size_t end) {
+        std::fill(next + begin, next + end, 0.f);
+      },
+      [=](const std::size_t begin, const std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          next[i] = c[i] ? (z[i] - z0) + b * (t[i] - t0) : 0.f;
+      });
+  }
+
+  /** p −= length t, g −= length r. */
   void
   DualConjugateGradients::move(const Block &range, const double length)
   {
-    double       *p = pressure, *g = gap;
-    const double *t = direction.data(), *r = response.data();
-    const double  s = shift;
-    for (std::size_t i = range.begin, end = range.end; i < end; ++i)
-      g[i] = (g[i] - s) - length * r[i];
+    double             *p   = pressure;
+    const float        *t   = direction.data();
+    const std::uint8_t *c   = in_contact.data();
+    const double        far = tolerance.length * length;
+    for_each_marked(c, range, [=](const std::size_t i) { p[i] -= far * t[i]; });
+    follow(range, response.data(), length);
+  }
 
-    const std::uint8_t *c     = in_contact.data();
-    const double        limit = constraint.limit();
-    moved.run_over(range, [=](const auto i, auto &sums) {
-      if (!c[i]) // p stays at its limit, t = 0
-        return;
-      const double new_p = p[i] - length * t[i];
-      p[i]               = new_p;
-      if (new_p == 0 || new_p == limit)
-        return;
-      sums[0] += new_p < 0 || new_p > limit ? 1. : 0.;
-      sums[1] += g[i];
-      sums[2] += 1;
+  /** g −= length r; absorb the shift, and see which pressures are free. */
+  void
+  DualConjugateGradients::follow(const Block &range, const float *r, const double length)
+  {
+    double       *g   = gap;
+    const double *p   = pressure;
+    const double  s   = shift;
+    const double  far = tolerance.length * length;
+    for (std::size_t i = range.begin, end = range.end; i < end; ++i)
+      g[i] = (g[i] - s) - far * r[i];
+
+    // Free pressures are in C, and after a step within the limits wherever they are.
+    const double          limit = constraint.limit();
+    std::array<double, 3> sums{};
+    for_each_marked(in_contact.data(), range, [=, &sums](const std::size_t i) {
+      const double is_free = (p[i] != 0) & (p[i] != limit) ? 1. : 0.;
+      sums[0] += (p[i] < 0) | (p[i] > limit) ? 1. : 0.;
+      sums[1] += is_free * g[i];
+      sums[2] += is_free;
     });
+    moved.add(range, sums);
+  }
+
+  /** The shift, and whether any pressure is beyond its limits, from sums over free
+   *  pressures: how many are beyond, their gaps, and how many they are. */
+  void
+  DualConjugateGradients::note_free(const WeightedSums<3> &free)
+  {
+    const auto [beyond, sum_g, area] = free.over_ranks(problem);
+    any_beyond                       = beyond > 0;
+    shift                            = rigid_shift(sum_g, area);
   }
 
   std::size_t
   DualConjugateGradients::memory_consumption() const
   {
-    return (direction.size() + response.size()) * sizeof(double) + in_contact.size();
+    return (direction.size() + response.size()) * sizeof(float) + in_contact.size();
   }
 } // namespace strait

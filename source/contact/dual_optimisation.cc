@@ -6,12 +6,20 @@
 
 namespace strait
 {
-  void
-  bring_within_limits(const DualProblem               &problem,
-                      const ContactConstraint         &constraint,
-                      const std::vector<std::uint8_t> &may_move,
-                      double                          *pressure)
+  WithinLimits
+  within_limits(const DualProblem               &problem,
+                const ContactConstraint         &constraint,
+                const std::vector<std::uint8_t> &may_move,
+                const double                    *pressure)
   {
+    if (!constraint.is_limited())
+      {
+        const auto [mean] = weighted_sums<1>(problem, [=](const auto i, auto &sums) {
+          sums[0] += pressure[i] > 0 ? pressure[i] : 0.;
+        });
+        return {0., constraint.rescale(mean), constraint.limit(), true};
+      }
+
     // To rounding: the shift is known no better, and Newton's method doubles the digits.
     constexpr double rounding  = 1e-14;
     constexpr int    max_steps = 100;
@@ -21,11 +29,8 @@ namespace strait
       sums[0] += may_move[i] ? 1. : 0.;
       sums[1] += may_move[i] ? 0. : pressure[i];
     });
-    const bool all_move       = held > goal || held + limit * moving < goal;
-    const auto shifted        = [&](const std::size_t i, const double shift) {
-      return all_move || may_move[i] ? std::clamp(pressure[i] + shift, 0., limit)
-                                            : pressure[i];
-    };
+    const bool   all_move     = held > goal || held + limit * moving < goal;
+    WithinLimits shifted      = {0., 1., limit, all_move};
 
     // The mean grows with the shift, from that without these points to that with the
     // limit at all of them.
@@ -35,27 +40,24 @@ namespace strait
         lower = std::min(lower, -pressure[i]);
         upper = std::max(upper, limit - pressure[i]);
       }
-    lower        = -problem.largest_over_ranks(-lower);
-    upper        = problem.largest_over_ranks(upper);
-    double shift = 0.;
+    lower = -problem.largest_over_ranks(-lower);
+    upper = problem.largest_over_ranks(upper);
     for (int step = 0; step < max_steps; ++step)
       {
         const auto [mean, free] =
           weighted_sums<2>(problem, [&](const auto i, auto &sums) {
-            const double value = shifted(i, shift);
+            const double value = shifted(pressure[i], may_move[i] != 0);
             sums[0] += value;
             sums[1] += (all_move || may_move[i]) && value > 0 && value < limit ? 1. : 0.;
           });
         const double excess = mean - goal;
         if (std::abs(excess) <= rounding * goal)
           break;
-        (excess > 0 ? upper : lower) = shift;
-        const double newton          = shift - excess / free;
+        (excess > 0 ? upper : lower) = shifted.shift;
+        const double newton          = shifted.shift - excess / free;
         const bool   is_inside       = newton > lower && newton < upper;
-        shift                        = is_inside ? newton : .5 * (lower + upper);
+        shifted.shift                = is_inside ? newton : .5 * (lower + upper);
       }
-    for (const ContactProblem::Block &block : problem.blocks())
-      for (std::size_t i = block.begin; i < block.end; ++i)
-        pressure[i] = shifted(i, shift);
+    return shifted;
   }
 } // namespace strait

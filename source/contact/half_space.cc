@@ -6,33 +6,37 @@
 
 namespace strait
 {
-  HalfSpace::HalfSpace(const SlabLayoutPtr &layout, const double contact_modulus)
+  template <class Number>
+  BasicHalfSpace<Number>::BasicHalfSpace(const SlabLayoutPtr &layout,
+                                         const double         contact_modulus)
     : transform(layout)
     , modulus(contact_modulus)
   {
   }
 
+  template <class Number>
   double
-  HalfSpace::apply(const double *pressure, double *displacement)
+  BasicHalfSpace<Number>::apply(const Number *pressure, Number *displacement)
   {
     return apply(
       pressure, displacement, [](int) {}, [](int, double) {});
   }
 
+  template <class Number>
   double
-  HalfSpace::apply(const double                           *pressure,
-                   double                                 *displacement,
-                   const std::function<void(int)>         &before,
-                   const std::function<void(int, double)> &after)
+  BasicHalfSpace<Number>::apply(const Number                           *pressure,
+                                Number                                 *displacement,
+                                const std::function<void(int)>         &before,
+                                const std::function<void(int, double)> &after)
   {
     // 2/(qE*) with q = 2π |(kx/lx, ky/ly)|, in units of lx so that tiny boxes do
     // not underflow.
     const PeriodicGrid &grid   = layout().grid();
-    const double        aspect = grid.lx / grid.ly;
+    const auto          aspect = static_cast<Number>(grid.lx / grid.ly);
     const double        factor = grid.lx / (M_PI * modulus);
     const auto          symbol = [=](const int kx, const int ky) {
-      const double x = kx, y = ky * aspect;
-      const double k2 = x * x + y * y;
+      const Number x = static_cast<Number>(kx), y = static_cast<Number>(ky) * aspect;
+      const Number k2 = x * x + y * y;
       return k2 > 0 ? factor / std::sqrt(k2) : 0.;
     };
     double work = 0;
@@ -45,4 +49,7 @@ namespace strait
       [&](const int row) { after(row, work); });
     return work;
   }
+
+  template class BasicHalfSpace<float>;
+  template class BasicHalfSpace<double>;
 } // namespace strait

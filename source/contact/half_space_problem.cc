@@ -9,6 +9,7 @@ namespace strait
                                      const double     contact_modulus)
     : GridProblem(heights)
     , half_space(heights.layout_pointer(), contact_modulus)
+    , of_steps(heights.layout_pointer(), contact_modulus)
     , stiffness(TwoScaleOperator::stiffness(heights.layout_pointer(), contact_modulus))
   {
   }
@@ -16,39 +17,44 @@ namespace strait
   double
   HalfSpaceProblem::apply(const double   *pressure,
                           double         *displacement,
-                          const Pass     &before,
                           const WorkPass &after)
   {
-    return half_space.apply(pressure,
-                            displacement,
-                            by_rows(before),
-                            [&](const int row, const double work) {
-                              after(block_of_row(row), work);
-                            });
+    return half_space.apply(
+      pressure, displacement, [](int) {}, by_rows(after));
+  }
+
+  double
+  HalfSpaceProblem::respond(const float    *step,
+                            float          *response,
+                            const Pass     &before,
+                            const WorkPass &after)
+  {
+    return of_steps.apply(step, response, by_rows(before), by_rows(after));
   }
 
   void
-  HalfSpaceProblem::precondition(double *values, const Pass &before, const Pass &after)
+  HalfSpaceProblem::precondition(float *values, const Pass &before, const Pass &after)
   {
     stiffness.apply(values, by_rows(before), by_rows(after));
   }
 
-  double *
+  float *
   HalfSpaceProblem::scratch()
   {
-    return half_space.scratch();
+    return of_steps.scratch();
   }
 
   long
   HalfSpaceProblem::n_applications() const
   {
-    return half_space.n_fft_pairs();
+    return half_space.n_fft_pairs() + of_steps.n_fft_pairs();
   }
 
   std::size_t
   HalfSpaceProblem::memory_consumption() const
   {
-    return half_space.memory_consumption() + stiffness.memory_consumption();
+    return half_space.memory_consumption() + of_steps.memory_consumption() +
+           stiffness.memory_consumption();
   }
 
   HalfSpaceGapProblem::HalfSpaceGapProblem(const SlabField   &heights,

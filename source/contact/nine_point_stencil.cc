@@ -61,7 +61,9 @@ namespace strait
     return {c[0], c[1], c[2], c[3]};
   }
 
-  StencilSweep::StencilSweep(const NinePointStencil &stencil_, const int row_length)
+  template <class Number>
+  StencilSweep<Number>::StencilSweep(const NinePointStencil &stencil_,
+                                     const int               row_length)
     : stencil(stencil_)
     , above(row_length)
     , here(row_length)
@@ -69,26 +71,30 @@ namespace strait
   {
   }
 
+  template <class Number>
   void
-  StencilSweep::begin(const double *row_above)
+  StencilSweep<Number>::begin(const Number *row_above)
   {
     std::copy_n(row_above, above.size(), above.begin());
   }
 
+  template <class Number>
   void
-  StencilSweep::apply(double *values, const double *below, const double *added)
+  StencilSweep<Number>::apply(Number *values, const Number *below, const Number *added)
   {
     // In place: `above` holds the row above as it was before.
-    const auto             nx  = static_cast<int>(here.size());
-    const double          *up  = above.data();
-    double                *old = here.data(), *side = mixed.data() + 1;
-    const NinePointStencil s = stencil;
+    const auto    nx  = static_cast<int>(here.size());
+    const Number *up  = above.data();
+    Number       *old = here.data(), *side = mixed.data() + 1;
+    const auto    centre = static_cast<Number>(stencil.centre),
+               x = static_cast<Number>(stencil.x), y = static_cast<Number>(stencil.y),
+               diagonal = static_cast<Number>(stencil.diagonal);
     for (int i = 0; i < nx; ++i)
       {
-        const double vertical = up[i] + below[i];
+        const Number vertical = up[i] + below[i];
         old[i]                = values[i];
-        side[i]               = s.x * old[i] + s.diagonal * vertical;
-        values[i]             = s.centre * old[i] + s.y * vertical;
+        side[i]               = x * old[i] + diagonal * vertical;
+        values[i]             = centre * old[i] + y * vertical;
       }
     side[-1] = side[nx - 1];
     side[nx] = side[0];
@@ -96,4 +102,7 @@ namespace strait
       values[i] += (side[i - 1] + side[i + 1]) + added[i];
     std::swap(above, here);
   }
+
+  template class StencilSweep<float>;
+  template class StencilSweep<double>;
 } // namespace strait

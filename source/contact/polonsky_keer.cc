@@ -41,7 +41,7 @@ namespace strait
     const double factor = constraint.rescale(mean);
     for (std::size_t i = 0; i < problem.size(); ++i)
       p[i] *= factor;
-    problem.apply(p, g, no_pass, no_work_pass);
+    problem.apply(p, g, no_work_pass);
     for (std::size_t i = 0; i < problem.size(); ++i)
       g[i] += constraint.displacement() - h[i];
   }
@@ -80,7 +80,7 @@ namespace strait
   bool
   PolonskyKeer::step()
   {
-    problem.apply(t.data(), r.data(), no_pass, no_work_pass);
+    problem.apply(t.data(), r.data(), no_work_pass);
     const auto [g_t, r_t, sum_r, sum_t, area] =
       weighted_sums<5>(problem, [&](const auto i, auto &sums) {
         const double pressed = p[i] > 0 ? 1. : 0.;
@@ -113,7 +113,7 @@ namespace strait
     const double u0 = constraint.displacement(), *h = problem.heights();
     const bool   same_contact = truncated == 0 && added == 0;
     if (!same_contact)
-      problem.apply(p, g, no_pass, no_work_pass);
+      problem.apply(p, g, no_work_pass);
     // A step within one contact set is linear: no second application is needed.
     // (Any constant in g drops out with centre_gap(), or is kept by factor = 1.)
     for (std::size_t i = 0; i < problem.size(); ++i)

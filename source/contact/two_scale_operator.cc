@@ -145,8 +145,6 @@ namespace strait
     : layout(fine_layout)
     , transfer(transfer_)
     , stencil(fit_to(symbol, aspect_of(layout->grid())))
-    , sweep(stencil, layout->grid().nx)
-    , correction_line(layout->grid().nx)
   {
     const PeriodicGrid &fine = layout->grid();
     if (!has_coarse_grid(fine))
@@ -187,8 +185,9 @@ namespace strait
     return std::max(0., missing) * taper(theta, .25, 1.45) / weakened;
   }
 
+  template <class Number>
   void
-  TwoScaleOperator::apply(double                         *values,
+  TwoScaleOperator::apply(Number                         *values,
                           const std::function<void(int)> &before,
                           const std::function<void(int)> &after)
   {
@@ -209,14 +208,16 @@ namespace strait
     std::vector<int> outside;
     if (n_rows > 0)
       outside = {layout->first_row() - 1, layout->first_row() + n_rows};
-    const std::vector<double> beyond = fetch_rows(*layout, values, nx, outside);
+    const std::vector<Number> beyond = fetch_rows(*layout, values, nx, outside);
     if (n_rows == 0)
       return;
+    StencilSweep<Number> sweep(stencil, nx);
+    std::vector<Number>  correction_line(nx);
     sweep.begin(beyond.data());
     for (int row = 0; row < n_rows; ++row)
       {
         if (coarse_transform)
-          expand_row(row);
+          expand_row(row, correction_line);
         sweep.apply(row_of(row),
                     row + 1 < n_rows ? row_of(row + 1) : beyond.data() + nx,
                     correction_line.data());
@@ -233,8 +234,9 @@ namespace strait
   }
 
   /** The adjoint of expand_row(). */
+  template <class Number>
   void
-  TwoScaleOperator::restrict_row(const double *values, const int row)
+  TwoScaleOperator::restrict_row(const Number *values, const int row)
   {
     const auto n     = static_cast<int>(coarse_line.size());
     double    *above = row_above(row);
@@ -248,8 +250,8 @@ namespace strait
     const double share[] = {4 / 16., 3 / 16., 2 / 16., 1 / 16.};
     for (int i = 0; i < n; ++i)
       {
-        const double *left = values + stride * (i > 0 ? i - 1 : n - 1);
-        const double *here = values + stride * i;
+        const Number *left = values + stride * (i > 0 ? i - 1 : n - 1);
+        const Number *here = values + stride * i;
         double        sum  = share[0] * here[0];
         for (int k = 1; k < stride; ++k)
           sum += share[k] * (left[stride - k] + here[k]);
@@ -281,8 +283,9 @@ namespace strait
   }
 
   /** The correction along the local row. */
+  template <class Number>
   void
-  TwoScaleOperator::expand_row(const int row)
+  TwoScaleOperator::expand_row(const int row, std::vector<Number> &correction_line)
   {
     const auto    n     = static_cast<int>(coarse_line.size());
     const double *above = row_above(row);
@@ -291,7 +294,9 @@ namespace strait
       {
         if (row == 0 || k == 0)
           for (int i = 0; i < n; ++i)
-            std::fill_n(correction_line.begin() + stride * i, stride, above[i]);
+            std::fill_n(correction_line.begin() + stride * i,
+                        stride,
+                        static_cast<Number>(above[i]));
         return;
       }
     const double share = k / static_cast<double>(stride);
@@ -302,7 +307,7 @@ namespace strait
         const double here = coarse_line[i],
                      step = (coarse_line[i + 1 < n ? i + 1 : 0] - here) / stride;
         for (int j = 0; j < stride; ++j)
-          correction_line[stride * i + j] = here + j * step;
+          correction_line[stride * i + j] = static_cast<Number>(here + j * step);
       }
   }
 
@@ -310,10 +315,16 @@ namespace strait
   TwoScaleOperator::memory_consumption() const
   {
     // Rows that are sent or fetched are held twice for a moment.
-    const std::size_t n_values = 2 * near_rows.size() + coarse.size() +
-                                 coarse_symbol.size() + coarse_line.size() +
-                                 correction_line.size();
-    return n_values * sizeof(double) + sweep.memory_consumption() +
+    const std::size_t n_values =
+      2 * near_rows.size() + coarse.size() + coarse_symbol.size() + coarse_line.size();
+    return n_values * sizeof(double) +
            (coarse_transform ? coarse_transform->memory_consumption() : 0);
   }
+
+  template void TwoScaleOperator::apply(float *,
+                                        const std::function<void(int)> &,
+                                        const std::function<void(int)> &);
+  template void TwoScaleOperator::apply(double *,
+                                        const std::function<void(int)> &,
+                                        const std::function<void(int)> &);
 } // namespace strait

@@ -96,6 +96,7 @@ namespace strait
     , grid_transform(surface.layout_pointer())
     , grid_stiffness(TwoScaleOperator::stiffness(surface.layout_pointer(), modulus))
     , room(surface.size())
+    , values_of_step(surface.size())
   {
     for (std::size_t w = 0; w < layout().windows().size(); ++w)
       windows.push_back(std::make_unique<Window>(layout(), static_cast<int>(w)));
@@ -103,7 +104,7 @@ namespace strait
 
   ZoomedProblem::~ZoomedProblem() = default;
 
-  double *
+  float *
   ZoomedProblem::scratch()
   {
     return room.data();
@@ -118,20 +119,12 @@ namespace strait
   double
   ZoomedProblem::apply(const double   *pressure,
                        double         *displacement,
-                       const Pass     &before,
                        const WorkPass &after)
   {
     std::fill_n(displacement, size(), 0.);
     for (const Block &block : blocks())
-      {
-        before(block);
-        std::copy(pressure + block.begin,
-                  pressure + block.end,
-                  displacement + block.begin);
-      }
-    gather_from_windows(displacement);
-    transform(grid_transform, displacement, Symbol::compliance);
-    spread_to_windows(displacement, Symbol::compliance);
+      std::copy(pressure + block.begin, pressure + block.end, displacement + block.begin);
+    apply_compliance(displacement);
     const auto [work] = weighted_sums<1>(*this, [=](const std::size_t i, auto &sums) {
       sums[0] += pressure[i] * displacement[i];
     });
@@ -140,23 +133,59 @@ namespace strait
     return work;
   }
 
-  void
-  ZoomedProblem::precondition(double *values, const Pass &before, const Pass &after)
+  double
+  ZoomedProblem::respond(const float    *step,
+                         float          *response,
+                         const Pass     &before,
+                         const WorkPass &after)
   {
-    std::size_t end = 0;
+    std::vector<double> &values = values_of_step;
+    std::fill(values.begin(), values.end(), 0.);
     for (const Block &block : blocks())
       {
-        std::fill(values + end, values + block.begin, 0.); // at covered points
         before(block);
-        end = block.end;
+        std::copy(step + block.begin, step + block.end, values.begin() + block.begin);
       }
-    std::fill(values + end, values + size(), 0.);
-    gather_from_windows(values);
-    grid_stiffness.apply(
-      values, [](int) {}, [](int) {});
-    spread_to_windows(values, Symbol::stiffness);
+    apply_compliance(values.data());
+    const auto [work] = weighted_sums<1>(*this, [&](const std::size_t i, auto &sums) {
+      sums[0] += step[i] * values[i];
+      response[i] = static_cast<float>(values[i]);
+    });
     for (const Block &block : blocks())
-      after(block);
+      after(block, work);
+    return work;
+  }
+
+  void
+  ZoomedProblem::precondition(float *values, const Pass &before, const Pass &after)
+  {
+    std::vector<double> &whole = values_of_step;
+    std::fill(whole.begin(), whole.end(), 0.);
+    for (const Block &block : blocks())
+      {
+        before(block);
+        std::copy(values + block.begin, values + block.end, whole.begin() + block.begin);
+      }
+    gather_from_windows(whole.data());
+    grid_stiffness.apply(
+      whole.data(), [](int) {}, [](int) {});
+    spread_to_windows(whole.data(), Symbol::stiffness);
+    for (const Block &block : blocks())
+      {
+        std::copy(whole.begin() + block.begin,
+                  whole.begin() + block.end,
+                  values + block.begin);
+        after(block);
+      }
+  }
+
+  /** Replace a pressure, 0 at covered points, by the displacement. */
+  void
+  ZoomedProblem::apply_compliance(double *values)
+  {
+    gather_from_windows(values);
+    transform(grid_transform, values, Symbol::compliance);
+    spread_to_windows(values, Symbol::compliance);
   }
 
   /** Give each parent the mean of what its windows have; what it has itself at points
@@ -258,9 +287,9 @@ namespace strait
   std::size_t
   ZoomedProblem::memory_consumption() const
   {
-    std::size_t bytes = room.size() * sizeof(double) +
-                        grid_transform.memory_consumption() +
-                        grid_stiffness.memory_consumption();
+    std::size_t bytes =
+      room.size() * sizeof(float) + values_of_step.size() * sizeof(double) +
+      grid_transform.memory_consumption() + grid_stiffness.memory_consumption();
     for (const auto &window : windows)
       bytes += window->coarse_box.memory_consumption() +
                window->fine_box.memory_consumption() +

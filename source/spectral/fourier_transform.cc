@@ -4,48 +4,96 @@
 #include <fftw3.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace strait
 {
   namespace
   {
-    using Complex = std::complex<double>;
+    /** FFTW's names for what it does with one kind of number. */
+    template <class Number>
+    struct Fftw;
 
+    template <>
+    struct Fftw<double>
+    {
+      using Complex                              = fftw_complex;
+      using Plan                                 = fftw_plan_s;
+      static constexpr auto plan_row_forward     = fftw_plan_dft_r2c_1d;
+      static constexpr auto plan_row_backward    = fftw_plan_dft_c2r_1d;
+      static constexpr auto plan_column          = fftw_plan_dft_1d;
+      static constexpr auto execute_row_forward  = fftw_execute_dft_r2c;
+      static constexpr auto execute_row_backward = fftw_execute_dft_c2r;
+      static constexpr auto execute_column       = fftw_execute_dft;
+      static constexpr auto destroy_plan         = fftw_destroy_plan;
+      static constexpr auto forget_wisdom        = fftw_forget_wisdom;
+      static MPI_Datatype
+      message_type()
+      {
+        return MPI_DOUBLE;
+      }
+    };
+
+    template <>
+    struct Fftw<float>
+    {
+      using Complex                              = fftwf_complex;
+      using Plan                                 = fftwf_plan_s;
+      static constexpr auto plan_row_forward     = fftwf_plan_dft_r2c_1d;
+      static constexpr auto plan_row_backward    = fftwf_plan_dft_c2r_1d;
+      static constexpr auto plan_column          = fftwf_plan_dft_1d;
+      static constexpr auto execute_row_forward  = fftwf_execute_dft_r2c;
+      static constexpr auto execute_row_backward = fftwf_execute_dft_c2r;
+      static constexpr auto execute_column       = fftwf_execute_dft;
+      static constexpr auto destroy_plan         = fftwf_destroy_plan;
+      static constexpr auto forget_wisdom        = fftwf_forget_wisdom;
+      static MPI_Datatype
+      message_type()
+      {
+        return MPI_FLOAT;
+      }
+    };
+
+    // A std::vector begins at a multiple of 16 B, as FFTW's vector instructions want.
+    template <class Number>
+    typename Fftw<Number>::Complex *
+    fftw(std::complex<Number> *values)
+    {
+      return reinterpret_cast<typename Fftw<Number>::Complex *>(values);
+    }
+
+    template <class Number>
+    struct DestroyPlan
+    {
+      void
+      operator()(typename Fftw<Number>::Plan *plan) const
+      {
+        Fftw<Number>::destroy_plan(plan);
+      }
+    };
+
+    template <class Number>
+    using Plan = std::unique_ptr<typename Fftw<Number>::Plan, DestroyPlan<Number>>;
+  } // namespace
+
+  template <class Number>
+  struct BasicFourierTransform<Number>::Parts
+  {
     /**
      * Columns that each rank transforms at a time: two lines of the cache of every row.
      * With half as many a pair of transforms takes up to a tenth longer, with twice as
      * many as long or some per cent longer (512² to 2048², on 1 and 2 ranks).
      */
-    constexpr int block_width = 8;
+    static constexpr int block_width = 128 / sizeof(Complex);
 
-    // A std::vector begins at a multiple of 16 B, as FFTW's vector instructions want.
-    fftw_complex *
-    fftw(Complex *values)
-    {
-      return reinterpret_cast<fftw_complex *>(values);
-    }
-
-    struct DestroyPlan
-    {
-      void
-      operator()(fftw_plan plan) const
-      {
-        fftw_destroy_plan(plan);
-      }
-    };
-
-    using Plan = std::unique_ptr<fftw_plan_s, DestroyPlan>;
-  } // namespace
-
-  struct FourierTransform::Parts
-  {
     explicit Parts(const SlabLayout &layout)
       : n_ranks(layout.n_ranks())
       , n_rows_most(layout.first_row_of(1))
       , n_half(layout.grid().nx / 2 + 1)
       , n_columns_most((n_half + n_ranks - 1) / n_ranks)
-      , modes(static_cast<std::size_t>(n_half) * layout.n_rows())
+      , n_in_row(n_half + n_half % 2)
+      , modes(static_cast<std::size_t>(n_in_row) * layout.n_rows())
       , row(layout.grid().nx)
       , column(layout.grid().ny)
       , spectrum(std::max(layout.grid().ny, n_half))
@@ -53,13 +101,16 @@ namespace strait
       , of_columns(n_ranks > 1 ? of_rows.size() : 0)
     {
       // What was planned before, by measurement perhaps, must not decide.
-      fftw_forget_wisdom();
-      const int     nx = layout.grid().nx, ny = layout.grid().ny;
-      fftw_complex *in = fftw(column.data()), *out = fftw(spectrum.data());
-      row_forward.reset(fftw_plan_dft_r2c_1d(nx, row.data(), out, FFTW_ESTIMATE));
-      row_backward.reset(fftw_plan_dft_c2r_1d(nx, out, row.data(), FFTW_ESTIMATE));
-      column_forward.reset(fftw_plan_dft_1d(ny, in, out, FFTW_FORWARD, FFTW_ESTIMATE));
-      column_backward.reset(fftw_plan_dft_1d(ny, out, in, FFTW_BACKWARD, FFTW_ESTIMATE));
+      using Library = Fftw<Number>;
+      Library::forget_wisdom();
+      const int nx = layout.grid().nx, ny = layout.grid().ny;
+      auto     *in = fftw(column.data()), *out = fftw(spectrum.data());
+      row_forward.reset(Library::plan_row_forward(nx, row.data(), out, FFTW_ESTIMATE));
+      row_backward.reset(Library::plan_row_backward(nx, out, row.data(), FFTW_ESTIMATE));
+      column_forward.reset(
+        Library::plan_column(ny, in, out, FFTW_FORWARD, FFTW_ESTIMATE));
+      column_backward.reset(
+        Library::plan_column(ny, out, in, FFTW_BACKWARD, FFTW_ESTIMATE));
     }
 
     /** First column of a block of @p rank. Some blocks are narrow or empty. */
@@ -71,19 +122,24 @@ namespace strait
                        n_half});
     }
 
-    /** move(place in modes, place in of_rows) for all modes of a block. */
+    /** move(place in modes, place in of_rows) for all modes of a block, @p n_at_once rows
+     *  at a time, column by column. */
     template <class Move>
     void
-    for_each_mode_of_rows(const int block, const Move &move) const
+    for_each_mode_of_rows(const int         block,
+                          const std::size_t n_at_once,
+                          const Move       &move) const
     {
-      const std::size_t n_rows = modes.size() / n_half;
+      const std::size_t n_rows = modes.size() / n_in_row;
       for (int rank = 0; rank < n_ranks; ++rank)
         {
           const std::size_t first = first_column(rank, block),
                             width = first_column(rank, block + 1) - first;
-          for (std::size_t y = 0; y < n_rows; ++y)
+          for (std::size_t row = 0; row < n_rows; row += n_at_once)
             for (std::size_t k = 0; k < width; ++k)
-              move(y * n_half + first + k, (rank * block_width + k) * n_rows_most + y);
+              for (std::size_t y = row; y < std::min(row + n_at_once, n_rows); ++y)
+                move(y * n_in_row + first + k,
+                     (rank * block_width + k) * n_rows_most + y);
         }
     }
 
@@ -99,6 +155,22 @@ namespace strait
              std::min(n_rows_most, ny - y));
     }
 
+    Complex *
+    modes_of_row(const int local_row)
+    {
+      return modes.data() + static_cast<std::size_t>(local_row) * n_in_row;
+    }
+
+    /** Whether a row of points is aligned as the plans want it and apart from the modes.
+     */
+    bool
+    may_receive_a_row(const Number *points) const
+    {
+      const auto at    = reinterpret_cast<std::uintptr_t>(points);
+      const auto begin = reinterpret_cast<std::uintptr_t>(modes.data());
+      return at % 16 == 0 && (at < begin || at >= begin + modes.size() * sizeof(Complex));
+    }
+
     /** What arrived for the columns of this rank. */
     Complex *
     messages()
@@ -107,116 +179,141 @@ namespace strait
     }
 
     int                  n_ranks, n_rows_most, n_half, n_columns_most;
+    int                  n_in_row; // modes from one row to the next: a multiple of 16 B
     std::vector<Complex> modes;    // of the rows of this rank
-    std::vector<double>  row;      // points of a row
+    std::vector<Number>  row;      // points of a row
     std::vector<Complex> column;   // modes along x of a column
     std::vector<Complex> spectrum; // the same, also along y
     // Messages of equal size to and from all ranks: block_width columns, of each the
     // rows of one rank.
     std::vector<Complex> of_rows, of_columns;
-    Plan                 row_forward, row_backward, column_forward, column_backward;
+    Plan<Number>         row_forward, row_backward, column_forward, column_backward;
   };
 
-  FourierTransform::FourierTransform(SlabLayoutPtr layout)
+  template <class Number>
+  BasicFourierTransform<Number>::BasicFourierTransform(SlabLayoutPtr layout)
     : slab_layout(std::move(layout))
     , parts(std::make_unique<Parts>(*slab_layout))
-    , n_blocks((parts->n_columns_most + block_width - 1) / block_width)
-    , buffer(reinterpret_cast<double *>(parts->modes.data()))
+    , n_blocks((parts->n_columns_most + Parts::block_width - 1) / Parts::block_width)
+    , buffer(reinterpret_cast<Number *>(parts->modes.data()))
     , spectrum(parts->spectrum.data())
+    , factors(slab_layout->grid().ny)
   {
   }
 
-  FourierTransform::~FourierTransform() = default;
+  template <class Number>
+  BasicFourierTransform<Number>::~BasicFourierTransform() = default;
 
+  template <class Number>
   std::size_t
-  FourierTransform::memory_consumption() const
+  BasicFourierTransform<Number>::memory_consumption() const
   {
     return sizeof(Complex) *
            (parts->modes.size() + parts->of_rows.size() + parts->of_columns.size());
   }
 
+  template <class Number>
   void
-  FourierTransform::load_row(const double *in, const int row)
+  BasicFourierTransform<Number>::load_row(const Number *in, const int row)
   {
+    // FFTW strides through its input: that costs less in a row that is in the cache.
     const std::size_t nx = parts->row.size();
     std::copy_n(in + row * nx, nx, parts->row.data());
-    fftw_execute_dft_r2c(parts->row_forward.get(),
-                         parts->row.data(),
-                         fftw(parts->modes.data() + row * (nx / 2 + 1)));
+    Fftw<Number>::execute_row_forward(parts->row_forward.get(),
+                                      parts->row.data(),
+                                      fftw(parts->modes_of_row(row)));
   }
 
+  template <class Number>
   void
-  FourierTransform::store_row(double *out, const int row)
+  BasicFourierTransform<Number>::store_row(Number *out, const int row)
   {
-    const std::size_t nx = parts->row.size();
-    fftw_execute_dft_c2r(parts->row_backward.get(),
-                         fftw(parts->modes.data() + row * (nx / 2 + 1)),
-                         parts->row.data());
-    std::copy_n(parts->row.data(), nx, out + row * nx);
+    const std::size_t nx     = parts->row.size();
+    Number           *to     = out + row * nx;
+    const bool        direct = parts->may_receive_a_row(to);
+    Number           *result = direct ? to : parts->row.data();
+    Fftw<Number>::execute_row_backward(parts->row_backward.get(),
+                                       fftw(parts->modes_of_row(row)),
+                                       result);
+    if (!direct)
+      std::copy_n(result, nx, to);
   }
 
+  template <class Number>
   int
-  FourierTransform::first_column(const int block) const
+  BasicFourierTransform<Number>::first_column(const int block) const
   {
     return parts->first_column(slab_layout->rank(), block);
   }
 
+  template <class Number>
   void
-  FourierTransform::fetch_columns(const int block)
+  BasicFourierTransform<Number>::fetch_columns(const int block)
   {
-    parts->for_each_mode_of_rows(block, [&](const std::size_t i, const std::size_t sent) {
-      parts->of_rows[sent] = parts->modes[i];
-    });
+    // Whole lines of the cache are written, here and on the way back.
+    parts->for_each_mode_of_rows(block,
+                                 64 / sizeof(Complex),
+                                 [&](const std::size_t i, const std::size_t sent) {
+                                   parts->of_rows[sent] = parts->modes[i];
+                                 });
     exchange(parts->of_rows, parts->of_columns);
   }
 
+  template <class Number>
   void
-  FourierTransform::return_columns(const int block)
+  BasicFourierTransform<Number>::return_columns(const int block)
   {
     exchange(parts->of_columns, parts->of_rows);
     parts->for_each_mode_of_rows(block,
+                                 1,
                                  [&](const std::size_t i, const std::size_t received) {
                                    parts->modes[i] = parts->of_rows[received];
                                  });
   }
 
+  template <class Number>
   void
-  FourierTransform::exchange(const std::vector<Complex> &from,
-                             std::vector<Complex>       &to) const
+  BasicFourierTransform<Number>::exchange(const std::vector<Complex> &from,
+                                          std::vector<Complex>       &to) const
   {
-    const int n = 2 * block_width * parts->n_rows_most;
+    const int n = 2 * Parts::block_width * parts->n_rows_most;
     if (parts->n_ranks > 1)
       MPI_Alltoall(from.data(),
                    n,
-                   MPI_DOUBLE,
+                   Fftw<Number>::message_type(),
                    to.data(),
                    n,
-                   MPI_DOUBLE,
+                   Fftw<Number>::message_type(),
                    slab_layout->communicator());
   }
 
-  std::complex<double> *
-  FourierTransform::forward_column(const int k)
+  template <class Number>
+  std::complex<Number> *
+  BasicFourierTransform<Number>::forward_column(const int k)
   {
     parts->for_each_part_of_column(
       k, [&](const int y, const std::size_t place, const int n) {
         std::copy_n(parts->messages() + place, n, &parts->column[y]);
       });
-    fftw_execute_dft(parts->column_forward.get(),
-                     fftw(parts->column.data()),
-                     fftw(spectrum));
+    Fftw<Number>::execute_column(parts->column_forward.get(),
+                                 fftw(parts->column.data()),
+                                 fftw(spectrum));
     return spectrum;
   }
 
+  template <class Number>
   void
-  FourierTransform::backward_column(const int k)
+  BasicFourierTransform<Number>::backward_column(const int k)
   {
-    fftw_execute_dft(parts->column_backward.get(),
-                     fftw(spectrum),
-                     fftw(parts->column.data()));
+    Fftw<Number>::execute_column(parts->column_backward.get(),
+                                 fftw(spectrum),
+                                 fftw(parts->column.data()));
     parts->for_each_part_of_column(
       k, [&](const int y, const std::size_t place, const int n) {
         std::copy_n(&parts->column[y], n, parts->messages() + place);
       });
   }
+
+  template class BasicFourierTransform<float>;
+  template class BasicFourierTransform<double>;
 } // namespace strait

@@ -204,9 +204,10 @@ namespace strait
     return fetch_rows(field.layout(), field.data(), field.grid().nx, rows);
   }
 
-  std::vector<double>
+  template <class Number>
+  std::vector<Number>
   fetch_rows(const SlabLayout       &layout,
-             const double           *local_rows,
+             const Number           *local_rows,
              const int               row_length,
              const std::vector<int> &rows)
   {
@@ -248,10 +249,12 @@ namespace strait
 
     // Send the rows as units of one contiguous type, so that counts stay small.
     MPI_Datatype row_type;
-    MPI_Type_contiguous(row_length, MPI_DOUBLE, &row_type);
+    MPI_Type_contiguous(row_length * static_cast<int>(sizeof(Number)),
+                        MPI_BYTE,
+                        &row_type);
     MPI_Type_commit(&row_type);
-    std::vector<double> outgoing(asked.size() * static_cast<std::size_t>(row_length));
-    std::vector<double> incoming(rows.size() * static_cast<std::size_t>(row_length));
+    std::vector<Number> outgoing(asked.size() * static_cast<std::size_t>(row_length));
+    std::vector<Number> incoming(rows.size() * static_cast<std::size_t>(row_length));
     for (std::size_t k = 0; k < asked.size(); ++k)
       std::copy_n(local_rows +
                     static_cast<std::size_t>(asked[k] - layout.first_row()) * row_length,
@@ -268,13 +271,18 @@ namespace strait
                   layout.communicator());
     MPI_Type_free(&row_type);
 
-    std::vector<double> result(incoming.size());
+    std::vector<Number> result(incoming.size());
     for (std::size_t k = 0; k < rows.size(); ++k)
       std::copy_n(incoming.data() + static_cast<std::size_t>(place[k]) * row_length,
                   row_length,
                   result.data() + k * row_length);
     return result;
   }
+
+  template std::vector<double>
+  fetch_rows(const SlabLayout &, const double *, int, const std::vector<int> &);
+  template std::vector<float>
+  fetch_rows(const SlabLayout &, const float *, int, const std::vector<int> &);
 
   std::vector<double>
   gather_on_root(const SlabField &field)

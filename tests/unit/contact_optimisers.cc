@@ -65,41 +65,38 @@ namespace
     }
 
     double
-    apply(const double *p, double *u, const Pass &before, const WorkPass &after) override
+    apply(const double *p, double *u, const WorkPass &after) override
+    {
+      return act(p, u, after);
+    }
+
+    double
+    respond(const float    *step,
+            float          *response,
+            const Pass     &before,
+            const WorkPass &after) override
     {
       for (const Block &range : ranges)
         before(range);
-      double work = 0;
-      for (std::size_t i = 0; i < n; ++i)
-        {
-          u[i] = 0;
-          for (std::size_t j = 0; j < n; ++j)
-            u[i] += std::exp(-8 * std::abs(position[i] - position[j])) * weight(j) * p[j];
-          work += weight(i) * p[i] * u[i];
-        }
-      work = sum(MPI_COMM_WORLD, work);
-      for (const Block &range : ranges)
-        after(range, work);
-      ++applications;
-      return work;
+      return act(step, response, after);
     }
 
     void
-    precondition(double *values, const Pass &before, const Pass &after) override
+    precondition(float *values, const Pass &before, const Pass &after) override
     {
       for (const Block &range : ranges)
         {
           before(range);
           for (std::size_t i = range.begin; i < range.end; ++i)
-            values[i] *= quality == Quality::negative ? -1
+            values[i] *= quality == Quality::negative ? -1.f
                          : quality == Quality::uneven
-                           ? 1. + 50. * static_cast<double>(i % 7)
-                           : 1.;
+                           ? 1.f + 50.f * static_cast<float>(i % 7)
+                           : 1.f;
           after(range);
         }
     }
 
-    double *
+    float *
     scratch() override
     {
       return room.data();
@@ -124,9 +121,32 @@ namespace
     }
 
   private:
+    /** The response may replace the step. */
+    template <class Number>
+    double
+    act(const Number *step, Number *response, const WorkPass &after)
+    {
+      const std::vector<double> p(step, step + n);
+      double                    work = 0;
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          double u = 0;
+          for (std::size_t j = 0; j < n; ++j)
+            u += std::exp(-8 * std::abs(position[i] - position[j])) * weight(j) * p[j];
+          response[i] = static_cast<Number>(u);
+          work += weight(i) * p[i] * u;
+        }
+      work = sum(MPI_COMM_WORLD, work);
+      for (const Block &range : ranges)
+        after(range, work);
+      ++applications;
+      return work;
+    }
+
     Quality             quality;
     std::size_t         n = 0;
-    std::vector<double> position, height, room;
+    std::vector<double> position, height;
+    std::vector<float>  room;
     std::vector<Block>  ranges;
     long                applications = 0;
   };
@@ -147,7 +167,7 @@ namespace
     const ContactSolution solution = optimiser->solve(p.data(), g.data());
     EXPECT_TRUE(solution.converged) << solution.residual;
 
-    problem.apply(p.data(), u.data(), no_pass, no_work_pass);
+    problem.apply(p.data(), u.data(), no_work_pass);
     double total = 0;
     for (std::size_t i = 0; i < p.size(); ++i)
       {
@@ -215,11 +235,11 @@ namespace
                   before[i]   = i % 2 == 0 ? 0. : limit;
                 }
             }
-          std::vector<double> p = before;
-          bring_within_limits(problem,
-                              ContactConstraint::mean_pressure(mean, limit),
-                              may_move,
-                              p.data());
+          std::vector<double> p      = before;
+          const WithinLimits  within = within_limits(
+            problem, ContactConstraint::mean_pressure(mean, limit), may_move, p.data());
+          for (std::size_t i = 0; i < p.size(); ++i)
+            p[i] = within(p[i], may_move[i] != 0);
           // The shift of those between the limits; the others would have gone further.
           double least = -INFINITY, most = INFINITY, total = 0;
           int    n_held = 0;

@@ -87,22 +87,27 @@ namespace
     const SlabField     flat(layout);
     ZoomedProblem       problem(flat, 2.);
     const SlabField     a = rough_values(layout, 1.), b = rough_values(layout, 1.7);
-    SlabField           Ga(layout), Gb(layout), Ma = a, Mb = b;
-    const double        work = problem.apply(a.data(), Ga.data(), no_pass, no_work_pass);
-    problem.apply(b.data(), Gb.data(), no_pass, no_work_pass);
+    SlabField           Ga(layout), Gb(layout), Ma(layout), Mb(layout);
+    const double        work = problem.apply(a.data(), Ga.data(), no_work_pass);
+    problem.apply(b.data(), Gb.data(), no_work_pass);
     EXPECT_GT(work, 0.);
     EXPECT_NEAR(weighted(problem, a, Ga), work, 1e-14 * work);
     const double Gbb = weighted(problem, b, Gb);
     EXPECT_NEAR(weighted(problem, a, Gb),
                 weighted(problem, b, Ga),
                 1e-14 * std::sqrt(work * Gbb));
-    problem.precondition(Ma.data(), no_pass, no_pass);
-    problem.precondition(Mb.data(), no_pass, no_pass);
+    const auto precondition = [&](const SlabField &field, SlabField &result) {
+      std::vector<float> values(field.begin(), field.end());
+      problem.precondition(values.data(), no_pass, no_pass);
+      std::copy(values.begin(), values.end(), result.begin());
+    };
+    precondition(a, Ma);
+    precondition(b, Mb);
     const double Maa = weighted(problem, a, Ma), Mbb = weighted(problem, b, Mb);
     EXPECT_GT(Maa, 0.);
     EXPECT_NEAR(weighted(problem, a, Mb),
                 weighted(problem, b, Ma),
-                1e-14 * std::sqrt(Maa * Mbb));
+                1e-7 * std::sqrt(Maa * Mbb)); // of seven digits
   }
 
   // A pressure that the grid itself hardly resolves, within a window.
@@ -121,7 +126,7 @@ namespace
     });
     const SlabField flat(layout);
     ZoomedProblem   problem(flat, 1.);
-    problem.apply(p.data(), u.data(), no_pass, no_work_pass);
+    problem.apply(p.data(), u.data(), no_work_pass);
 
     const SlabField fine_p = sampled({3 * n, 3 * n, 1., 1.}, narrow);
     SlabField       fine_u(fine_p.layout_pointer());

@@ -97,6 +97,31 @@ namespace
     EXPECT_NEAR(mean(out), 0., 1e-14);
   }
 
+  // In place, as a step within the limits of the pressure is transformed, and apart.
+  TEST_P(FourierTransformOn, IsTheSameToSevenDigitsInSinglePrecision)
+  {
+    FourierTransform             transform(layout);
+    BasicFourierTransform<float> single(layout);
+    const SlabField              in = any_field();
+    SlabField                    out(layout);
+    const auto                   symbol = [](const int kx, const int ky) {
+      return 1 / (1 + std::hypot(kx, 1.3 * ky));
+    };
+    const double expected =
+      sum(MPI_COMM_WORLD, transform.multiply(in.data(), out.data(), symbol));
+    std::vector<float> apart(in.size());
+    std::copy(in.begin(), in.end(), single.scratch());
+    for (float *result : {apart.data(), single.scratch()})
+      {
+        const double product =
+          sum(MPI_COMM_WORLD, single.multiply(single.scratch(), result, symbol));
+        EXPECT_NEAR(product, expected, 1e-6);
+        for (std::size_t i = 0; i < out.size(); ++i)
+          EXPECT_NEAR(result[i], out[i], 2e-6);
+        std::copy(in.begin(), in.end(), single.scratch());
+      }
+  }
+
   TEST_P(FourierTransformOn, LaplacianOfPlaneWaves)
   {
     const PeriodicGrid &grid = GetParam();

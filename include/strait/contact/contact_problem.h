@@ -43,15 +43,6 @@ namespace strait
     /** The heights h [length]. */
     virtual const double *heights() const = 0;
 
-    /**
-     * Replace @p values by M values, where M is symmetric and positive and resembles the
-     * inverse of the problem's operator. Collective.
-     * before() is called for ranges that cover all points before the values are
-     * read there, and may write them; after() when the result is complete on its
-     * range.
-     */
-    virtual void precondition(double *values, const Pass &before, const Pass &after) = 0;
-
     /** How often the operator was applied (FFT pairs on a plain grid). */
     virtual long n_applications() const = 0;
 
@@ -62,8 +53,11 @@ namespace strait
     virtual double largest_over_ranks(double value) const = 0;
   };
 
-  /** Without adhesion: minimise ½<p, Gp> − <p, h> over pressures p >= 0. M is the inverse
-   *  of G up to a factor. */
+  /**
+   * Without adhesion: minimise ½<p, Gp> − <p, h> over pressures p >= 0. A step on the way
+   * and what it makes of the gap need no more than seven digits, for the gap is found
+   * anew from the pressure in the end.
+   */
   class DualProblem : public ContactProblem
   {
   public:
@@ -72,17 +66,33 @@ namespace strait
 
     /**
      * u = G p. Returns the work <p, Gp>. Collective.
-     * before() is called for ranges that cover all points before p is read there,
-     * and may write p; the scratch() values of its range are as they were.
-     * after() gets the work and is called when u is complete on its range.
+     * after() gets the work and is called for ranges that cover all points when u is
+     * complete there.
      */
-    virtual double apply(const double   *pressure,
-                         double         *displacement,
-                         const Pass     &before,
-                         const WorkPass &after) = 0;
+    virtual double
+    apply(const double *pressure, double *displacement, const WorkPass &after) = 0;
 
-    /** Room for size() values that lasts until the next apply(). */
-    virtual double *scratch() = 0;
+    /**
+     * The same of a step, to seven digits.
+     * before() is called for ranges that cover all points before the step is read there,
+     * and may write it; the scratch() values of its range are as they were.
+     */
+    virtual double respond(const float    *step,
+                           float          *response,
+                           const Pass     &before,
+                           const WorkPass &after) = 0;
+
+    /**
+     * Replace @p values by M values, where M is symmetric and positive and resembles the
+     * inverse of G up to a factor. Collective.
+     * before() is called for ranges that cover all points before the values are
+     * read there, and may write them; after() when the result is complete on its
+     * range.
+     */
+    virtual void precondition(float *values, const Pass &before, const Pass &after) = 0;
+
+    /** Room for size() values that lasts until the next respond(). */
+    virtual float *scratch() = 0;
   };
 
   /**
@@ -101,6 +111,10 @@ namespace strait
      */
     virtual double
     apply(const double *displacement, double *traction, const Pass &before) = 0;
+
+    /** Replace @p values by M values; before() and after() as those of DualProblem.
+     *  Collective. */
+    virtual void precondition(double *values, const Pass &before, const Pass &after) = 0;
 
     /** What stands in M for the stiffness of a uniform gap [pressure/length]. */
     virtual double mean_stiffness() const = 0;
@@ -126,14 +140,21 @@ namespace strait
   class WeightedSums
   {
   public:
-    /** add(i, sums) adds the values of point i of @p range to the N sums. */
+    /** add_point(i, sums) adds the values of point i of @p range to the N sums. */
     template <class Add>
     void
-    run_over(const ContactProblem::Block &range, const Add &add)
+    run_over(const ContactProblem::Block &range, const Add &add_point)
     {
       std::array<double, N> sums{};
       for (std::size_t i = range.begin; i < range.end; ++i)
-        add(i, sums);
+        add_point(i, sums);
+      add(range, sums);
+    }
+
+    /** The same of sums over points of @p range that are known. */
+    void
+    add(const ContactProblem::Block &range, const std::array<double, N> &sums)
+    {
       for (std::size_t k = 0; k < N; ++k)
         local[k] += range.weight * sums[k];
     }

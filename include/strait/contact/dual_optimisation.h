@@ -4,6 +4,7 @@
 
 #include <strait/contact/contact_problem.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -55,12 +56,11 @@ namespace strait
       return value;
     }
 
-    /** The factor that gives a pressure of the mean @p mean the prescribed one; none
-     *  where it might lead beyond the limit. */
+    /** The factor that gives a pressure of the mean @p mean the prescribed one. */
     double
     rescale(const double mean) const
     {
-      return fixes_pressure && !is_limited() ? value / mean : 1.;
+      return fixes_pressure ? value / mean : 1.;
     }
 
     /** Whether the pressure has an upper limit, and the mean is held. */
@@ -92,16 +92,32 @@ namespace strait
     double largest;
   };
 
+  /** What brings a pressure within its limits, point by point. */
+  struct WithinLimits
+  {
+    double shift;    // before truncation,
+    double factor;   // and what is left is multiplied by this
+    double limit;    // the upper one
+    bool   all_move; // and not only marked points
+
+    double
+    operator()(const double pressure, const bool is_marked) const
+    {
+      return all_move || is_marked ? factor * std::clamp(pressure + shift, 0., limit)
+                                   : pressure;
+    }
+  };
+
   /**
-   * Replace @p pressure, at the points that @p may_move marks, by the nearest one within
-   * the limits of @p constraint that gives the whole its mean: by the same shift at all
-   * of them and truncation. Where these points cannot carry that mean all points move.
-   * Collective.
+   * The way to a pressure within the limits of @p constraint that has its mean: @p
+   * pressure truncated and scaled or, where there is an upper limit, the nearest one,
+   * which is reached by the same shift at all points that @p may_move marks. Where these
+   * cannot carry that mean all points move. Collective.
    */
-  void bring_within_limits(const DualProblem               &problem,
-                           const ContactConstraint         &constraint,
-                           const std::vector<std::uint8_t> &may_move,
-                           double                          *pressure);
+  WithinLimits within_limits(const DualProblem               &problem,
+                             const ContactConstraint         &constraint,
+                             const std::vector<std::uint8_t> &may_move,
+                             const double                    *pressure);
 
   /** When an optimiser stops. */
   struct ContactTolerance

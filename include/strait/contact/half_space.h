@@ -38,18 +38,19 @@ namespace strait
    * q ≠ 0 and u~(0) = 0 (Johnson, Contact Mechanics, 1985). p > 0 presses, u > 0
    * points away from the substrate.
    */
-  class HalfSpace
+  template <class Number>
+  class BasicHalfSpace
   {
   public:
     /** @p contact_modulus is E* > 0. Collective. */
-    HalfSpace(const SlabLayoutPtr &layout, double contact_modulus);
+    BasicHalfSpace(const SlabLayoutPtr &layout, double contact_modulus);
 
     /**
      * u = G p, one value a local grid point; @p pressure and @p displacement may
      * be the same. Returns the mean of p·u over all grid points. Collective; one
      * FFT pair.
      */
-    double apply(const double *pressure, double *displacement);
+    double apply(const Number *pressure, Number *displacement);
 
     /**
      * The same for callers that run over the rows before and after: before(row)
@@ -57,13 +58,13 @@ namespace strait
      * mean of p·u, finds the displacement of the row. before() runs from the last
      * row to the first, and finds its row of scratch() unharmed. Collective.
      */
-    double apply(const double                           *pressure,
-                 double                                 *displacement,
+    double apply(const Number                           *pressure,
+                 Number                                 *displacement,
                  const std::function<void(int)>         &before,
                  const std::function<void(int, double)> &after);
 
     /** Room for one value a local grid point, valid until the next apply(). */
-    double *
+    Number *
     scratch()
     {
       return transform.scratch();
@@ -95,9 +96,11 @@ namespace strait
     }
 
   private:
-    FourierTransform transform;
-    double           modulus;
+    BasicFourierTransform<Number> transform;
+    double                        modulus;
   };
+
+  using HalfSpace = BasicHalfSpace<double>;
 } // namespace strait
 
 #endif

@@ -73,6 +73,15 @@ namespace strait
       return [this, &pass](const int row) { pass(block_of_row(row)); };
     }
 
+    /** The same for a pass that is told the work. */
+    std::function<void(int, double)>
+    by_rows(const DualProblem::WorkPass &pass) const
+    {
+      return [this, &pass](const int row, const double work) {
+        pass(block_of_row(row), work);
+      };
+    }
+
     const SlabField &surface;
 
   private:
@@ -89,20 +98,23 @@ namespace strait
      */
     HalfSpaceProblem(const SlabField &heights, double contact_modulus);
 
-    double  apply(const double   *pressure,
-                  double         *displacement,
-                  const Pass     &before,
-                  const WorkPass &after) override;
-    void    precondition(double *values, const Pass &before, const Pass &after) override;
-    double *scratch() override;
-    long    n_applications() const override;
+    double
+    apply(const double *pressure, double *displacement, const WorkPass &after) override;
+    double respond(const float    *step,
+                   float          *response,
+                   const Pass     &before,
+                   const WorkPass &after) override;
+    void   precondition(float *values, const Pass &before, const Pass &after) override;
+    float *scratch() override;
+    long   n_applications() const override;
 
     /** Bytes on this rank, without the heights. */
     std::size_t memory_consumption() const;
 
   private:
-    HalfSpace        half_space;
-    TwoScaleOperator stiffness;
+    HalfSpace             half_space;
+    BasicHalfSpace<float> of_steps; // the same to seven digits
+    TwoScaleOperator      stiffness;
   };
 
   /**

@@ -23,28 +23,22 @@ namespace strait
   NinePointStencil fit_stencil(const std::function<double(double, double)> &target);
 
   /** Applies a stencil in place, row after row of a periodic line of points. */
+  template <class Number>
   class StencilSweep
   {
   public:
     StencilSweep(const NinePointStencil &stencil, int row_length);
 
     /** Begin with the row after @p row_above. */
-    void begin(const double *row_above);
+    void begin(const Number *row_above);
 
     /** Replace the next row @p values by the stencil's values plus @p added; @p below
      *  is the row after it. */
-    void apply(double *values, const double *below, const double *added);
-
-    /** Bytes. */
-    std::size_t
-    memory_consumption() const
-    {
-      return (above.size() + here.size() + mixed.size()) * sizeof(double);
-    }
+    void apply(Number *values, const Number *below, const Number *added);
 
   private:
     const NinePointStencil stencil;
-    std::vector<double>    above, here, mixed; // rows as they were, and a sum of them
+    std::vector<Number>    above, here, mixed; // rows as they were, and a sum of them
   };
 } // namespace strait
 

@@ -25,7 +25,7 @@ namespace strait
   class DualConjugateGradients : public DualOptimiser
   {
   public:
-    /** Needs 17 B a local point beside the two fields of solve(). */
+    /** Needs 9 B a local point beside the two fields of solve(). */
     using DualOptimiser::DualOptimiser;
 
     ContactSolution solve(double *pressure, double *gap) override;
@@ -34,37 +34,45 @@ namespace strait
   private:
     using Block = ContactProblem::Block;
 
-    void   truncate();
+    void   find_gap();
     double survey();
     double rigid_shift(double sum_g, double area) const;
     double choose_direction();
-    double step(double slope);
+    bool   step(double slope);
+    void   step_within_limits(double length);
+    void   note_free(const WeightedSums<3> &free);
     void   watch_energy();
 
     // What is done with a range of points in one pass.
     double choose_contact(const Block &range);
     void   measure(const Block &range);
-    void   form_direction(const Block &range);
+    void   form_direction(const Block &range, float *next);
     void   move(const Block &range, double length);
+    void   follow(const Block &range, const float *r, double length);
 
     using Flags = std::vector<std::uint8_t>;
 
-    double             *pressure   = nullptr;                  // p, for now also beyond
-    double             *gap        = nullptr;                  // g + shift
-    std::vector<double> direction  = zeros();                  // t
-    std::vector<double> response   = zeros();                  // r = G t
-    Flags               in_contact = Flags(problem.size(), 0); // 1 where p may change: C
+    // The gaps y, the directions and what these make of the gap are in units of
+    // tolerance.length, so that they are of the order of one in any units.
+    double            *pressure   = nullptr; // p, for now also beyond
+    double            *gap        = nullptr; // g + shift
+    std::vector<float> direction  = std::vector<float>(problem.size()); // t
+    std::vector<float> response   = std::vector<float>(problem.size()); // r = G t
+    Flags              in_contact = Flags(problem.size(), 0); // 1 where p may change: C
 
-    double shift      = 0;
-    bool   any_beyond = false; // pressure, its limits
+    double shift        = 0;
+    bool   any_beyond   = false; // pressure, its limits
+    bool   gap_is_exact = false; // and not the sum of responses
+    double last_length  = 0;     // of a step along t
 
     // The next direction is (z − mean_z) + beta (t − mean_t) on C.
     double mean_z = 0, beta = 0, mean_t = 0;
 
     WeightedSums<9> on_contact; // of measure()
-    WeightedSums<3> moved;      // of move()
+    WeightedSums<3> moved;      // of follow()
 
-    // The dual energy falls with every step, and may rise with a truncation.
+    // The dual energy falls with every step along t, and may rise with one within the
+    // limits.
     double energy        = 0;
     double energy_scale  = 0;
     double lowest_energy = 0; // of an admissible pressure

@@ -42,9 +42,11 @@ namespace strait
 
     /**
      * Replace @p values, one a local grid point, by M values. before(row) may still
-     * write the local row, after(row) finds the result there. Collective.
+     * write the local row, after(row) finds the result there. @p Number is double or
+     * float. Collective.
      */
-    void apply(double                         *values,
+    template <class Number>
+    void apply(Number                         *values,
                const std::function<void(int)> &before,
                const std::function<void(int)> &after);
 
@@ -66,16 +68,17 @@ namespace strait
                      const std::function<double(double)> &symbol,
                      double                               uniform);
 
-    double  correction(double x, double y, double missing) const;
-    void    restrict_row(const double *values, int row);
-    void    find_corrections();
-    void    expand_row(int row);
+    double correction(double x, double y, double missing) const;
+    template <class Number>
+    void restrict_row(const Number *values, int row);
+    void find_corrections();
+    template <class Number>
+    void    expand_row(int row, std::vector<Number> &correction_line);
     double *row_above(int row);
 
     const SlabLayoutPtr    layout;
     const Transfer         transfer;
     const NinePointStencil stencil;
-    StencilSweep           sweep;
 
     std::unique_ptr<FourierTransform> coarse_transform; // null: stencil only
     std::vector<double>               coarse_symbol;    // ky by kx, both >= 0
@@ -83,7 +86,6 @@ namespace strait
     std::vector<int>                  around;    // coarse rows about the fine ones,
     std::vector<double>               near_rows; // and their values
     std::vector<double>               coarse_line;
-    std::vector<double>               correction_line;
   };
 } // namespace strait
 

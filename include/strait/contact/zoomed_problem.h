@@ -34,13 +34,15 @@ namespace strait
     ZoomedProblem(const SlabField &heights, double contact_modulus);
     ~ZoomedProblem() override;
 
-    double  apply(const double   *pressure,
-                  double         *displacement,
-                  const Pass     &before,
-                  const WorkPass &after) override;
-    void    precondition(double *values, const Pass &before, const Pass &after) override;
-    double *scratch() override;
-    long    n_applications() const override;
+    double
+    apply(const double *pressure, double *displacement, const WorkPass &after) override;
+    double respond(const float    *step,
+                   float          *response,
+                   const Pass     &before,
+                   const WorkPass &after) override;
+    void   precondition(float *values, const Pass &before, const Pass &after) override;
+    float *scratch() override;
+    long   n_applications() const override;
 
     /** Bytes on this rank, without the heights. */
     std::size_t memory_consumption() const;
@@ -55,6 +57,7 @@ namespace strait
       stiffness   // qE*/2
     };
 
+    void apply_compliance(double *values);
     void gather_from_windows(double *values);
     void spread_to_windows(double *values, Symbol symbol);
     void transform(FourierTransform &box, double *values, Symbol symbol) const;
@@ -69,7 +72,8 @@ namespace strait
     FourierTransform                     grid_transform;
     TwoScaleOperator                     grid_stiffness;
     std::vector<std::unique_ptr<Window>> windows;
-    std::vector<double>                  room;
+    std::vector<float>                   room;
+    std::vector<double>                  values_of_step; // what is done to one, in double
   };
 } // namespace strait
 

@@ -28,18 +28,23 @@ namespace strait
    * spectrum of a field is the same to the last bit on any number of ranks. A
    * transform makes FFTW forget the wisdom of the process, for the same reason.
    *
-   * The buffer, 8 B a grid point, is lent out as scratch memory between transforms.
+   * The buffer, one @p Number a grid point, is lent out as scratch memory between
+   * transforms. @p Number is double or, for what need not be more than seven digits,
+   * float: half the memory, and six tenths of the time.
    */
-  class FourierTransform
+  template <class Number>
+  class BasicFourierTransform
   {
   public:
-    explicit FourierTransform(SlabLayoutPtr layout);
-    ~FourierTransform();
-    FourierTransform(const FourierTransform &)            = delete;
-    FourierTransform &operator=(const FourierTransform &) = delete;
+    using Complex = std::complex<Number>;
 
-    /** At least layout().n_local_points() doubles; overwritten by transforms. */
-    double *
+    explicit BasicFourierTransform(SlabLayoutPtr layout);
+    ~BasicFourierTransform();
+    BasicFourierTransform(const BasicFourierTransform &)            = delete;
+    BasicFourierTransform &operator=(const BasicFourierTransform &) = delete;
+
+    /** At least layout().n_local_points() numbers; overwritten by transforms. */
+    Number *
     scratch()
     {
       return buffer;
@@ -64,7 +69,7 @@ namespace strait
      */
     template <class Symbol>
     double
-    multiply(const double *in, double *out, const Symbol &symbol)
+    multiply(const Number *in, Number *out, const Symbol &symbol)
     {
       double product = 0;
       multiply_in_passes(
@@ -87,8 +92,8 @@ namespace strait
      */
     template <class Symbol, class Before, class Between, class After>
     void
-    multiply_in_passes(const double  *in,
-                       double        *out,
+    multiply_in_passes(const Number  *in,
+                       Number        *out,
                        const Symbol  &symbol,
                        const Before  &before,
                        const Between &between,
@@ -124,13 +129,13 @@ namespace strait
 
     /**
      * The field whose Fourier coefficients are mode(kx, ky), a callable that
-     * returns std::complex<double> and is asked for 0 <= kx <= nx/2 and
+     * returns a Complex and is asked for 0 <= kx <= nx/2 and
      * -ny/2 < ky <= ny/2 only; mirror images are implied. Where a mode is its
      * own mirror image the imaginary part is dropped. Collective.
      */
     template <class Mode>
     void
-    synthesize(double *out, const Mode &mode)
+    synthesize(Number *out, const Mode &mode)
     {
       const int ny = slab_layout->grid().ny;
       for (int block = 0; block < n_blocks; ++block)
@@ -154,7 +159,7 @@ namespace strait
      */
     template <class Visit>
     void
-    analyze(const double *in, const Visit &visit)
+    analyze(const Number *in, const Visit &visit)
     {
       for (int row = slab_layout->n_rows() - 1; row >= 0; --row)
         load_row(in, row);
@@ -165,8 +170,8 @@ namespace strait
           fetch_columns(block);
           for (int k = 0; k < n_columns(block); ++k)
             {
-              const int                   kx     = first_column(block) + k;
-              const std::complex<double> *values = forward_column(k);
+              const int      kx     = first_column(block) + k;
+              const Complex *values = forward_column(k);
               for (int i = 0; i < ny; ++i)
                 visit(kx, signed_wave_number(i, ny), values[i] * scale, weight_of(kx));
             }
@@ -187,10 +192,10 @@ namespace strait
     struct Parts;
 
     /** Transform a row of @p in along x, into the buffer. */
-    void load_row(const double *in, int row);
+    void load_row(const Number *in, int row);
 
     /** Transform a row of the buffer back along x, into @p out; the buffer's is lost. */
-    void store_row(double *out, int row);
+    void store_row(Number *out, int row);
 
     /** Collect this rank's columns of a block from the rows of all ranks. Collective. */
     void fetch_columns(int block);
@@ -199,11 +204,10 @@ namespace strait
     void return_columns(int block);
 
     /** Exchange messages between all ranks, if there are others. */
-    void exchange(const std::vector<std::complex<double>> &from,
-                  std::vector<std::complex<double>>       &to) const;
+    void exchange(const std::vector<Complex> &from, std::vector<Complex> &to) const;
 
     /** The ny modes of column @p k of the block. */
-    std::complex<double> *forward_column(int k);
+    Complex *forward_column(int k);
 
     /** Transform those modes back, into column @p k of the block. */
     void backward_column(int k);
@@ -233,29 +237,39 @@ namespace strait
     /** Multiply the modes of column @p kx, and return Σ factor |f~|². */
     template <class Symbol>
     double
-    multiply_column(std::complex<double> *values,
-                    const int             kx,
-                    const double          scale,
-                    const Symbol         &symbol) const
+    multiply_column(Complex      *values,
+                    const int     kx,
+                    const double  scale,
+                    const Symbol &symbol)
     {
-      const int ny      = slab_layout->grid().ny;
-      double    product = 0;
+      const int ny = slab_layout->grid().ny;
       for (int i = 0; i < ny; ++i)
-        {
-          const double factor = scale * symbol(kx, signed_wave_number(i, ny));
-          product += factor * std::norm(values[i]);
-          values[i] *= factor;
-        }
-      return product;
+        factors[i] = static_cast<Number>(scale * symbol(kx, signed_wave_number(i, ny)));
+      // Several sums, of which the processor need not wait for one.
+      double     products[4] = {};
+      const auto multiply    = [&](const int i, double &sum) {
+        const double re = values[i].real(), im = values[i].imag();
+        sum += factors[i] * (re * re + im * im);
+        values[i] = {factors[i] * values[i].real(), factors[i] * values[i].imag()};
+      };
+      for (int i = 0; i + 4 <= ny; i += 4)
+        for (int j = 0; j < 4; ++j)
+          multiply(i + j, products[j]);
+      for (int i = ny - ny % 4; i < ny; ++i)
+        multiply(i, products[0]);
+      return (products[0] + products[1]) + (products[2] + products[3]);
     }
 
     SlabLayoutPtr          slab_layout;
     std::unique_ptr<Parts> parts;
     int                    n_blocks;
-    double                *buffer;
-    std::complex<double>  *spectrum;
+    Number                *buffer;
+    Complex               *spectrum;
+    std::vector<Number>    factors; // of the modes of a column
     long                   pairs = 0;
   };
+
+  using FourierTransform = BasicFourierTransform<double>;
 } // namespace strait
 
 #endif

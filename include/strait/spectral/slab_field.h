@@ -320,9 +320,11 @@ namespace strait
    */
   std::vector<double> fetch_rows(const SlabField &field, const std::vector<int> &rows);
 
-  /** The same of any array of @p row_length doubles a row, laid out like @p layout. */
-  std::vector<double> fetch_rows(const SlabLayout       &layout,
-                                 const double           *local_rows,
+  /** The same of any array of @p row_length numbers a row, double or float, laid out like
+   *  @p layout. */
+  template <class Number>
+  std::vector<Number> fetch_rows(const SlabLayout       &layout,
+                                 const Number           *local_rows,
                                  int                     row_length,
                                  const std::vector<int> &rows);
 
