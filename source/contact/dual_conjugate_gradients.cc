@@ -63,13 +63,12 @@ namespace strait
   {
     pressure = pressures;
     gap      = gaps;
-    std::fill(direction.begin(), direction.end(), 0.f);
-    std::fill(response.begin(), response.end(), 0.f);
     for (std::size_t i = 0, n = problem.size(); i < n; ++i)
       in_contact[i] = pressure[i] > 0;
 
     ContactSolution solution;
     int             steps_beyond = 0; // since the pressure was within its limits
+    double least_residual = std::numeric_limits<double>::infinity(); // at that time
     find_gap();
     while (true)
       {
@@ -87,13 +86,17 @@ namespace strait
             continue;
           }
 
-        const double slope = choose_direction();
+        const double slope    = choose_direction();
+        bool         followed = true; // a direction, by more than truncation
         if (any_beyond && (late || cautious || steps_beyond >= 2 ||
                            solution.residual <= 0.3 * tolerance.residual))
           {
-            // What raised the energy before shall not do so again.
-            step_within_limits(late || cautious ? 0. : last_length);
-            steps_beyond = 0;
+            // Truncation alone where more has not helped: where many points neither bear
+            // nor part it may lead round in circles.
+            followed = !late && !cautious && solution.residual < least_residual;
+            step_within_limits(followed ? last_length : 0.);
+            least_residual = std::min(least_residual, solution.residual);
+            steps_beyond   = 0;
           }
         else if (step(slope))
           ++steps_beyond;
@@ -104,7 +107,7 @@ namespace strait
         else
           find_gap();
         watch_energy();
-        ++solution.iterations;
+        solution.iterations += followed ? 1 : 0;
       }
 
     for (std::size_t i = 0, n = problem.size(); i < n; ++i)
@@ -117,8 +120,7 @@ namespace strait
   // contact. They work on local copies of members because, for all the compiler
   // knows, a write to a field might change a member.
 
-  /** p within its limits with the prescribed mean, and g = G p + u0 − h, in all digits.
-   */
+  /** p within its limits with the prescribed mean, and g = G p + u0 − h in all digits. */
   void
   DualConjugateGradients::find_gap()
   {
@@ -143,6 +145,9 @@ namespace strait
     });
     note_free(free);
     gap_is_exact = true;
+    // What follows is conjugate to no step that led to another gap.
+    std::fill(direction.begin(), direction.end(), 0.f);
+    std::fill(response.begin(), response.end(), 0.f);
 
     const double elastic = 0.5 * p_Gp;
     const double work    = p_h - u0 * mean;

@@ -100,6 +100,7 @@ namespace strait
     double                        modulus;
   };
 
+  /** In double precision. */
   using HalfSpace = BasicHalfSpace<double>;
 } // namespace strait
 

@@ -269,6 +269,7 @@ namespace strait
     long                   pairs = 0;
   };
 
+  /** In double precision. */
   using FourierTransform = BasicFourierTransform<double>;
 } // namespace strait
 
