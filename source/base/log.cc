@@ -3,6 +3,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/log.h>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,7 +23,10 @@ namespace strait
     {
       if (quiet)
         return Log::Screen::silent;
-      return isatty(STDOUT_FILENO) != 0 ? Log::Screen::terminal : Log::Screen::plain;
+      // What mpirun reads from its processes looks like a terminal, but has no width.
+      winsize size{};
+      ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
+      return size.ws_col > 0 ? Log::Screen::terminal : Log::Screen::plain;
     }
 
     constexpr int columns = 80; // of a terminal, as they have been since punched cards
