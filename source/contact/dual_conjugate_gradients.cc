@@ -91,9 +91,10 @@ namespace strait
         if (any_beyond && (late || cautious || steps_beyond >= 2 ||
                            solution.residual <= 0.3 * tolerance.residual))
           {
-            // Truncation alone where more has not helped: where many points neither bear
-            // nor part it may lead round in circles.
-            followed = !late && !cautious && solution.residual < least_residual;
+            // Truncation alone where more has not helped or the pressure has two limits:
+            // where many points neither bear nor part it may lead round in circles.
+            followed = !late && !cautious && !constraint.is_limited() &&
+                       solution.residual < least_residual;
             step_within_limits(followed ? last_length : 0.);
             least_residual = std::min(least_residual, solution.residual);
             steps_beyond   = 0;
