@@ -64,7 +64,7 @@ namespace strait
     pressure = pressures;
     gap      = gaps;
     for (std::size_t i = 0, n = problem.size(); i < n; ++i)
-      in_contact[i] = pressure[i] > 0;
+      in_contact[i] = pressure[i] != 0;
 
     ContactSolution solution;
     int             steps_beyond = 0; // since the pressure was within its limits
@@ -129,22 +129,19 @@ namespace strait
     const double      *h     = problem.heights();
     const WithinLimits limit = within_limits(problem, constraint, in_contact, p);
     const auto [mean, p_h]   = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
-      p[i] = limit(p[i], in_contact[i] != 0);
+      p[i]          = limit(p[i], in_contact[i] != 0);
+      in_contact[i] = p[i] != 0;
       sums[0] += p[i];
       sums[1] += p[i] * h[i];
     });
-    const double    u0       = constraint.displacement();
-    const double    upper    = constraint.limit();
-    WeightedSums<3> free;
-    const double    p_Gp = problem.apply(p, g, [&](const Block &range, const double) {
-      free.run_over(range, [=](const auto i, auto &sums) {
+    const double u0          = constraint.displacement();
+    free_points              = {};
+    const double p_Gp        = problem.apply(p, g, [&](const Block &range, const double) {
+      for (std::size_t i = range.begin; i < range.end; ++i)
         g[i] += u0 - h[i];
-        const double is_free = p[i] != 0 && p[i] != upper ? 1. : 0.;
-        sums[1] += is_free * g[i];
-        sums[2] += is_free;
-      });
+      measure_free(range);
     });
-    note_free(free);
+    note_free();
     gap_is_exact = true;
     // What follows is conjugate to no step that led to another gap.
     std::fill(direction.begin(), direction.end(), 0.f);
@@ -226,10 +223,9 @@ namespace strait
           y[i]                  = is_wrong ? static_cast<float>(unit * centred) : 0.f;
         }
     };
-    const auto choose_open = [        =,
-                              limited = constraint.is_limited()](const std::size_t begin,
-                                                                 const std::size_t end) {
-      bool any = limited;
+    const bool limited     = constraint.is_limited();
+    const auto choose_open = [=](const std::size_t begin, const std::size_t end) {
+      bool any = limited; // for these points may bear the largest pressure
       for (std::size_t i = begin; i < end; ++i)
         any |= g[i] < s;
       if (any)
@@ -314,7 +310,7 @@ namespace strait
   bool
   DualConjugateGradients::step(const double slope)
   {
-    moved                  = {};
+    free_points            = {};
     const double curvature = problem.respond(
       direction.data(),
       response.data(),
@@ -322,7 +318,7 @@ namespace strait
       [&](const Block &range, const double t_r) {
         move(range, t_r > 0 ? slope / t_r : 0.);
       });
-    note_free(moved);
+    note_free();
     if (!(curvature > 0))
       return false;
     gap_is_exact = false;
@@ -357,7 +353,7 @@ namespace strait
         std::fill(d + range.begin, d + range.end, 0.f);
     const WithinLimits limit = within_limits(problem, constraint, in_contact, p);
     WeightedSums<1>    gained;
-    moved            = {};
+    free_points      = {};
     const auto enter = [=, &limit, &gained, s = shift](const Block &range) {
       std::array<double, 1> sums{};
       const auto            enter_point = [=, &limit, &sums](const std::size_t i) {
@@ -367,7 +363,7 @@ namespace strait
         c[i]                = p[i] != 0;
         sums[0] += unit * (g[i] - s) * d[i];
       };
-      if (limit.all_move && constraint.is_limited())
+      if (limit.all_move)
         for (std::size_t i = range.begin; i < range.end; ++i)
           enter_point(i);
       else
@@ -378,7 +374,7 @@ namespace strait
       follow(range, d, 1.);
     });
     const auto [slope] = gained.over_ranks(problem);
-    note_free(moved);
+    note_free();
     gap_is_exact = false;
     energy -= squared(tolerance.length) * (slope - .5 * d_r);
   }
@@ -415,18 +411,24 @@ namespace strait
     follow(range, response.data(), length);
   }
 
-  /** g −= length r; absorb the shift, and see which pressures are free. */
+  /** g −= length r; absorb the shift, and measure the free points. */
   void
   DualConjugateGradients::follow(const Block &range, const float *r, const double length)
   {
-    double       *g   = gap;
-    const double *p   = pressure;
-    const double  s   = shift;
-    const double  far = tolerance.length * length;
+    double      *g   = gap;
+    const double s   = shift;
+    const double far = tolerance.length * length;
     for (std::size_t i = range.begin, end = range.end; i < end; ++i)
       g[i] = (g[i] - s) - far * r[i];
+    measure_free(range);
+  }
 
-    // Free pressures are in C, and after a step within the limits wherever they are.
+  /** Sums over points between the limits of the pressure or beyond these, which are all
+   *  marked: how many are beyond, their gaps, and how many they are. */
+  void
+  DualConjugateGradients::measure_free(const Block &range)
+  {
+    const double         *g = gap, *p = pressure;
     const double          limit = constraint.limit();
     std::array<double, 3> sums{};
     for_each_marked(in_contact.data(), range, [=, &sums](const std::size_t i) {
@@ -435,15 +437,14 @@ namespace strait
       sums[1] += is_free * g[i];
       sums[2] += is_free;
     });
-    moved.add(range, sums);
+    free_points.add(range, sums);
   }
 
-  /** The shift, and whether any pressure is beyond its limits, from sums over free
-   *  pressures: how many are beyond, their gaps, and how many they are. */
+  /** The shift, and whether any pressure is beyond its limits. */
   void
-  DualConjugateGradients::note_free(const WeightedSums<3> &free)
+  DualConjugateGradients::note_free()
   {
-    const auto [beyond, sum_g, area] = free.over_ranks(problem);
+    const auto [beyond, sum_g, area] = free_points.over_ranks(problem);
     any_beyond                       = beyond > 0;
     shift                            = rigid_shift(sum_g, area);
   }

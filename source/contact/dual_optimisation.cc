@@ -17,7 +17,7 @@ namespace strait
         const auto [mean] = weighted_sums<1>(problem, [=](const auto i, auto &sums) {
           sums[0] += pressure[i] > 0 ? pressure[i] : 0.;
         });
-        return {0., constraint.rescale(mean), constraint.limit(), true};
+        return {0., constraint.rescale(mean), constraint.limit(), false};
       }
 
     // To rounding: the shift is known no better, and Newton's method doubles the digits.

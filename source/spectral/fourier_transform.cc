@@ -28,11 +28,6 @@ namespace strait
       static constexpr auto execute_column       = fftw_execute_dft;
       static constexpr auto destroy_plan         = fftw_destroy_plan;
       static constexpr auto forget_wisdom        = fftw_forget_wisdom;
-      static MPI_Datatype
-      message_type()
-      {
-        return MPI_DOUBLE;
-      }
     };
 
     template <>
@@ -48,11 +43,6 @@ namespace strait
       static constexpr auto execute_column       = fftwf_execute_dft;
       static constexpr auto destroy_plan         = fftwf_destroy_plan;
       static constexpr auto forget_wisdom        = fftwf_forget_wisdom;
-      static MPI_Datatype
-      message_type()
-      {
-        return MPI_FLOAT;
-      }
     };
 
     // A std::vector begins at a multiple of 16 B, as FFTW's vector instructions want.
@@ -276,15 +266,11 @@ namespace strait
   BasicFourierTransform<Number>::exchange(const std::vector<Complex> &from,
                                           std::vector<Complex>       &to) const
   {
-    const int n = 2 * Parts::block_width * parts->n_rows_most;
+    const int n =
+      Parts::block_width * parts->n_rows_most * static_cast<int>(sizeof(Complex));
     if (parts->n_ranks > 1)
-      MPI_Alltoall(from.data(),
-                   n,
-                   Fftw<Number>::message_type(),
-                   to.data(),
-                   n,
-                   Fftw<Number>::message_type(),
-                   slab_layout->communicator());
+      MPI_Alltoall(
+        from.data(), n, MPI_BYTE, to.data(), n, MPI_BYTE, slab_layout->communicator());
   }
 
   template <class Number>

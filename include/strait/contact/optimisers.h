@@ -40,7 +40,7 @@ namespace strait
     double choose_direction();
     bool   step(double slope);
     void   step_within_limits(double length);
-    void   note_free(const WeightedSums<3> &free);
+    void   note_free();
     void   watch_energy();
 
     // What is done with a range of points in one pass.
@@ -49,6 +49,7 @@ namespace strait
     void   form_direction(const Block &range, float *next);
     void   move(const Block &range, double length);
     void   follow(const Block &range, const float *r, double length);
+    void   measure_free(const Block &range);
 
     using Flags = std::vector<std::uint8_t>;
 
@@ -68,8 +69,8 @@ namespace strait
     // The next direction is (z − mean_z) + beta (t − mean_t) on C.
     double mean_z = 0, beta = 0, mean_t = 0;
 
-    WeightedSums<9> on_contact; // of measure()
-    WeightedSums<3> moved;      // of follow()
+    WeightedSums<9> on_contact;  // of measure()
+    WeightedSums<3> free_points; // of measure_free()
 
     // The dual energy falls with every step along t, and may rise with one within the
     // limits.
