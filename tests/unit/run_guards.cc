@@ -92,8 +92,8 @@ namespace
   TEST(Guards, Memory)
   {
     Scene scene = scene_of("", {"Contact/Grid points=1024, 512"});
-    // 92 bytes a point were measured.
-    EXPECT_NEAR(memory_of_grid(scene) / (1024 * 512), 100., 20.);
+    // 64 bytes a point were measured.
+    EXPECT_NEAR(memory_of_grid(scene) / (1024 * 512), 64., 8.);
     EXPECT_GT(free_memory(), 1e6);
     ASSERT_LT(free_memory(), 4e11) << "this machine could do what follows";
     EXPECT_NO_THROW(require_memory(scene, MPI_COMM_WORLD));
