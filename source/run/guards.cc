@@ -139,7 +139,7 @@ namespace strait
     return static_cast<double>(scene.contact.grid_points[0]) *
            scene.contact.grid_points[1] *
            ((scene.contact.enabled ? contact : gap) +
-            (scene.fluid.enabled ? flow * (scene.seal.two_in_a_row ? 3. : 1.) : 0.));
+            (scene.fluid.enabled ? flow * (scene.has_two_boxes() ? 3. : 1.) : 0.));
   }
 
   double
