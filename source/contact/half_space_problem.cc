@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/signals.h>
 #include <strait/contact/half_space_problem.h>
 
 #include <algorithm>
@@ -98,6 +99,7 @@ namespace strait
                              double       *traction,
                              const Pass   &before)
   {
+    interruption_point();
     double work = 0;
     transform.multiply_in_passes(
       displacement,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/signals.h>
 #include <strait/interface/gap_field.h>
 
 #include <deal.II/base/mpi.h>
@@ -180,6 +181,7 @@ namespace strait
   CellAnswers
   GapField::ask(const Coefficient coefficient, const std::vector<GridCell> &cells) const
   {
+    interruption_point(); // once a mesh
     if (static_cast<std::size_t>(coefficient) >= known.size() &&
         !(known_other && other == coefficient))
       build(other = coefficient, known_other);

@@ -138,7 +138,7 @@ namespace strait
     const double flow =
       2 * 8. / 12 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
     const double of_flow =
-      scene.fluid.enabled ? flow * (scene.seal.two_in_a_row ? 3. : 1.) : 0.;
+      scene.fluid.enabled ? flow * (scene.has_two_boxes() ? 3. : 1.) : 0.;
     return static_cast<double>(scene.contact.grid_points[0]) *
            scene.contact.grid_points[1] *
            (scene.contact.enabled ? std::max(solved, kept + of_flow) : gap + of_flow);
