@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How the leak rate of an isolated constriction vanishes where it closes: as a power of
-1 − p/p_c, with an exponent of 3.45.
+"""How the leak rate of an isolated constriction vanishes where it closes: with an exponent that
+drifts with the logarithm of 1 − p/p_c, unless the fluid does not see the last of the gap.
 
     python3 saddle_exponents.py [GRID POINTS]
 """
@@ -10,21 +10,25 @@ import matplotlib.pyplot as plt
 import numpy as np
 import strait
 
-n = int(sys.argv[1]) if sys.argv[1:] else 1024
-seal = strait.Seal(strait.Scene(surface=dict(kind="square saddle"), contact=dict(grid_points=n),
-                                fluid=dict(target_accuracy=0.01)))
-critical = seal.find_transition(first=1.4).middle  # 0.2286 · 2π E* Δ/L
-reduced = np.geomspace(0.1, 12 / n, 6)
-flows = [seal.flow(state) for state in seal.follow(critical * (1 - reduced))]
-leak_rate = np.array([flow.leak_rate for flow in flows])
-
-exponent, offset = np.polyfit(np.log(reduced), np.log(leak_rate), 1)
-print(f"critical load {critical:.5f}, exponent {exponent:.3f}")
-error = [[flow.leak_rate - flow.lower for flow in flows],
-         [flow.upper - flow.leak_rate for flow in flows]]
-plt.errorbar(reduced, leak_rate, error, fmt=".", label=f"{n} × {n} points")
-plt.loglog(reduced, np.exp(offset) * reduced**exponent, label=f"exponent {exponent:.2f}")
+n = int(sys.argv[1]) if sys.argv[1:] else 512
+scene = strait.Scene(surface=dict(kind="square saddle"),
+                     contact=dict(grid_points=n, tolerance=1e-9, zoom=dict(enabled=True)),
+                     fluid=dict(slip_length=(0, -1e-2), target_accuracy=0.01),
+                     load_programme=dict(find_threshold=True, threshold_tolerance=1e-7, pressures=(),
+                                         reduced_loads=np.geomspace(0.1, 24 / n**2, 6)))
+run = scene.run()
+print(f"critical load {run.csv('threshold.csv')['critical_load_lower'][0]:.5f}")
+for slip_length, rows in run.table.groups("slip_length"):
+    log_load, log_rate = np.log(rows["reduced_load"]), np.log(rows["leak_rate"])
+    middle = np.exp((log_load[1:] + log_load[:-1]) / 2)
+    exponent = np.diff(log_rate) / np.diff(log_load)
+    print(f"exponents {exponent[0]:.3f} to {exponent[-1]:.3f} at a slip length of {slip_length:g}")
+    plt.semilogx(middle, exponent, ".-", label=f"slip length {slip_length:g}")
+slenderness = 1 + np.sqrt(np.log(1 / middle) / 2 - 0.13)
+plt.semilogx(middle, 3 + 5 / 4 / slenderness, "k--", label="law of closing")
+plt.axhline(69 / 20, color="grey", linewidth=0.5)
+plt.gca().invert_xaxis()
 plt.xlabel("1 − p/p_c")
-plt.ylabel("leak rate")
+plt.ylabel("local exponent of the leak rate")
 plt.legend()
 plt.savefig("saddle_exponents.png", bbox_inches="tight")

@@ -57,12 +57,12 @@ namespace strait
   SealSearch::SealSearch(const Scene         &scene_,
                          SealModel           &model_,
                          const SlabLayoutPtr &layout_,
-                         const FlowDomain    &domain_,
+                         FlowDomain           domain_,
                          Log                 &log_)
     : scene(scene_)
     , model(model_)
     , layout(layout_)
-    , domain(domain_)
+    , domain(std::move(domain_))
     , log(log_)
   {
   }

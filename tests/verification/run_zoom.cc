@@ -88,11 +88,16 @@ namespace strait
       scene.programme.find_threshold      = true;
       scene.programme.threshold_tolerance = 1e-6;
       scene.programme.reduced_loads       = {.002, .0005};
-      scene.fluid.slip_lengths            = {-.01};
-      const std::vector<Row> rows         = run_sweep(scene).rows;
-      ASSERT_EQ(rows.size(), 2U);
-      EXPECT_NEAR(slope(rows[0].worst_gap, rows[1].worst_gap, rows[0], rows[1]), 1., .01);
-      EXPECT_NEAR(slope(rows[0].leak_rate, rows[1].leak_rate, rows[0], rows[1]), 3., .02);
+      scene.fluid.slip_lengths = {-.001, -.01}; // the latter's loads are the smaller ones
+      const std::vector<Row> rows = run_sweep(scene).rows;
+      ASSERT_EQ(rows.size(), 4U);
+      const auto exponent = [&rows](double Row::*quantity, const int k) {
+        return slope(rows[k].*quantity, rows[k + 1].*quantity, rows[k], rows[k + 1]);
+      };
+      EXPECT_NEAR(exponent(&Row::worst_gap, 0), 1., .01);
+      EXPECT_NEAR(exponent(&Row::leak_rate, 0), 3., .02);
+      EXPECT_NEAR(exponent(&Row::worst_gap, 2), 1.015, .01);
+      EXPECT_NEAR(exponent(&Row::leak_rate, 2), 3.03, .02);
     }
 
     // Of three views of one contact; in the first the throat lies on the seam along the

@@ -75,7 +75,7 @@ namespace strait
     SealSearch(const Scene         &scene,
                SealModel           &model,
                const SlabLayoutPtr &layout,
-               const FlowDomain    &domain,
+               FlowDomain           domain,
                Log                 &log);
 
     /** From now on. */
@@ -139,7 +139,7 @@ namespace strait
     const Scene        &scene;
     SealModel          &model;
     const SlabLayoutPtr layout;
-    const FlowDomain   &domain;
+    const FlowDomain    domain;
     Log                &log;
     AfterProbe          look_up = []() {};
 
