@@ -25,7 +25,8 @@ for slip_length, rows in run.table.groups("slip_length"):
     print(f"exponents {exponent[0]:.3f} to {exponent[-1]:.3f} at a slip length of {slip_length:g}")
     plt.semilogx(middle, exponent, ".-", label=f"slip length {slip_length:g}")
 slenderness = 1 + np.sqrt(np.log(1 / middle) / 2 - 0.13)
-plt.semilogx(middle, 3 + 5 / 4 / slenderness, "k--", label="law of closing")
+gap, width = 1 + 0.5 / slenderness, 1 / (2 + slenderness**-2)  # the exponents of the throat
+plt.semilogx(middle, 2.5 * gap + width, "k--", label="law of closing")
 plt.axhline(69 / 20, color="grey", linewidth=0.5)
 plt.gca().invert_xaxis()
 plt.xlabel("1 − p/p_c")
