@@ -305,6 +305,13 @@ class Survival(unittest.TestCase):
         more = COUPLED.replace("= 0.05, 0.053, 0.056", "= 0.03, 0.035, 0.04, 0.045, 0.05")
         self.stopped_and_resumed(more.replace("0.02", "0.01"), [1, 2], signal.SIGINT)
 
+    def test_stopped_with_trapped_fluid(self):
+        # Every row owes its fluid to those before.
+        trapped = COUPLED.replace("Enabled = true", "Enabled = true\n    set Trapped fluid = "
+                                  "compressible\n    set Bulk modulus = 1")
+        self.stopped_and_resumed(trapped.replace("0.05, 0.053, 0.056",
+                                                 "0.05, 0.08, 0.11, 0.08, 0.05"), [1])
+
     def wait_for_probes(self, process, output, number):
         """Until the checkpoint was written anew that many times."""
         path = os.path.join(output, "checkpoint")
