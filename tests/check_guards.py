@@ -8,7 +8,6 @@ import argparse
 import csv
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -116,27 +115,6 @@ class Guards(unittest.TestCase):
             status, output = self.strait(self.write("deep.prm", text), "--dry-run", timeout=20)
             self.assertEqual(status, 2, output)
             self.assertEqual(output.count("\n"), 1, output)
-
-    def test_extreme_numbers(self):
-        """Each parameter that takes numbers, alone, at the ends of what a double holds."""
-        scene = self.write("a.prm", SCENE)
-        status, reference = self.strait("--parameters", "md")
-        self.assertEqual(status, 0)
-        section, tried = "", 0
-        for line in reference.splitlines():
-            section = line[3:].replace(" / ", "/") if line.startswith("## ") else section
-            cells = [cell.strip() for cell in line.split(" | ")]
-            if not line.startswith("| ") or not re.search(r"\b(number|integer)s?\b", cells[2]):
-                continue
-            tried += 1
-            for value in ("1e308", "-1e300", "1e30", "1e-30", "1e-300"):
-                status, text = self.strait(scene, "--dry-run", "--set",
-                                           f"{section}/{cells[0][2:]}={value}")
-                self.assertIn(status, (0, 2), f"{section}/{cells[0]} = {value}: {text}")
-                self.assertNotRegex(text, r"\b(inf|nan)\b")
-                if status == 2:
-                    self.assertRegex(text.splitlines()[-1], r"^strait: \S", text)
-        self.assertGreater(tried, 40)
 
     def test_extreme_viscosity_leaks_in_proportion(self):
         scene = self.write("a.prm", SCENE)

@@ -20,8 +20,8 @@ ROOMS = ["base", "reference", "spectral", "surface", "contact", "percolation",
 WITHOUT_DEAL_II = ["base", "reference", "spectral", "surface", "contact", "percolation",
                    "theory"]
 # What a header declares side by side may have a source each.
-SHARED_HEADERS = ("surface/readers/height_map.h", "surface/map_processing.h", "contact/optimisers.h",
-                  "percolation/clusters.h")
+SHARED_HEADERS = ("base/scene.h", "surface/readers/height_map.h", "surface/map_processing.h",
+                  "contact/optimisers.h", "percolation/clusters.h")
 LICENCE = "// SPDX-License-Identifier: GPL-2.0-or-later"
 INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>")
 

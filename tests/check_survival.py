@@ -11,12 +11,15 @@ import glob
 import json
 import math
 import os
+import pty
 import random
 import resource
+import select
 import shutil
 import signal
 import subprocess
 import sys
+import termios
 import time
 import unittest
 
@@ -121,6 +124,14 @@ subsection Load programme
   set Find threshold = true
   set Threshold tolerance = 1e-4
   set Reduced loads = 0.2, 0.1, 0.05, 0.02
+end
+"""
+LONG = """
+subsection Contact
+  set Grid points = 1024
+  set Solver = polonsky-keer
+  set Tolerance = 1e-13
+  set Maximum iterations = 100000
 end
 """
 OPTIONS = None
@@ -311,6 +322,33 @@ class Survival(unittest.TestCase):
                                   "compressible\n    set Bulk modulus = 1")
         self.stopped_and_resumed(trapped.replace("0.05, 0.053, 0.056",
                                                  "0.05, 0.08, 0.11, 0.08, 0.05"), [1])
+
+    def test_ended_by_the_second_interrupt(self):
+        """On a terminal, whose last line is that of the step that goes on."""
+        scene = self.scene(LONG)
+        screen, terminal = pty.openpty()
+        termios.tcsetwinsize(terminal, (24, 80))
+        with subprocess.Popen([OPTIONS.program, scene, "--output", self.path("output")],
+                              stdout=terminal, stderr=terminal) as process:
+            os.close(terminal)
+            shown = b""
+
+            def read_until(ending):
+                nonlocal shown
+                deadline = time.monotonic() + 60
+                while not shown.endswith(ending) and time.monotonic() < deadline:
+                    if select.select([screen], [], [], 1)[0]:
+                        shown += os.read(screen, 4096)
+                self.assertTrue(shown.endswith(ending), shown.decode())
+
+            read_until(b"\rstep 1 of 1\x1b[K")
+            process.send_signal(signal.SIGINT)
+            read_until(b"Ctrl-C again ends the run at once.\r\n")
+            process.send_signal(signal.SIGINT)
+            read_until(b"strait: Ended at once, as it was asked to twice; --resume continues "
+                       b"from the last checkpoint, if there is one.\r\n")
+            self.assertEqual(process.wait(timeout=10), -signal.SIGINT)
+        os.close(screen)
 
     def wait_for_probes(self, process, output, number):
         """Until the checkpoint was written anew that many times."""

@@ -32,12 +32,14 @@ td.long { min-width: 16rem; }
 th[aria-sort=ascending]::after { content: " ▴"; } th[aria-sort=descending]::after { content: " ▾"; }
 figure { margin: .4rem 0; break-inside: avoid; } figcaption { font-size: .8rem; color: var(--soft); }
 img { max-width: 100%; height: auto; } .pictures { display: grid; gap: .6rem;
-      grid-template-columns: repeat(auto-fit, minmax(26rem, 1fr)); }
+      grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); }
 .columns { columns: 19rem; font-size: .8rem; } .columns div { break-inside: avoid; }
 .columns dl { margin: 0 0 .6rem; } dt { float: left; clear: left; color: var(--soft);
       margin-right: .5rem; } dd { margin: 0; overflow-wrap: anywhere; text-align: right; }
 code, pre { font-family: "DejaVu Sans Mono", monospace; font-size: .82rem; background: #f5f7f9;
       padding: .1rem .3rem; } pre { padding: .5rem; overflow-x: auto; }
+@media (max-width: 40rem) { body { padding: .8rem; } td.text:not(.long) { white-space: nowrap; }
+  .plot { overflow-x: auto; } .plot img { min-width: 38rem; } }
 @media print { @page { size: A4; margin: 11mm; } body { font-size: 8.5pt; padding: 0; max-width: none; }
   h2 { margin: .6rem 0 .2rem; } details { display: none; } th, td { padding: .1rem .35rem; }
   .pictures { grid-template-columns: repeat(3, 1fr); gap: .2rem .6rem; } .plot img { max-height: 5cm; }

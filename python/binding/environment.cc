@@ -12,6 +12,7 @@
 #include <p4est.h>
 #include <sc.h>
 
+#include <chrono>
 #include <map>
 #include <memory>
 
@@ -61,9 +62,22 @@ namespace strait::python
       return n_ranks > 1 && py::hasattr(py::module_::import("sys"), "last_type");
     }
 
+    /** Ten times a second, for Python's other threads must stand still for it. */
+    void
+    check_signals_on_the_way()
+    {
+      using Clock = std::chrono::steady_clock;
+      static Clock::time_point next;
+      if (Clock::now() < next)
+        return;
+      next = Clock::now() + std::chrono::milliseconds(100);
+      check_signals();
+    }
+
     void
     stop()
     {
+      at_interruption_points({});
       if (leaves_others_behind())
         MPI_Abort(MPI_COMM_WORLD, 1);
       for (const auto &object : live_objects())
@@ -96,6 +110,7 @@ namespace strait::python
         own_mpi =
           std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
       }
+    at_interruption_points(check_signals_on_the_way);
     py::module_::import("atexit").attr("register")(py::cpp_function(&stop));
   }
 
@@ -130,16 +145,17 @@ namespace strait::python
 
   SignalsOfProgram::SignalsOfProgram()
   {
+    struct sigaction interrupt = {};
     sigaction(SIGINT, nullptr, &interrupt);
     sigaction(SIGTERM, nullptr, &terminate);
     sigaction(SIGUSR1, nullptr, &user);
     sigaction(SIGXFSZ, nullptr, &file_size);
     catch_signals();
+    sigaction(SIGINT, &interrupt, nullptr);
   }
 
   SignalsOfProgram::~SignalsOfProgram()
   {
-    sigaction(SIGINT, &interrupt, nullptr);
     sigaction(SIGTERM, &terminate, nullptr);
     sigaction(SIGUSR1, &user, nullptr);
     sigaction(SIGXFSZ, &file_size, nullptr);

@@ -43,11 +43,14 @@ namespace strait::python
     static std::recursive_mutex mutex;
   };
 
-  /** Let Python act on signals; throws what its handlers raise. While Computing. */
+  /**
+   * Let Python act on signals; throws what its handlers raise. While Computing. Solves do
+   * so on the way, several times a second.
+   */
   void check_signals();
 
-  /** While this exists signals are the program's, which ends a run after a step; then
-   *  Python has them back. */
+  /** While this exists SIGTERM and SIGUSR1 are the program's, which ends a run after a
+   *  step; then Python has them back. */
   class SignalsOfProgram
   {
   public:
@@ -57,7 +60,7 @@ namespace strait::python
     SignalsOfProgram &operator=(const SignalsOfProgram &) = delete;
 
   private:
-    struct sigaction interrupt = {}, terminate = {}, user = {}, file_size = {};
+    struct sigaction terminate = {}, user = {}, file_size = {};
   };
 } // namespace strait::python
 

@@ -57,6 +57,33 @@ namespace strait::python
       }
 
     private:
+      /** While this exists something is solved. A handler of a signal may interrupt that,
+       *  and must not begin again with what is half done. */
+      class Use
+      {
+      public:
+        explicit Use(Seal &seal)
+          : is_used(seal.is_used)
+        {
+          if (is_used)
+            throw std::runtime_error(
+              "This seal is being solved; what interrupts that must use another.");
+          is_used = true;
+        }
+
+        ~Use()
+        {
+          is_used = false;
+        }
+
+        Use(const Use &)            = delete;
+        Use &operator=(const Use &) = delete;
+
+      private:
+        const Computing computing;
+        bool           &is_used;
+      };
+
       Control    control_of(const LoadOrControl &at) const;
       Aim        aim() const;
       SealModel &open();
@@ -75,6 +102,7 @@ namespace strait::python
       std::unique_ptr<FlowStage> stage;          // unless the fluid is off
       std::unique_ptr<SealModel> model;          // null once MPI has ended
       std::size_t                n_warnings = 0; // that were passed on
+      bool                       is_used    = false;
     };
 
     Seal::Seal(const SceneSource          &source,
@@ -179,8 +207,8 @@ namespace strait::python
     {
       State state;
       {
-        SealModel      &seal = open();
-        const Computing computing;
+        SealModel &seal = open();
+        const Use  use(*this);
         state =
           std::make_shared<SealState>(seal.solve(control_of(at), from.get(), aim()));
       }
@@ -194,8 +222,8 @@ namespace strait::python
       Followed path;
       auto &[states, jumps, parted] = path;
       {
-        SealModel      &seal = open();
-        const Computing computing;
+        SealModel &seal = open();
+        const Use  use(*this);
         scene.programme.pressures.clear(); // the measure of the tolerance of jumps
         for (const LoadOrControl &at : through)
           scene.programme.pressures.push_back(control_of(at).target);
@@ -223,7 +251,7 @@ namespace strait::python
       require_fluid();
       std::shared_ptr<Flow> result;
       {
-        const Computing computing;
+        const Use use(*this);
         stage->set_inlet_pressure(state->control.inlet_pressure);
         const StepFlow flow = leak_through(*state, scene, *stage);
         result = record_of(flow, state->gap().layout(), layout, stage->fluid());
@@ -240,8 +268,8 @@ namespace strait::python
       require_fluid();
       require(scene.programme.find_threshold,
               "A critical load needs Contact/Enabled and Contact/Control = load.");
-      const Computing computing;
-      SealSearch      search(scene, open(), layout, stage->domain(), log);
+      const Use  use(*this);
+      SealSearch search(scene, open(), layout, stage->domain(), log);
       search.after_probe(check_signals);
       // Rough surfaces seal at about 0.24 E* times their rms slope.
       return search.find_critical_loads(
@@ -255,7 +283,7 @@ namespace strait::python
       require(scene.fluid.feedback.enabled && scene.programme.find_threshold,
               "A blow-out pressure needs Fluid/Wall feedback/Enabled and "
               "Contact/Control = load.");
-      const Computing computing;
+      const Use use(*this);
       scene.programme.pressures = loads;
       SealSearch search(scene, open(), layout, stage->domain(), log);
       search.after_probe(check_signals);

@@ -152,8 +152,9 @@ class Scene(_core.Scene):
         Results go to the folder `output`, or where the scene says; where neither says
         anything, to a temporary folder that lasts as long as what is returned, on the first
         rank. `verbose` shows the log, `resume` and `force` are the options of the program.
-        Ctrl-C ends the run after a step; it can be resumed. Raises NotConverged, whose
-        attribute `run` has the results, if a step did not reach what was asked.
+        Ctrl-C ends the run within its step; those that are done stay, and it can be resumed.
+        Raises NotConverged, whose attribute `run` has the results, if a step did not reach
+        what was asked.
 
         >>> run = Scene(contact=dict(grid_points=64, enabled=False), fluid=dict(viscosity=1/12),
         ...             surface=dict(kind="expression", expression="1 + 0*x")).run()

@@ -83,17 +83,6 @@ namespace strait
         MPI_Abort(comm, failure.status);
     }
 
-    /** The text of the rank @p root on every rank. */
-    std::string
-    broadcast_from(MPI_Comm comm, const int root, std::string text)
-    {
-      unsigned long long length = text.size();
-      MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, root, comm);
-      text.resize(length);
-      MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, root, comm);
-      return text;
-    }
-
     template <typename Number>
     Number
     reduce(MPI_Comm comm, Number value, MPI_Datatype type, MPI_Op operation)
@@ -150,13 +139,17 @@ namespace strait
     MPI_Comm_size(comm, &n_ranks);
     const int first = reduce(comm, error.empty() ? n_ranks : rank, MPI_INT, MPI_MIN);
     if (first < n_ranks)
-      throw InputError(broadcast_from(comm, first, error));
+      throw InputError(broadcast(comm, error, first));
   }
 
   std::string
-  broadcast(MPI_Comm comm, std::string text)
+  broadcast(MPI_Comm comm, std::string text, const int root)
   {
-    return broadcast_from(comm, 0, std::move(text));
+    unsigned long long length = text.size();
+    MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, root, comm);
+    text.resize(length);
+    MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, root, comm);
+    return text;
   }
 
   double

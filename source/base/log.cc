@@ -18,15 +18,22 @@ namespace strait
     // doubt whether the job still runs.
     constexpr std::chrono::seconds plain_progress_interval(10);
 
+    /** Columns of the terminal that is the standard output; 0 if that is none. What
+     *  mpirun reads from its processes looks like a terminal, but has no width. */
+    int
+    terminal_width()
+    {
+      winsize size{};
+      ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
+      return size.ws_col;
+    }
+
     Log::Screen
     standard_screen(const bool quiet)
     {
-      if (quiet)
-        return Log::Screen::silent;
-      // What mpirun reads from its processes looks like a terminal, but has no width.
-      winsize size{};
-      ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
-      return size.ws_col > 0 ? Log::Screen::terminal : Log::Screen::plain;
+      return quiet                  ? Log::Screen::silent
+             : terminal_width() > 0 ? Log::Screen::terminal
+                                    : Log::Screen::plain;
     }
 
     constexpr int columns = 80; // of a terminal, as they have been since punched cards
@@ -80,12 +87,14 @@ namespace strait
   Log::Log(MPI_Comm comm, const bool quiet)
     : Log(comm, std::cout, standard_screen(quiet))
   {
+    width = terminal_width() - 1;
   }
 
   Log::Log(MPI_Comm comm, std::ostream &stream, const Screen screen)
     : comm(comm)
     , stream(stream)
     , screen(screen)
+    , width(columns - 1)
     , last_progress(std::chrono::steady_clock::now())
   {
     int rank = 0;
@@ -95,7 +104,7 @@ namespace strait
 
   Log::~Log()
   {
-    clear_progress();
+    clear_live();
   }
 
   void
@@ -103,9 +112,10 @@ namespace strait
   {
     if (!on_root)
       return;
-    clear_progress();
+    clear_live();
     if (screen != Screen::silent)
       stream << (screen == Screen::terminal ? for_terminal(text) : text) << std::endl;
+    show_live();
     if (file.is_open())
       file << text << std::endl;
     else
@@ -122,23 +132,27 @@ namespace strait
   }
 
   void
+  Log::stage(const std::string &text)
+  {
+    clear_live();
+    current_stage = text;
+    progress("");
+  }
+
+  void
   Log::progress(const std::string &text)
   {
     if (!on_root || screen == Screen::silent)
       return;
-    if (screen == Screen::terminal)
-      {
-        // A line that is folded could not be overwritten.
-        stream << "\r" << text.substr(0, end_of(text, columns - 1)) << "\x1b[K"
-               << std::flush;
-        progress_shown = true;
-        return;
-      }
+    live           = current_stage + text;
     const auto now = std::chrono::steady_clock::now();
-    if (now - last_progress < plain_progress_interval)
-      return;
-    last_progress = now;
-    stream << text << std::endl;
+    if (screen == Screen::terminal)
+      show_live();
+    else if (!live.empty() && now - last_progress >= plain_progress_interval)
+      {
+        last_progress = now;
+        stream << live << std::endl;
+      }
   }
 
   void
@@ -164,11 +178,19 @@ namespace strait
     all_warnings = std::move(all);
   }
 
+  /** Over what it was before. */
   void
-  Log::clear_progress()
+  Log::show_live()
   {
-    if (progress_shown)
+    // A line that is folded could not be overwritten.
+    if (screen == Screen::terminal && !live.empty())
+      stream << "\r" << live.substr(0, end_of(live, width)) << "\x1b[K" << std::flush;
+  }
+
+  void
+  Log::clear_live()
+  {
+    if (screen == Screen::terminal && !live.empty())
       stream << "\r\x1b[K" << std::flush;
-    progress_shown = false;
   }
 } // namespace strait

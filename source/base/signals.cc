@@ -1,31 +1,60 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/signals.h>
 
+#include <unistd.h>
+
 #include <csignal>
+#include <cstring>
+#include <utility>
 
 namespace strait
 {
   namespace
   {
-    volatile std::sig_atomic_t caught = 0;
+    volatile std::sig_atomic_t caught = 0, speaks = 0; // the first rank does
+
+    std::function<void()> check_at_interruption_points;
+
+    /** Nothing else may print in a handler. */
+    void
+    say(const char *sentence)
+    {
+      if (speaks != 0 && write(STDERR_FILENO, sentence, std::strlen(sentence)) < 0)
+        speaks = 0;
+    }
 
     extern "C" void
     note_signal(const int number)
     {
+      if (caught == number)
+        {
+          say(
+            "\nstrait: Ended at once, as it was asked to twice; --resume continues from "
+            "the last checkpoint, if there is one.\n");
+          std::signal(number, SIG_DFL);
+          std::raise(number); // once this handler is left
+          return;
+        }
       caught = number;
+      if (number == SIGINT)
+        say(
+          "\nstrait: This step, or solve of a search, is completed first; Ctrl-C again "
+          "ends the run at once.\n");
     }
   } // namespace
 
   void
   catch_signals()
   {
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    speaks = rank == 0 ? 1 : 0;
     caught = 0;
     for (const int number : {SIGTERM, SIGINT, SIGUSR1})
       {
         struct sigaction action = {};
         action.sa_handler       = note_signal;
-        // Reads and writes go on; the second signal does what it always does.
-        action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
+        action.sa_flags         = SA_RESTART; // reads and writes go on
         sigemptyset(&action.sa_mask);
         sigaction(number, &action, nullptr);
       }
@@ -54,5 +83,18 @@ namespace strait
         default:
           return "a signal";
       }
+  }
+
+  void
+  interruption_point()
+  {
+    if (check_at_interruption_points)
+      check_at_interruption_points();
+  }
+
+  void
+  at_interruption_points(std::function<void()> check)
+  {
+    check_at_interruption_points = std::move(check);
   }
 } // namespace strait

@@ -85,6 +85,7 @@ namespace strait
     const long             n_before  = contact.n_applications();
     const ContactSolution  solution =
       optimise(contact, of_solid, tolerance, pressure, gap);
+    problem.release();
 
     std::optional<PlasticState> plasticity;
     if (parameters.yields())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/signals.h>
 #include <strait/contact/half_space.h>
 
 #include <cmath>
@@ -29,6 +30,7 @@ namespace strait
                                 const std::function<void(int)>         &before,
                                 const std::function<void(int, double)> &after)
   {
+    interruption_point();
     // 2/(qE*) with q = 2π |(kx/lx, ky/ly)|, in units of lx so that tiny boxes do
     // not underflow.
     const PeriodicGrid &grid   = layout().grid();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/signals.h>
 #include <strait/contact/half_space_problem.h>
 
 #include <algorithm>
@@ -19,8 +20,12 @@ namespace strait
                           double         *displacement,
                           const WorkPass &after)
   {
-    return half_space.apply(
+    // Either transform needs its buffer only while it is in use.
+    of_steps.release();
+    const double work = half_space.apply(
       pressure, displacement, [](int) {}, by_rows(after));
+    half_space.release();
+    return work;
   }
 
   double
@@ -50,10 +55,16 @@ namespace strait
     return half_space.n_fft_pairs() + of_steps.n_fft_pairs();
   }
 
+  void
+  HalfSpaceProblem::release()
+  {
+    of_steps.release();
+  }
+
   std::size_t
   HalfSpaceProblem::memory_consumption() const
   {
-    return half_space.memory_consumption() + of_steps.memory_consumption() +
+    return std::max(half_space.memory_consumption(), of_steps.memory_consumption()) +
            stiffness.memory_consumption();
   }
 
@@ -88,6 +99,7 @@ namespace strait
                              double       *traction,
                              const Pass   &before)
   {
+    interruption_point();
     double work = 0;
     transform.multiply_in_passes(
       displacement,

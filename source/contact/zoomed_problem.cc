@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/signals.h>
 #include <strait/contact/window_transfer.h>
 #include <strait/contact/zoomed_problem.h>
 
@@ -183,6 +184,7 @@ namespace strait
   void
   ZoomedProblem::apply_compliance(double *values)
   {
+    interruption_point();
     gather_from_windows(values);
     transform(grid_transform, values, Symbol::compliance);
     spread_to_windows(values, Symbol::compliance);

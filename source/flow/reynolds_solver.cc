@@ -33,7 +33,8 @@ namespace strait
     constexpr double      progress = .97;
 
     /**
-     * Mark the cells to refine, at most @p affordable of all. Returns false, with none
+     * Mark the cells to refine, at most @p affordable of all, for a bracket of which the
+     * part @p excess is too much. Returns false, with none
      * marked, if there are none or if so few could be that another mesh does not pay.
      * Collective.
      */
@@ -41,6 +42,7 @@ namespace strait
     mark(FlowMesh::Triangulation     &tria,
          const Bracket               &bracket,
          const dealii::Vector<float> &hidden,
+         const double                 excess,
          const double                 affordable)
     {
       // A cell is refined if it contributes more to the width of the bracket than this
@@ -51,11 +53,26 @@ namespace strait
       // up to three times as many cells near the threshold for a mesh less; three times
       // as much misses a channel that a few cells side by side block.
       constexpr double hiding_level = .1;
+      // … but no more than hold this many times the excess, and a little. Refined cells
+      // keep a quarter of what they contribute: half of it takes a mesh more nearly each
+      // time, with double of it the last mesh is finer than was asked.
+      constexpr double excess_factor = 1.6, least_share = .1;
+      // By how much the level rises at a time: its root and its square find alike.
+      constexpr double rise = 1.25;
       using dealii::Utilities::MPI::sum;
       MPI_Comm     comm    = tria.get_communicator();
       const auto   n_cells = static_cast<double>(tria.n_global_active_cells());
-      const double contribution =
-        marking_level * sum(bracket.contributions.l1_norm(), comm) / n_cells;
+      const double width   = sum(bracket.contributions.l1_norm(), comm);
+      const auto   held_by_more_than = [&](const double contribution) {
+        double local = 0.;
+        for (const float each : bracket.contributions)
+          local += each > contribution ? each : 0.;
+        return sum(local, comm);
+      };
+      double contribution = marking_level * width / n_cells;
+      while (held_by_more_than(rise * contribution) >
+             (excess_factor * excess + least_share) * width)
+        contribution *= rise;
       const double hidden_flow    = hiding_level * (1. - bracket.lower / bracket.upper);
       unsigned long long n_marked = 0;
       for (const auto &cell : tria.active_cell_iterators())
@@ -145,7 +162,7 @@ namespace strait
             leakage.unknowns > most_unknowns)
           return leakage;
         std::string reason = obstacle(leakage);
-        if (reason.empty() && !refine(leakage, channel))
+        if (reason.empty() && !refine(leakage, channel, tolerance_factor * target))
           reason = "it takes more than Fluid/Maximum unknowns";
         if (!reason.empty())
           {
@@ -293,7 +310,9 @@ namespace strait
   }
 
   bool
-  ReynoldsSolver::refine(const Leakage &leakage, const Channel &channel)
+  ReynoldsSolver::refine(const Leakage &leakage,
+                         const Channel &channel,
+                         const double   wanted)
   {
     // Each marked cell adds three; a few more come from balancing the mesh.
     const double affordable =
@@ -307,6 +326,7 @@ namespace strait
                plain,
                hidden_flows(
                  flow_mesh, gap_field, plain, pressure_problem, stream_problem, channel),
+               1. - wanted / leakage.relative_width(),
                affordable))
       return false;
     tria.prepare_coarsening_and_refinement();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/signals.h>
 #include <strait/interface/gap_field.h>
 
 #include <deal.II/base/mpi.h>
@@ -148,6 +149,20 @@ namespace strait
                    double           *moments) const
   {
     const Known &of_grid = *known_of(coefficient);
+    if (cell.exponent > 0 && cell.exponent < MomentPyramid::finest)
+      {
+        std::vector<double> child(moment_set().size());
+        for (int upper = 0; upper < 2; ++upper)
+          for (int right = 0; right < 2; ++right)
+            {
+              std::fill(child.begin(), child.end(), 0.);
+              answer(coefficient,
+                     {cell.exponent - 1, 2 * cell.i + right, 2 * cell.j + upper},
+                     child.data());
+              moment_set().add_child(moments, child.data(), right, upper);
+            }
+        return;
+      }
     if (cell.exponent > 0)
       {
         std::copy_n(of_grid.pyramid.moments(cell), moment_set().size(), moments);
@@ -166,6 +181,7 @@ namespace strait
   CellAnswers
   GapField::ask(const Coefficient coefficient, const std::vector<GridCell> &cells) const
   {
+    interruption_point(); // once a mesh
     if (static_cast<std::size_t>(coefficient) >= known.size() &&
         !(known_other && other == coefficient))
       build(other = coefficient, known_other);

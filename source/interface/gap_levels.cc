@@ -17,7 +17,7 @@ namespace strait
     std::vector<int> wanted;
     const int        begin = slab_layout->first_row(), n_rows = slab_layout->n_rows();
     if (n_rows > 0)
-      for (int row = begin - 1; row < begin + n_rows + 2; ++row)
+      for (int row = begin - 1; row < begin + n_rows + 3; ++row)
         wanted.push_back(row);
     grid_rows = fetch_rows(gap, wanted);
     window_values.assign(gap.begin() +

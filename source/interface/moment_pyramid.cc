@@ -10,12 +10,12 @@ namespace strait
                                const int     n_halvings)
     : layout(std::move(layout_))
     , set(std::move(set_))
-    , levels(n_halvings)
+    , levels(std::max(n_halvings - finest + 1, 0))
   {
     const int begin = layout->first_row(), end = begin + layout->n_rows();
-    for (int e = 1; e <= n_halvings; ++e)
+    for (int e = finest; e <= n_halvings; ++e)
       {
-        Level &level    = levels[e - 1];
+        Level &level    = levels[e - finest];
         level.n_columns = layout->grid().nx >> e;
         level.first_row = begin >> e;
         level.n_rows    = end > begin ? ((end - 1) >> e) + 1 - level.first_row : 0;
@@ -41,23 +41,28 @@ namespace strait
   void
   MomentPyramid::sum_grid_cells(const Leaf &leaf)
   {
-    Level              &level = levels.front();
+    const int           nx = layout->grid().nx, n_rows = layout->n_rows();
     std::vector<double> child(set.size());
-    for (int row = 0; row < layout->n_rows(); ++row)
+    Level               line; // of cells of two spacings
+    line.n_columns = nx >> 1;
+    line.n_rows    = 1;
+    for (int row = 0; row < n_rows; ++row)
       {
-        const int         global = layout->first_row() + row;
-        const std::size_t start =
-          static_cast<std::size_t>((global >> 1) - level.first_row) * level.n_columns;
-        for (int ix = 0; ix < layout->grid().nx; ++ix)
+        const int global = layout->first_row() + row;
+        if (row == 0 || (global & 1) == 0)
+          line.moments.assign(static_cast<std::size_t>(line.n_columns) * set.size(), 0.);
+        for (int ix = 0; ix < nx; ++ix)
           {
-            const std::size_t parent = start + (ix >> 1);
             std::fill(child.begin(), child.end(), 0.);
             if (leaf(ix, row, child.data()))
-              set.add_child(level.moments.data() + parent * set.size(),
+              set.add_child(line.moments.data() + (ix >> 1) * set.size(),
                             child.data(),
                             ix & 1,
                             global & 1);
           }
+        line.first_row = global >> 1;
+        if (row == n_rows - 1 || (global & 1) == 1)
+          sum_children(line, levels.front());
       }
   }
 
@@ -89,7 +94,7 @@ namespace strait
     MPI_Comm comm = layout->communicator();
     for (std::size_t k = 0; k < levels.size(); ++k)
       {
-        const int  e             = static_cast<int>(k) + 1;
+        const int  e             = static_cast<int>(k) + finest;
         Level     &level         = levels[k];
         const auto n_values      = static_cast<int>(level.n_columns * set.size());
         const auto begins_inside = [e](const int grid_row) {
@@ -130,7 +135,7 @@ namespace strait
   const double *
   MomentPyramid::moments(const GridCell &cell) const
   {
-    const Level &level = levels[cell.exponent - 1];
+    const Level &level = levels[cell.exponent - finest];
     return level.moments.data() + position(level, cell) * set.size();
   }
 

@@ -200,7 +200,8 @@ namespace strait
       return result;
     result.push_back(
       "likely cost of the flow: " + to_words(unknowns()) + " unknowns a step, at most " +
-      std::to_string(scene.fluid.maximum_unknowns) + " (Fluid/Maximum unknowns)");
+      std::to_string(scene.fluid.maximum_unknowns) + " (Fluid/Maximum unknowns)" +
+      (scene.has_two_boxes() ? "; two boxes in a row take twice as many more" : ""));
     if (scene.contact.enabled)
       result.push_back(limiting_error());
     result.emplace_back(

@@ -7,8 +7,8 @@
 #include <strait/run/disk_space.h>
 #include <strait/run/earlier_results.h>
 #include <strait/run/ensemble.h>
+#include <strait/run/ensemble_tables.h>
 #include <strait/run/output_directory.h>
-#include <strait/run/result_tables.h>
 #include <strait/run/run_state.h>
 #include <strait/run/scatter.h>
 #include <strait/run/scripts.h>
@@ -87,9 +87,7 @@ namespace strait
              const std::string &directory)
     {
       for (const std::string &own :
-           overrides_of(realisation,
-                        directory,
-                        scene.seal.two_in_a_row || scene.has_patches_in_a_row()))
+           overrides_of(realisation, directory, scene.has_two_boxes()))
         overrides.push_back(own);
       return read_scene(path, overrides);
     }
@@ -140,15 +138,6 @@ namespace strait
 
     /** Tell all ranks what @p root knows. Collective. */
     void
-    share(std::string &text, const int root)
-    {
-      auto size = static_cast<int>(text.size());
-      MPI_Bcast(&size, 1, MPI_INT, root, MPI_COMM_WORLD);
-      text.resize(size);
-      MPI_Bcast(text.data(), size, MPI_CHAR, root, MPI_COMM_WORLD);
-    }
-
-    void
     share(Outcome &outcome, const int root)
     {
       RealisationRow &row = outcome.row;
@@ -164,7 +153,7 @@ namespace strait
       for (bool *value : {&outcome.converged, &outcome.stopped})
         MPI_Bcast(value, 1, MPI_CXX_BOOL, root, MPI_COMM_WORLD);
       for (std::string *text : {&row.status, &row.validity, &outcome.warning})
-        share(*text, root);
+        *text = broadcast(MPI_COMM_WORLD, *text, root);
     }
 
     /** Run @p scene, a realisation alone, in this rank's group. */

@@ -111,7 +111,7 @@ namespace strait
         }
       table
         .when({"with `Seal/Two in a row`, which patches of a seal have",
-               scene.fluid.enabled && scene.seal.two_in_a_row})
+               scene.has_two_boxes()})
         .add(
           [](const Step &step) { return step.two_boxes->rate; },
           "two_boxes_leak_rate [length³/time]: Q through two such boxes, one behind the "

@@ -65,7 +65,7 @@ namespace strait
         flow = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
         if (scene.programme.find_threshold)
           flow->watch_constrictions();
-        if (scene.seal.two_in_a_row)
+        if (scene.has_two_boxes())
           row = std::make_unique<FlowInARow>(scene.fluid, *layout, log, timers);
         coarser      = std::make_unique<CoarserSeals>(scene, contact, heights, log);
         error_budget = std::make_unique<ErrorBudget>(scene, heights, *coarser);
@@ -102,6 +102,7 @@ namespace strait
   LoadSweep::find_thresholds()
   {
     const auto scope = timers.scope("threshold");
+    log.stage("critical load");
     thresholds =
       search->find_critical_loads(coarser->find_critical_loads(search_start()));
     // A channel that a fluid has opened is not closed again before the first step, the
@@ -143,16 +144,25 @@ namespace strait
   LoadSweep::find_blow_outs()
   {
     const auto scope = timers.scope("blow-out");
+    log.stage("blow-out pressure");
     return search->find_blow_outs();
   }
 
   bool
   LoadSweep::run(const Consumer &consume)
   {
-    const std::vector<LoadStop> stops = plan_stops(scene, thresholds);
+    const std::vector<LoadStop> stops   = plan_stops(scene, thresholds);
+    const auto                  n_steps = static_cast<int>(stops.size());
+    const int                   n_known = n_done();
+    const auto                  begin   = Timers::Clock::now();
     while (next_stop < stops.size())
       {
-        step.number = static_cast<int>(next_stop) + 1;
+        step.number          = n_done() + 1;
+        const int n_measured = n_done() - n_known;
+        announce_step(step.number,
+                      n_steps,
+                      n_measured > 0 ? Timers::seconds_since(begin) / n_measured : 0.,
+                      log);
         step.branch = branch_of(scene, stops, next_stop);
         if (!press(step, stops[next_stop]))
           {
@@ -165,11 +175,12 @@ namespace strait
           }
         leak(step);
         judge(step, stops[next_stop]);
-        report_step(step, static_cast<int>(stops.size()), timers.total(), log);
+        report_step(step, n_steps, log);
         ++next_stop;
         if (!consume(step))
           break;
       }
+    log.stage("");
     return converged;
   }
 

@@ -72,8 +72,10 @@ namespace strait
       if (!scene.contact.young_moduli.empty())
         log.line(format("contact modulus E* = %.6g", scene.contact.effective_modulus) +
                  (scene.units.pressure.empty() ? "" : " " + scene.units.pressure));
+      log.stage("surface");
       const auto surface = make_surface(scene.surface, comm);
       SlabField  heights = surface->heights(make_layout(grid, comm));
+      log.stage("");
       for (const std::string &note : surface->remarks().notes)
         log.line(note);
       for (const std::string &warning : surface->remarks().warnings)
@@ -117,6 +119,17 @@ namespace strait
       log.line(format("adhesion on; range %.5g, E*/(k a) = %.3g (3 or more resolves it)",
                       law.range,
                       AdhesionScale(contact, heights).resolution(law)));
+    }
+
+    /** Realisations that would run beside each other, each with a grid of its own. */
+    int
+    n_at_a_time(const RealisationParameters &realisations)
+    {
+      int n_ranks = 1;
+      MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+      return realisations.ranks_each.empty()
+               ? 1
+               : std::max(1, n_ranks / realisations.ranks_each.front());
     }
 
     /** Thrown where a search is left because a signal asks for it. */
@@ -227,7 +240,9 @@ namespace strait
     output.write(sweep.jumps());
     const double bytes = sum(comm, static_cast<double>(sweep.memory_consumption()));
     log.line(timers.summary());
+    log.stage("tables and pictures");
     output.finish(timers, bytes / n_points);
+    log.stage("");
     log.line("results are in " + scene.output.directory);
     output.summarise(summary);
     if (!summary.stopped)
@@ -246,10 +261,11 @@ namespace strait
     const SlabField heights = make_heights(scene, MPI_COMM_WORLD, log);
     describe_adhesion(scene.contact, heights, log);
     describe_mesh(scene, log);
+    const int n_grids = n_at_a_time(scene.realisations);
     log.line(format(
       "memory for the grid, without the mesh: about %.3g of %.3g GB that are free; contact "
       "%s, fluid %s; %zu steps",
-      1e-9 * memory_of_grid(scene),
+      1e-9 * n_grids * memory_of_grid(scene),
       1e-9 * free_memory(),
       !scene.contact.enabled   ? "off (the surface is the gap)"
       : scene.contact.yields() ? "on, yields"
@@ -266,8 +282,10 @@ namespace strait
          CostPrediction(scene, statistics(heights).rms_slope).lines())
       log.line(line);
     if (scene.realisations.enabled())
-      log.line(std::to_string(std::max<std::size_t>(scene.realisations.seeds.size(), 1) *
-                              scene.realisations.orientations.size()) +
-               " realisations, one after the other");
+      log.line(
+        std::to_string(std::max<std::size_t>(scene.realisations.seeds.size(), 1) *
+                       scene.realisations.orientations.size()) +
+        " realisations, " +
+        (n_grids == 1 ? "one after the other" : std::to_string(n_grids) + " at a time"));
   }
 } // namespace strait

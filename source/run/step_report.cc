@@ -7,8 +7,29 @@
 
 namespace strait
 {
+  namespace
+  {
+    std::string
+    time_in_words(const double seconds)
+    {
+      return seconds < 100.    ? format("%.0f s", seconds)
+             : seconds < 6000. ? format("%.0f min", seconds / 60.)
+                               : format("%.1f h", seconds / 3600.);
+    }
+  } // namespace
+
   void
-  report_step(const Step &step, const int n_steps, const double seconds_so_far, Log &log)
+  announce_step(const int number, const int n_steps, const double seconds_each, Log &log)
+  {
+    log.stage(
+      format("step %d of %d", number, n_steps) +
+      (seconds_each > 0.
+         ? ", about " + time_in_words(seconds_each * (n_steps - number + 1)) + " left"
+         : ""));
+  }
+
+  void
+  report_step(const Step &step, const int n_steps, Log &log)
   {
     std::string text = format("step %d of %d", step.number, n_steps);
     if (step.state.contact)
@@ -47,10 +68,5 @@ namespace strait
     log.line(text);
     if (!step.errors.items.empty())
       log.line(describe_errors(step.errors));
-    if (step.number < n_steps)
-      log.progress(format("  step %d of %d, about %.0f s remain",
-                          step.number + 1,
-                          n_steps,
-                          seconds_so_far / step.number * (n_steps - step.number)));
   }
 } // namespace strait

@@ -65,7 +65,7 @@ namespace strait
             step.theory      = theory.predict(pressure, slip_length, nullptr, nullptr);
           }
           judge_validity(step, scene, std::sqrt(theory.spectrum().slope_square()), log);
-          report_step(step, n_steps, timers.total(), log);
+          report_step(step, n_steps, log);
           const auto scope = timers.scope("output");
           output.write(step, step.number == n_steps);
         }

@@ -83,7 +83,7 @@ namespace strait
       , n_half(layout.grid().nx / 2 + 1)
       , n_columns_most((n_half + n_ranks - 1) / n_ranks)
       , n_in_row(n_half + n_half % 2)
-      , modes(static_cast<std::size_t>(n_in_row) * layout.n_rows())
+      , n_modes(static_cast<std::size_t>(n_in_row) * layout.n_rows())
       , row(layout.grid().nx)
       , column(layout.grid().ny)
       , spectrum(std::max(layout.grid().ny, n_half))
@@ -120,7 +120,7 @@ namespace strait
                           const std::size_t n_at_once,
                           const Move       &move) const
     {
-      const std::size_t n_rows = modes.size() / n_in_row;
+      const std::size_t n_rows = n_modes / n_in_row;
       for (int rank = 0; rank < n_ranks; ++rank)
         {
           const std::size_t first = first_column(rank, block),
@@ -170,7 +170,8 @@ namespace strait
 
     int                  n_ranks, n_rows_most, n_half, n_columns_most;
     int                  n_in_row; // modes from one row to the next: a multiple of 16 B
-    std::vector<Complex> modes;    // of the rows of this rank
+    std::size_t          n_modes;
+    std::vector<Complex> modes;    // of the rows of this rank, or empty
     std::vector<Number>  row;      // points of a row
     std::vector<Complex> column;   // modes along x of a column
     std::vector<Complex> spectrum; // the same, also along y
@@ -185,7 +186,6 @@ namespace strait
     : slab_layout(std::move(layout))
     , parts(std::make_unique<Parts>(*slab_layout))
     , n_blocks((parts->n_columns_most + Parts::block_width - 1) / Parts::block_width)
-    , buffer(reinterpret_cast<Number *>(parts->modes.data()))
     , spectrum(parts->spectrum.data())
     , factors(slab_layout->grid().ny)
   {
@@ -195,11 +195,26 @@ namespace strait
   BasicFourierTransform<Number>::~BasicFourierTransform() = default;
 
   template <class Number>
+  std::complex<Number> *
+  BasicFourierTransform<Number>::buffer()
+  {
+    parts->modes.resize(parts->n_modes);
+    return parts->modes.data();
+  }
+
+  template <class Number>
+  void
+  BasicFourierTransform<Number>::release()
+  {
+    parts->modes = std::vector<Complex>();
+  }
+
+  template <class Number>
   std::size_t
   BasicFourierTransform<Number>::memory_consumption() const
   {
     return sizeof(Complex) *
-           (parts->modes.size() + parts->of_rows.size() + parts->of_columns.size());
+           (parts->n_modes + parts->of_rows.size() + parts->of_columns.size());
   }
 
   template <class Number>

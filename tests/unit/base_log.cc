@@ -65,15 +65,26 @@ TEST(Log, SameWarningOnlyOnce)
   EXPECT_EQ(screen.str(), on_root() ? "warning: coarse\n" : "");
 }
 
-TEST(Log, ProgressOverwritesItselfOnATerminalOnly)
+TEST(Log, LiveLineStaysBelowAllOthers)
 {
+  const std::string  clear = "\r\x1b[K";
   std::ostringstream screen;
   {
     Log log(MPI_COMM_WORLD, screen, Log::Screen::terminal);
-    log.progress("10 %");
+    log.stage("step 1 of 2");
+    log.progress("  10 %");
+    log.line("step 1: leaks");
+    log.stage("step 2 of 2");
+    log.stage("");
     log.line("done");
+    log.progress("  20 %");
   }
-  EXPECT_EQ(screen.str(), on_root() ? "\r10 %\x1b[K\r\x1b[Kdone\n" : "");
+  EXPECT_EQ(screen.str(),
+            on_root() ? "\rstep 1 of 2\x1b[K"
+                        "\rstep 1 of 2  10 %\x1b[K" +
+                          clear + "step 1: leaks\n\rstep 1 of 2  10 %\x1b[K" + clear +
+                          "\rstep 2 of 2\x1b[K" + clear + "done\n\r  20 %\x1b[K" + clear
+                      : "");
   std::ostringstream pipe;
   {
     Log log(MPI_COMM_WORLD, pipe, Log::Screen::plain);

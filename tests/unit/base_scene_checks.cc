@@ -68,11 +68,11 @@ TEST(Scene, WholeSealAndWhatGoesWithIt)
                           "Seal/Contact width=4",
                           "Realisations/Seeds=1, 2"};
   EXPECT_FALSE(scene_of("").seal.enabled);
-  EXPECT_TRUE(scene_of("", seal).has_patches_in_a_row());
-  EXPECT_FALSE(
-    scene_of("", seal + Overrides{"Seal/Contact width=1.4"}).has_patches_in_a_row());
-  EXPECT_FALSE(
-    scene_of("", seal + Overrides{"Fluid/Direction=y"}).has_patches_in_a_row());
+  EXPECT_TRUE(scene_of("", seal).has_two_boxes());
+  EXPECT_TRUE(scene_of("", {"Seal/Two in a row=true"}).has_two_boxes());
+  EXPECT_FALSE(scene_of("").has_two_boxes());
+  EXPECT_FALSE(scene_of("", seal + Overrides{"Seal/Contact width=1.4"}).has_two_boxes());
+  EXPECT_FALSE(scene_of("", seal + Overrides{"Fluid/Direction=y"}).has_two_boxes());
   expect_in("at least two patches",
             error_of("", seal + Overrides{"Realisations/Seeds="}));
   expect_in("set Seal/Circumference", error_of("", {"Seal/Enabled=true"}));

@@ -260,7 +260,7 @@ namespace
       }
   }
 
-  TEST(ContactSolver, HoldsAtMost55BytesAPoint)
+  TEST(ContactSolver, HoldsAtMost48BytesAPoint)
   {
     // Rows that are dealt out in multiples of four; else it is 1 B more.
     const SlabField heights = rough_heights({256, 240, 1., 1.}, 32);
@@ -269,8 +269,8 @@ namespace
     for (const double load : {0.101, 0.102, 0.103})
       state = solver.solve(load, &state);
     const double bytes = sum(MPI_COMM_WORLD, double(solver.memory_consumption()));
-    EXPECT_LE(bytes / heights.grid().n_points(), 55.);
-    EXPECT_GE(bytes / heights.grid().n_points(), 46.);
+    EXPECT_LE(bytes / heights.grid().n_points(), 48.);
+    EXPECT_GE(bytes / heights.grid().n_points(), 42.);
   }
 
   TEST(ContactSolver, IsTheSameOnAnyNumberOfRanks)

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/log.h>
+#include <strait/base/text.h>
 #include <strait/run/earlier_results.h>
 #include <strait/run/guards.h>
+#include <strait/run/simulation.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
+#include <regex>
+#include <sstream>
 
 #include "scene_text.h"
 
@@ -80,6 +85,47 @@ namespace
     EXPECT_EQ(error_of("", {"Units/Length=mm", "Surface/Size=1"}), "none");
   }
 
+  TEST(Guards, ExtremeNumbers)
+  {
+    const test::SceneFile file("");
+    const Overrides       small = {"Contact/Grid points=32",
+                                   "Load programme/Pressures=0.05",
+                                   "Surface/Short cut-off wavelength=0.125"};
+    const std::regex      takes_numbers("\\b(number|integer)s?\\b");
+    const std::regex      no_number("\\b(inf|nan)\\b");
+    std::stringstream     reference;
+    print_parameters(reference, "md");
+    std::string section;
+    int         n_tried = 0;
+    for (std::string line; std::getline(reference, line);)
+      {
+        if (line.compare(0, 3, "## ") == 0)
+          section = join(split(line.substr(3), '/'), "/");
+        const std::vector<std::string> cells = split(line, '|'); // the first is empty
+        if (cells.size() < 4 || !std::regex_search(cells[3], takes_numbers))
+          continue;
+        ++n_tried;
+        for (const char *value : {"1e308", "-1e300", "1e30", "1e-30", "1e-300"})
+          {
+            const std::string  set = section + "/" + cells[1] + "=" + value;
+            std::ostringstream said;
+            try
+              {
+                const Scene scene = read_scene(file.path, small + Overrides{set});
+                Log         log(MPI_COMM_WORLD, said, Log::Screen::plain);
+                describe(scene, log);
+              }
+            catch (const InputError &error)
+              {
+                said << error.what();
+                EXPECT_GT(said.str().size(), 10U) << set;
+              }
+            EXPECT_FALSE(std::regex_search(said.str(), no_number)) << set << said.str();
+          }
+      }
+    EXPECT_GT(n_tried, 40);
+  }
+
   TEST(Guards, Slopes)
   {
     const Scene scene = scene_of("", steel);
@@ -92,8 +138,16 @@ namespace
   TEST(Guards, Memory)
   {
     Scene scene = scene_of("", {"Contact/Grid points=1024, 512"});
-    // 92 bytes a point were measured.
-    EXPECT_NEAR(memory_of_grid(scene) / (1024 * 512), 100., 20.);
+    // 64 bytes a point were measured.
+    EXPECT_NEAR(memory_of_grid(scene) / (1024 * 512), 64., 8.);
+    // The patches of a seal that is wider than one.
+    const Scene seal = scene_of("",
+                                {"Contact/Grid points=1024, 512",
+                                 "Seal/Enabled=true",
+                                 "Seal/Circumference=30",
+                                 "Seal/Contact width=4",
+                                 "Realisations/Seeds=1, 2"});
+    EXPECT_GT(memory_of_grid(seal), 1.9 * memory_of_grid(scene));
     EXPECT_GT(free_memory(), 1e6);
     ASSERT_LT(free_memory(), 4e11) << "this machine could do what follows";
     EXPECT_NO_THROW(require_memory(scene, MPI_COMM_WORLD));

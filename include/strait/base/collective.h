@@ -36,8 +36,8 @@ namespace strait
    */
   void throw_if_any(MPI_Comm comm, const std::string &error);
 
-  /** Collective: the string of rank 0 on every rank. */
-  std::string broadcast(MPI_Comm comm, std::string text);
+  /** Collective: the string of the rank @p root on every rank. */
+  std::string broadcast(MPI_Comm comm, std::string text, int root = 0);
 
   /** The sum of @p value over all ranks. Collective. */
   double sum(MPI_Comm comm, double value);

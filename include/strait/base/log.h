@@ -33,7 +33,7 @@ namespace strait
     /** On @p stream, which must live longer than this object. */
     Log(MPI_Comm comm, std::ostream &stream, Screen screen);
 
-    /** Removes what is left of the progress line. */
+    /** Removes the live line. */
     ~Log();
 
     Log(const Log &)            = delete;
@@ -48,9 +48,13 @@ namespace strait
     void warn(const std::string &text);
 
     /**
-     * A transient line: on a terminal it overwrites the one before, elsewhere
-     * it is printed at most every ten seconds. Not in the file.
+     * What goes on from now on, "step 2 of 7"; empty: nothing that takes long. On a
+     * terminal the live line shows it, the last one on the screen, which overwrites
+     * itself; elsewhere it is printed at most every ten seconds. Not in the file.
      */
+    void stage(const std::string &text);
+
+    /** How far that is: the live line goes on with it until the next stage. */
     void progress(const std::string &text);
 
     /**
@@ -78,13 +82,15 @@ namespace strait
     void keep_warnings(const std::vector<std::string> &earlier);
 
   private:
-    void clear_progress();
+    void show_live();
+    void clear_live();
 
     MPI_Comm                              comm;
     std::ostream                         &stream;
     Screen                                screen;
     bool                                  on_root;
-    bool                                  progress_shown = false;
+    int                                   width; // of the live line, in characters
+    std::string                           current_stage, live;
     std::chrono::steady_clock::time_point last_progress;
     std::string                           early_lines; // before the file is there
     std::ofstream                         file;

@@ -62,6 +62,13 @@ namespace strait
              can_flow_in_a_row();
     }
 
+    /** Whether the flow through two boxes in a row is solved beside that through one. */
+    bool
+    has_two_boxes() const
+    {
+      return fluid.enabled && (seal.two_in_a_row || has_patches_in_a_row());
+    }
+
     /** The scene file, with every default filled in. */
     std::string resolved;
 

@@ -70,6 +70,13 @@ namespace strait
       return transform.scratch();
     }
 
+    /** Free what lies in scratch(), until that is needed again. */
+    void
+    release()
+    {
+      transform.release();
+    }
+
     long
     n_fft_pairs() const
     {

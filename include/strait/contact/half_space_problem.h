@@ -108,7 +108,10 @@ namespace strait
     float *scratch() override;
     long   n_applications() const override;
 
-    /** Bytes on this rank, without the heights. */
+    /** Free what is needed only while a contact is being solved. */
+    void release();
+
+    /** Bytes on this rank while a contact is being solved, without the heights. */
     std::size_t memory_consumption() const;
 
   private:

@@ -111,7 +111,7 @@ namespace strait
     std::string obstacle(const Leakage &leakage);
 
     /** @return false, without refining, if another mesh would not pay or not fit. */
-    bool refine(const Leakage &leakage, const Channel &channel);
+    bool refine(const Leakage &leakage, const Channel &channel, double wanted);
 
     const FluidParameters                  &parameters;
     const GapField                         &gap_field;

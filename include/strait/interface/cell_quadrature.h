@@ -57,7 +57,8 @@ namespace strait
    *
    * A part is integrated by Gauss quadrature of p + 2 points along each axis, and what
    * p + 1 points find otherwise is added as a constant. That is trusted where the gap is
-   * known to vary little in the part (CellGap::range()). Other parts are halved,
+   * known to vary little in the part (CellGap::range()); where it hardly varies, p + 1
+   * points are enough. Other parts are halved,
    * until the coefficient may be taken to be as large as it is anywhere in them.
    * For rigorous bounds all parts are treated like that.
    */

@@ -49,7 +49,8 @@ namespace strait
      *  does. */
     std::optional<LevelCell> first_finer_cell(const LevelCell &cell) const;
 
-    /** The gap around a cell of a window, or of the grid in a row of this rank. */
+    /** The gap around a cell of a window, or of the grid in a row of this rank or the one
+     *  after these. */
     GapStencil stencil(const LevelCell &cell) const;
 
     /** Number of points of all windows. */
@@ -82,7 +83,7 @@ namespace strait
 
   private:
     SlabLayoutPtr       slab_layout;
-    std::vector<double> grid_rows; // one row before, two after the own ones
+    std::vector<double> grid_rows; // one row before, three after the own ones
     std::vector<double> window_values;
   };
 } // namespace strait

@@ -13,13 +13,17 @@
 namespace strait
 {
   /**
-   * Moments of a coefficient on every quadtree cell of two grid spacings or more,
+   * Moments of a coefficient on every quadtree cell of four grid spacings or more,
    * summed bottom-up, so that any coarse cell is looked up in O(1). A rank holds
-   * the cells whose first grid row it owns. 5/3 · 8 B a grid point at degree 1.
+   * the cells whose first grid row it owns. 5/12 · 8 B a grid point at degree 1; with
+   * those of two spacings it would be four times as much, for few that are asked for.
    */
   class MomentPyramid
   {
   public:
+    /** The exponent of the smallest cells. */
+    static constexpr int finest = 2;
+
     /** Writes the moments of the grid cell (ix, local row), which are zero so far, and
      *  returns whether they no longer are. */
     using Leaf = std::function<bool(int ix, int row, double *moments)>;
@@ -29,7 +33,7 @@ namespace strait
     /** Sum up all levels from the grid cells of this rank. Collective. */
     void build(const Leaf &leaf);
 
-    /** Moments of a cell of this rank with 1 <= exponent <= n_halvings. */
+    /** Moments of a cell of this rank with finest <= exponent <= n_halvings. */
     const double *moments(const GridCell &cell) const;
 
     std::size_t memory_consumption() const;
@@ -52,7 +56,7 @@ namespace strait
 
     SlabLayoutPtr      layout;
     MomentSet          set;
-    std::vector<Level> levels; // levels[e − 1] has cells of exponent e
+    std::vector<Level> levels; // levels[k] has cells of exponent finest + k
   };
 } // namespace strait
 

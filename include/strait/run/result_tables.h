@@ -14,48 +14,10 @@
 #include <string>
 #include <vector>
 
-/** The tables of a run besides leakage.csv: what files and columns there are, in what
- *  units, and what they mean, is said here and nowhere else. */
+/** The tables of a run besides leakage.csv and those of realisations: what files and
+ * columns there are, in what units, and what they mean, is said here and nowhere else. */
 namespace strait
 {
-  /** One surface of several, and what came of it: a row of ensemble.csv. What is not
-   *  known is not a number. */
-  struct RealisationRow
-  {
-    int                number = 0; // from 1
-    unsigned long long seed   = 0;
-    std::string        orientation;
-    double             lower, upper, contact_area; // of the first slip length's threshold
-    double             crossover_load, crossover_reduced_load, theory_crossover_load;
-    double             exponent, exponent_error; // of the leak rate
-    std::string        status, validity;         // words of all its steps
-  };
-
-  /** How a quantity scatters over the realisations: a row of ensemble_summary.csv. */
-  struct ScatterRow
-  {
-    std::string quantity;
-    double      mean               = 0.;
-    double      standard_deviation = 0.;
-    std::size_t n_samples          = 0; // realisations for which it is a finite number
-    std::size_t n_missing          = 0; // the others
-  };
-
-  /** A row of seal.csv: what a script makes of the realisations. */
-  struct SealRow
-  {
-    double      pressure, median, lower, upper;
-    std::string unit;
-    double      sealed, of_patches, of_arrangement, of_solution;
-  };
-
-  /** The row of seal_load.csv. */
-  struct SealLoadRow
-  {
-    double      wanted, median, lower, upper;
-    std::string unit;
-  };
-
   /** A row of spectrum.csv. */
   struct SpectrumRow : SpectrumBin
   {
@@ -80,18 +42,6 @@ namespace strait
 
   /** relaxation-STEP.csv: iterations of an adhesive contact. */
   Table<RelaxationStep> relaxation_table(const Scene &scene);
-
-  /** ensemble.csv: one row for each realisation. */
-  Table<RealisationRow> ensemble_table(const Scene &scene);
-
-  /** ensemble_summary.csv: means and scatter over these. */
-  Table<ScatterRow> ensemble_summary_table(const Scene &scene);
-
-  /** seal.csv: leak rate of the whole seal. */
-  Table<SealRow> seal_table(const Scene &scene);
-
-  /** seal_load.csv: the load for a wanted leak rate. */
-  Table<SealLoadRow> seal_load_table(const Scene &scene);
 
   /** spectrum.csv: of the surface. */
   Table<SpectrumRow> spectrum_table(const Scene &scene);

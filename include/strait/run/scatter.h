@@ -2,9 +2,10 @@
 #ifndef strait_run_scatter_h
 #define strait_run_scatter_h
 
-#include <strait/run/result_tables.h>
+#include <strait/run/ensemble_tables.h>
 
 #include <vector>
+
 
 namespace strait
 {

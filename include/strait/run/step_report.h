@@ -7,8 +7,12 @@
 
 namespace strait
 {
-  /** A line on a step that is done, and how long the others may take. */
-  void report_step(const Step &step, int n_steps, double seconds_so_far, Log &log);
+  /** On the live line, the step that begins and how long it and those after it may take
+   *  if each takes @p seconds_each; 0: that is not known. */
+  void announce_step(int number, int n_steps, double seconds_each, Log &log);
+
+  /** A line on a step that is done. */
+  void report_step(const Step &step, int n_steps, Log &log);
 } // namespace strait
 
 #endif

@@ -29,7 +29,7 @@ namespace strait
    * transform makes FFTW forget the wisdom of the process, for the same reason.
    *
    * The buffer, one @p Number a grid point, is lent out as scratch memory between
-   * transforms. @p Number is double or, for what need not be more than seven digits,
+   * transforms, and freed on request until it is needed again. @p Number is double or, for what need not be more than seven digits,
    * float: half the memory, and six tenths of the time.
    */
   template <class Number>
@@ -47,8 +47,11 @@ namespace strait
     Number *
     scratch()
     {
-      return buffer;
+      return reinterpret_cast<Number *>(buffer());
     }
+
+    /** Free the buffer, and what is in scratch(), until either is needed again. */
+    void release();
 
     const SlabLayout &
     layout() const
@@ -99,6 +102,7 @@ namespace strait
                        const Between &between,
                        const After   &after)
     {
+      buffer();
       for (int row = slab_layout->n_rows() - 1; row >= 0; --row)
         {
           before(row);
@@ -138,6 +142,7 @@ namespace strait
     synthesize(Number *out, const Mode &mode)
     {
       const int ny = slab_layout->grid().ny;
+      buffer();
       for (int block = 0; block < n_blocks; ++block)
         {
           for (int k = 0; k < n_columns(block); ++k)
@@ -161,6 +166,7 @@ namespace strait
     void
     analyze(const Number *in, const Visit &visit)
     {
+      buffer();
       for (int row = slab_layout->n_rows() - 1; row >= 0; --row)
         load_row(in, row);
       const int  ny    = slab_layout->grid().ny;
@@ -185,11 +191,14 @@ namespace strait
       return pairs;
     }
 
-    /** Bytes of the buffers of this rank. */
+    /** Bytes of this rank, with the buffer. */
     std::size_t memory_consumption() const;
 
   private:
     struct Parts;
+
+    /** The modes of the rows, for which there is room from now on. */
+    Complex *buffer();
 
     /** Transform a row of @p in along x, into the buffer. */
     void load_row(const Number *in, int row);
@@ -263,7 +272,6 @@ namespace strait
     SlabLayoutPtr          slab_layout;
     std::unique_ptr<Parts> parts;
     int                    n_blocks;
-    Number                *buffer;
     Complex               *spectrum;
     std::vector<Number>    factors; // of the modes of a column
     long                   pairs = 0;

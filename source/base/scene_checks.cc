@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/base/scene.h>
+#include <strait/base/text.h>
+
+#include <algorithm>
+
+namespace strait
+{
+  namespace
+  {
+    void
+    check_programme(const Scene &scene)
+    {
+      const bool by_load = scene.contact.control == ContactControl::load;
+      if (scene.contact.enabled)
+        for (const double value : scene.programme.pressures)
+          if (!(value > 0.) && !(scene.contact.adhesion.enabled && by_load))
+            throw InputError(
+              "Load programme/Pressures contains " + to_text(value) +
+              (by_load ? ", a load that never makes contact; give positive nominal "
+                         "pressures."
+                       : "; give positive mean gaps (Contact/Control = mean gap)."));
+      if (scene.programme.find_threshold &&
+          (!scene.contact.enabled || !scene.fluid.enabled || !by_load))
+        throw InputError(
+          "Load programme/Find threshold looks for a critical load; it needs "
+          "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
+      if (scene.programme.find_blow_out && (!scene.fluid.feedback.enabled || !by_load))
+        throw InputError(
+          "Load programme/Find blow-out raises the inlet pressure until the "
+          "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
+          "Contact/Control = load.");
+    }
+
+    void
+    check_leak_rate_units(const Scene &scene)
+    {
+      for (const std::string &name : scene.output.leak_rate_units)
+        {
+          if (!scene.units.are_complete())
+            throw InputError(
+              "Output/Leak rate units = " + name +
+              " needs to know the scene's units; set Units/Length, Pressure "
+              "and Time.");
+          if (find_leak_rate_unit(name)->is_throughput && !scene.fluid.is_gas)
+            throw InputError(
+              "Output/Leak rate units = " + name +
+              " is a throughput of gas; set Fluid/State = gas, or choose a "
+              "volume per time.");
+        }
+    }
+
+    /** What a run of the theory alone cannot do without. */
+    void
+    check_theory_alone(const Scene &scene)
+    {
+      if (scene.contact.control != ContactControl::load)
+        throw InputError(
+          "Theory/Enabled without Contact and Fluid takes Load programme/"
+          "Pressures as loads; set Contact/Control = load.");
+      if (scene.programme.pressures.empty())
+        throw InputError(
+          "Load programme/Pressures is empty; list at least one load for the theory.");
+      for (const double pressure : scene.programme.pressures)
+        if (!(pressure > 0.))
+          throw InputError("Load programme/Pressures contains " + to_text(pressure) +
+                           ", at which the theory has no contact; give positive "
+                           "nominal pressures.");
+    }
+
+    void
+    check_theory(const Scene &scene)
+    {
+      const TheoryParameters &theory = scene.theory;
+      if (!theory.enabled)
+        return;
+      const bool simulates = scene.contact.enabled || scene.fluid.enabled;
+      if (theory.spectrum == TheorySpectrum::model &&
+          scene.surface.kind != SurfaceKind::self_affine)
+        throw InputError(
+          "Theory/Spectrum = model needs Surface/Kind = self-affine; set "
+          "Theory/Spectrum = surface for other kinds.");
+      if (theory.gaps == TheoryGaps::simulated && !simulates)
+        throw InputError(
+          "Theory/Gap distribution = simulated needs a simulation; enable "
+          "Contact or Fluid, or take persson.");
+      if (theory.gaps == TheoryGaps::persson && simulates && !scene.contact.enabled)
+        throw InputError(
+          "Theory/Gap distribution = persson needs a load, and with "
+          "Contact/Enabled = false there is none; take simulated.");
+      if (theory.dimension == TheoryDimension::from_threshold &&
+          !scene.programme.find_threshold)
+        throw InputError(
+          "Theory/Dimension parameter = from threshold needs the critical "
+          "load; set Load programme/Find threshold = true.");
+      if (theory.dimension == TheoryDimension::from_threshold &&
+          theory.gaps == TheoryGaps::simulated && scene.fluid.has_slip())
+        throw InputError(
+          "Theory/Dimension parameter = from threshold knows the simulated "
+          "contact fraction at the threshold, not what a slip length "
+          "blocks; take Gap distribution = persson or no slip length.");
+      if (!simulates)
+        check_theory_alone(scene);
+    }
+
+    /** What a contact that yields cannot be combined with, and why. */
+    void
+    check_yielding(const Scene &scene)
+    {
+      const ContactParameters &contact = scene.contact;
+      if (!contact.yields() || !(contact.enabled || scene.is_theory_only()))
+        return;
+      const auto refuse = [](const std::string &reason) {
+        throw InputError("Contact/Yielding = cut-off " + reason);
+      };
+      if (!(contact.hardness > 0.))
+        refuse("needs to know at which pressure; set Contact/Hardness.");
+      if (contact.adhesion.enabled)
+        refuse(
+          "bounds the pressure, and a contact with adhesion is solved for the gap, by "
+          "each of its solvers; switch Contact/Adhesion off.");
+      if (contact.method != ContactMethod::dual_cg)
+        refuse("needs a solver that knows such a bound; set Contact/Solver = dual CG.");
+      if (contact.control != ContactControl::load)
+        refuse(
+          "changes the surface that a mean gap is counted from; set "
+          "Contact/Control = load.");
+      if (contact.zoom.enabled)
+        refuse(
+          "leaves indentations that are known on the points where they were made only, "
+          "and windows of finer points come and go; switch Contact/Zoom off.");
+      if (scene.fluid.feedback.enabled)
+        refuse(
+          "would indent the surface by pressures of contact and fluid that do not agree "
+          "yet; switch Fluid/Wall feedback off.");
+      const std::vector<double> &pressures = scene.programme.pressures;
+      if (scene.programme.find_threshold && scene.programme.path == LoadPath::unloading &&
+          pressures.front() != *std::max_element(pressures.begin(), pressures.end()))
+        refuse(
+          "opens the later the larger the load was before: where Load programme/Path = "
+          "unloading, a search for the threshold begins with the first of "
+          "Load programme/Pressures, which must be the largest.");
+      for (const double pressure : pressures)
+        if (!(pressure < contact.hardness))
+          throw InputError("Load programme/Pressures contains " + to_text(pressure) +
+                           ", which Contact/Hardness = " + to_text(contact.hardness) +
+                           " cannot bear even where all of the area is in contact; give "
+                           "nominal pressures below it.");
+    }
+
+    /** That the realisations of a measured map are windows of it. */
+    void
+    check_windows(const Scene &scene)
+    {
+      const MapParameters                   &map   = scene.surface.map;
+      const std::vector<unsigned long long> &seeds = scene.realisations.seeds;
+      if (scene.surface.kind != SurfaceKind::file)
+        return;
+      if (seeds.empty())
+        map.check_window(scene.surface.seed);
+      for (const unsigned long long seed : seeds)
+        map.check_window(seed);
+      if (seeds.size() > 1 && map.windows == std::array<int, 2>{{1, 1}})
+        throw InputError(
+          "Realisations/Seeds of a measured map are windows of it; set Surface/Windows, "
+          "or they would be copies.");
+    }
+
+    /** What a whole seal is made of. */
+    void
+    check_whole_seal(const Scene &scene)
+    {
+      if (!scene.seal.enabled)
+        return;
+      if (!scene.contact.enabled || !scene.fluid.enabled ||
+          scene.contact.control != ContactControl::load ||
+          scene.programme.pressures.empty() || !scene.fluid.mesh_file.empty())
+        throw InputError(
+          "Seal/Enabled needs leak rates of boxes under loads: Contact/Enabled, "
+          "Fluid/Enabled, Contact/Control = load, Load programme/Pressures, and no "
+          "Fluid/Mesh.");
+      if (!scene.realisations.enabled())
+        throw InputError(
+          "Seal/Enabled needs at least two patches to tell how they scatter; set "
+          "Realisations/Seeds, which of a measured map are its Surface/Windows, or "
+          "Orientations.");
+    }
+
+    /** What windows of finer points cannot be combined with, and why. */
+    void
+    check_zoom(const Scene &scene)
+    {
+      if (!scene.contact.zoom.enabled)
+        return;
+      const auto refuse = [](const std::string &reason) {
+        throw InputError("Contact/Zoom " + reason);
+      };
+      if (!scene.contact.enabled || !scene.fluid.enabled)
+        refuse(
+          "resolves the throats of a contact that a fluid flows through; it needs "
+          "Contact/Enabled and Fluid/Enabled.");
+      if (scene.contact.adhesion.enabled)
+        refuse(
+          "solves for the pressure, which does not determine the state of a contact "
+          "with adhesion; switch Contact/Adhesion off.");
+      if (scene.fluid.feedback.enabled)
+        refuse(
+          "needs the pressure of the fluid on the finer points as well, which "
+          "Fluid/Wall feedback knows on the contact grid only; switch it off.");
+      if (!scene.fluid.mesh_file.empty())
+        refuse(
+          "follows the flow through the box and not through Fluid/Mesh; remove one "
+          "of them.");
+      if (scene.contact.control != ContactControl::load)
+        refuse("needs Contact/Control = load.");
+    }
+  } // namespace
+
+  void
+  Scene::check() const
+  {
+    surface.check();
+    contact.adhesion.check();
+    fluid.check();
+    programme.check();
+    realisations.check();
+    seal.check();
+    check_windows(*this);
+    check_whole_seal(*this);
+    if (seal.two_in_a_row && !can_flow_in_a_row())
+      throw InputError(
+        "Seal/Two in a row needs a flow along x that is linear in the pressure and leaves "
+        "the gap as it is: no Fluid/Mesh, Rarefaction or Wall feedback, no Contact/Zoom.");
+    check_programme(*this);
+    check_theory(*this);
+    check_yielding(*this);
+    check_zoom(*this);
+    check_leak_rate_units(*this);
+
+    if (fluid.feedback.enabled && (!contact.enabled || !fluid.enabled))
+      throw InputError(
+        "Fluid/Wall feedback lets a fluid press on an elastic wall; it "
+        "needs Contact/Enabled and Fluid/Enabled.");
+    const bool has_mesh = fluid.enabled && !fluid.mesh_file.empty();
+    if (has_mesh && output.error_budget)
+      throw InputError(
+        "Output/Error budget repeats the flow on coarser grids, which Fluid/Mesh does not "
+        "support; switch one of them off.");
+    if (has_mesh && theory.enabled)
+      throw InputError(
+        "Theory/Enabled predicts the leak rate of the whole box and not of Fluid/Mesh; "
+        "switch one of them off.");
+    if (!contact.enabled && !fluid.enabled && !theory.enabled)
+      throw InputError(
+        "Contact/Enabled and Fluid/Enabled are both false, so there is "
+        "nothing to compute.");
+  }
+
+  std::vector<std::string>
+  Scene::warnings() const
+  {
+    std::vector<std::string> warnings;
+    const double             shorter_side = std::min(surface.size[0], surface.size[1]);
+    if (surface.kind == SurfaceKind::self_affine &&
+        surface.roll_off_wavelength > shorter_side)
+      warnings.emplace_back(
+        "Surface/Roll-off wavelength exceeds the shorter side of the box, so the "
+        "surface is not isotropic.");
+    if (fluid.enabled && fluid.is_gas && fluid.molar_mass == 0.)
+      warnings.emplace_back(
+        "whether the gas is rarefied is not checked, because neither Fluid/Gas nor Molar "
+        "mass is given.");
+    if (theory.enabled && fluid.enabled && fluid.rarefaction != Rarefaction::none)
+      warnings.emplace_back(
+        "the theory's leak rate is of viscous flow, whatever Fluid/Rarefaction is.");
+    return warnings;
+  }
+} // namespace strait

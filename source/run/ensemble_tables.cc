@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/run/ensemble_tables.h>
+
+namespace strait
+{
+  namespace
+  {
+    Condition
+    with_realisations(const Scene &scene)
+    {
+      return {"with the section `Realisations`", scene.realisations.enabled()};
+    }
+  } // namespace
+
+  Table<RealisationRow>
+  ensemble_table(const Scene &scene)
+  {
+    Table<RealisationRow> table("ensemble.csv",
+                                with_realisations(scene),
+                                "One row for each realisation, which has a folder "
+                                "`realisation-k` with all other tables.");
+    table.add(&RealisationRow::number, "realisation [1]: k, from 1")
+      .add(&RealisationRow::seed, "seed [1]: `Surface/Seed`")
+      .add(&RealisationRow::orientation, "orientation: how the surface is turned")
+      .add(&RealisationRow::lower,
+           "critical_load_lower [pressure]: at the first slip length")
+      .add(&RealisationRow::upper, "critical_load_upper [pressure]: likewise")
+      .add(&RealisationRow::contact_area, "contact_area [1]: likewise")
+      .add(&RealisationRow::crossover_load,
+           "crossover_load [pressure]: (1 − ε_x) L_c, where the exponential decay far "
+           "from the threshold turns into the power law, see below")
+      .add(&RealisationRow::exponent,
+           "exponent [1]: of the leak rate at the smallest slip length")
+      .add(&RealisationRow::exponent_error,
+           "exponent_error [1]: standard error of its fit")
+      .when({"with `Theory/Enabled`", scene.theory.enabled})
+      .add(&RealisationRow::theory_crossover_load,
+           "theory_crossover_load [pressure]: that of the theory's leak rate at the same "
+           "steps")
+      .when()
+      .add(&RealisationRow::status,
+           "status: `ok`, `failed`, or the words of `status` of all its rows of "
+           "leakage.csv, after `not-converged` if these are failures of solvers; and "
+           "`no-exponent` or `no-crossover` where fewer than two of the steps that these "
+           "take are resolved")
+      .add(&RealisationRow::validity,
+           "validity: `ok`, or the words of `validity` of all its rows");
+    return table;
+  }
+
+  Table<ScatterRow>
+  ensemble_summary_table(const Scene &scene)
+  {
+    Table<ScatterRow> table("ensemble_summary.csv",
+                            with_realisations(scene),
+                            "One row for each quantity.");
+    table
+      .add(&ScatterRow::quantity,
+           "quantity: `critical_load`, the middle of its bracket, "
+           "`crossover_reduced_load`, ε_x, or a column of ensemble.csv")
+      .add(&ScatterRow::mean, "mean [of the quantity]: over the realisations")
+      .add(&ScatterRow::standard_deviation,
+           "standard_deviation [of the quantity]: over the realisations; `nan` of one")
+      .add(&ScatterRow::n_samples,
+           "samples [1]: realisations for which the quantity is known")
+      .add(
+        &ScatterRow::n_missing,
+        "missing [1]: those for which it is not; `status` in ensemble.csv tells why, or "
+        "`Reduced loads` has too few steps for it");
+    return table;
+  }
+
+  Table<SealRow>
+  seal_table(const Scene &scene)
+  {
+    Table<SealRow> table("seal.csv",
+                         {"with `Seal/Enabled`", scene.seal.enabled},
+                         "The leak rate of the whole seal, one row for each load whose "
+                         "pressures over the width are covered by those of the patches; "
+                         "see [seal.md](seal.md).");
+    table.add(&SealRow::pressure, "pressure [pressure]: nominal, mean over the width")
+      .add(&SealRow::median,
+           "leak_rate_median [of the column unit]: as likely exceeded as not")
+      .add(
+        &SealRow::lower,
+        "leak_rate_5_percent [of the column unit]: exceeded with a probability of 95 %")
+      .add(&SealRow::upper, "leak_rate_95_percent [of the column unit]: with one of 5 %")
+      .add(&SealRow::unit,
+           "unit: of the leak rates: the first of `Output/Leak rate units`, or that of "
+           "the scene; empty if that states none")
+      .add(&SealRow::sealed, "sealed [1]: fraction of the seals that do not leak")
+      .add(&SealRow::of_patches,
+           "scatter_patches [1]: standard deviation of ln Q that more patches would "
+           "reduce")
+      .add(&SealRow::of_arrangement,
+           "scatter_arrangement [1]: the same between seals of this size and surface, "
+           "which nothing reduces")
+      .add(&SealRow::of_solution,
+           "solution_error [1]: relative error of the patches' leak rates: "
+           "`leak_rate_error` where it is known, else the half width of the brackets");
+    return table;
+  }
+
+  Table<SealLoadRow>
+  seal_load_table(const Scene &scene)
+  {
+    Table<SealLoadRow> table("seal_load.csv",
+                             {"with `Seal/Wanted leak rate`",
+                              scene.seal.enabled && scene.seal.wanted_leak_rate > 0.},
+                             "The load at which the whole seal leaks as wanted; `nan` "
+                             "where it lies beyond the loads of seal.csv.");
+    table
+      .add(&SealLoadRow::wanted,
+           "wanted_leak_rate [of the column unit]: `Seal/Wanted leak rate`")
+      .add(&SealLoadRow::unit, "unit: as in seal.csv")
+      .add(&SealLoadRow::median, "load [pressure]: where the median is as wanted")
+      .add(&SealLoadRow::lower, "load_5_percent [pressure]: where the 5 % quantile is")
+      .add(&SealLoadRow::upper,
+           "load_95_percent [pressure]: where the 95 % quantile is: enough with a "
+           "probability of 95 %");
+    return table;
+  }
+} // namespace strait
