@@ -56,8 +56,9 @@ namespace strait
       "Tolerance",
       tolerance,
       positive.below(1.),
-      "Relative change of the leak rate, and change of the fluid pressure (rms, "
-      "over its largest value), below which contact and flow agree [1].");
+      "Relative change of the leak rate, and change of the fluid pressure (rms, over that "
+      "of a reservoir or its own, whichever is more), below which contact and flow agree "
+      "[1].");
     section.add(
       "Maximum iterations",
       maximum_iterations,

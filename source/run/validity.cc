@@ -239,16 +239,14 @@ namespace strait
                         std::count(states.begin(), states.end(), NodeState::trapped))) /
                     layout.grid().n_points();
       const double number = part_of_load(area * excess_pressure(scene.fluid));
-      add(
-        "trapped-fluid",
-        number,
-        most_trapped_load,
-        format(
-          "fluid of unknown pressure is trapped on %.2g %% of the area, which at the pressure of the "
-          "reservoirs would carry %.2g of the load: compare runs with Fluid/Wall "
-          "feedback/Pool pressure from 0 to that pressure",
-          100. * area,
-          number));
+      add("trapped-fluid",
+          number,
+          most_trapped_load,
+          format("fluid of unknown pressure is trapped on %.2g %% of the area, which at "
+                 "the pressure of the reservoirs would carry %.2g of the load: compare "
+                 "runs with Fluid/Wall feedback/Pool pressure from 0 to that pressure",
+                 100. * area,
+                 number));
     }
   } // namespace
 

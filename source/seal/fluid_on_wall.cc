@@ -25,7 +25,7 @@ namespace strait
     if (!is_first && from->fluid->trapped)
       known = *from->fluid->trapped;
     else
-      known.owner.assign(n_local_points, -1.F);
+      known.owner.assign(n_local_points, TrappedFluid::reservoirs);
     found = known;
   }
 
@@ -132,7 +132,7 @@ namespace strait
       }
   }
 
-  /** The pressures at which @p pools hold their fluid; returns by how much that raises
+  /** The pressures at which @p pools hold their fluid; returns by how much these raise
    * the mean pressure. */
   double
   FluidOnWall::hold(SlabField          &pressure,

@@ -24,15 +24,21 @@ namespace strait
     , gap(open_gap)
     , labels(trapped_labels(open_gap, clusters, direction))
   {
-    find_shares();
+    find_parts();
     number_regions();
     measure();
   }
 
-  /** What each cluster of trapped fluid has of each pool. */
+  /** What each cluster of trapped fluid has of each owner. */
   void
-  PoolsInGap::find_shares()
+  PoolsInGap::find_parts()
   {
+    struct Share
+    {
+      std::int64_t label;
+      int          owner;
+      double       volume;
+    };
     const PeriodicGrid                           &grid = gap.grid();
     const double                                  cell = grid.dx() * grid.dy();
     std::map<std::int64_t, std::map<int, double>> mine;
@@ -44,28 +50,45 @@ namespace strait
       for (const auto &[owner, volume] : owners)
         list.push_back({label, owner, volume});
     for (const Share &share : gather_all(gap.layout().communicator(), list))
-      shares[share.label][share.owner] += share.volume;
+      trapped[share.label].parts[share.owner].volume += share.volume;
   }
 
   void
   PoolsInGap::number_regions()
   {
     auto n = static_cast<int>(known.pools.size());
-    for (const auto &[label, owners] : shares)
+    for (auto &[label, cluster] : trapped)
       {
-        std::pair<double, int> most{-1., -1};
-        for (const auto &[owner, volume] : owners)
-          if (owner >= 0)
-            most = std::max(most, {volume, owner});
-        region_of_cluster[label] = most.second >= 0 ? most.second : n++;
+        double most = -1;
+        for (auto &[owner, part] : cluster.parts)
+          {
+            if (owner >= 0)
+              part.region = owner;
+            else if (owner == TrappedFluid::reservoirs)
+              part.region = n++;
+            if (owner >= 0 && part.volume > most)
+              {
+                most           = part.volume;
+                cluster.region = owner;
+              }
+          }
+        if (cluster.region < 0) // no pool has any of it
+          cluster.region =
+            cluster.parts.count(TrappedFluid::reservoirs) > 0 ? n - 1 : n++;
+        if (const auto opened = cluster.parts.find(TrappedFluid::no_fluid);
+            opened != cluster.parts.end())
+          opened->second.region = cluster.region;
       }
     volumes.resize(n);
     regions.resize(gap.size());
     for (std::size_t k = 0; k < gap.size(); ++k)
-      regions[k] = !(gap[k] > 0)         ? -1
-                   : known.owner[k] >= 0 ? static_cast<int>(known.owner[k])
-                   : labels[k] >= 0      ? region_of_cluster.at(labels[k])
-                                         : -1;
+      {
+        const auto owner = static_cast<int>(known.owner[k]);
+        regions[k]       = !(gap[k] > 0)    ? -1
+                           : owner >= 0     ? owner
+                           : labels[k] >= 0 ? trapped.at(labels[k]).parts.at(owner).region
+                                            : -1;
+      }
   }
 
   void
@@ -121,15 +144,14 @@ namespace strait
     Settled                     settled;
     std::map<std::int64_t, int> number;                   // of the pool of a cluster
     std::vector<double>         left(known.pools.size()); // of pools that are trapped
-    for (const auto &[label, owners] : shares)
+    for (const auto &[label, cluster] : trapped)
       {
         number.emplace(label, static_cast<int>(number.size()));
-        settled.fluid.pools.push_back(
-          heir(parameters, pressures, label, is_first, settled.has_changed));
-        for (const auto &[owner, volume] : owners)
-          if (const std::size_t p = owner >= 0 ? owner : region_of_cluster.at(label);
-              p < left.size())
-            left[p] += volume;
+        settled.fluid.pools.push_back(heir(parameters, pressures, cluster, is_first));
+        settled.has_changed = settled.has_changed || meets_another(cluster, pressures);
+        for (const auto &[owner, part] : cluster.parts)
+          if (static_cast<std::size_t>(part.region) < left.size())
+            left[part.region] += part.volume;
       }
     std::map<int, int> still_shut;
     for (std::size_t p = 0; p < known.pools.size(); ++p)
@@ -140,48 +162,59 @@ namespace strait
           still_shut[static_cast<int>(p)] = static_cast<int>(settled.fluid.pools.size());
           settled.fluid.pools.push_back(known.pools[p]);
         }
-    settled.fluid.owner.assign(gap.size(), -1.F);
+    settled.fluid.owner.resize(gap.size());
     for (std::size_t k = 0; k < gap.size(); ++k)
-      if (labels[k] >= 0)
-        settled.fluid.owner[k] = static_cast<float>(number.at(labels[k]));
-      else if (const auto shut = still_shut.find(regions[k]); shut != still_shut.end())
-        settled.fluid.owner[k] = static_cast<float>(shut->second);
+      {
+        int owner = gap[k] > 0 ? TrappedFluid::reservoirs : TrappedFluid::no_fluid;
+        if (labels[k] >= 0)
+          owner = number.at(labels[k]);
+        else if (const auto shut = still_shut.find(regions[k]); shut != still_shut.end())
+          owner = shut->second;
+        settled.fluid.owner[k] = static_cast<float>(owner);
+      }
     measure_pools(settled.fluid, pressures, contact_modulus);
     return settled;
   }
 
-  /** The pool that the cluster @p label has become. */
+  /** The pool that @p cluster has become. */
   Pool
   PoolsInGap::heir(const FeedbackParameters  &parameters,
                    const std::vector<double> &pressures,
-                   const std::int64_t         label,
-                   const bool                 is_first,
-                   bool                      &has_changed) const
+                   const Cluster             &cluster,
+                   const bool                 is_first) const
   {
-    const std::map<int, double> &owners = shares.at(label);
-    const int                    region = region_of_cluster.at(label);
-    if (region >= static_cast<int>(known.pools.size()))
-      return {owners.at(-1), pressures[region], 0., is_first};
-    Pool result = known.pools[region];
-    for (const auto &owned : owners)
-      if (owned.first >= 0)
-        result.pressure = std::max(result.pressure, known.pools[owned.first].pressure);
+    const auto pool_of = [&](const std::size_t region) {
+      return region < known.pools.size()
+               ? known.pools[region]
+               : Pool{volumes[region], pressures[region], 0., is_first};
+    };
+    Pool result = pool_of(cluster.region);
+    for (const auto &[owner, part] : cluster.parts)
+      result.pressure = std::max(result.pressure, pool_of(part.region).pressure);
     result.volume = 0.;
-    for (const auto &[owner, volume] : owners)
-      if (owner >= 0)
-        {
-          // What the cluster has found in addition belongs to its largest pool.
-          const double found =
-            owner == region && owners.count(-1) > 0 ? owners.at(-1) : 0.;
-          const Pool &pool = known.pools[owner];
-          result.volume += (volume + found) / volumes[owner] *
-                           volume_at(parameters, pool, result.pressure);
-          result.is_guess   = result.is_guess || pool.is_guess;
-          const double here = pressures[region], there = pressures[owner];
-          has_changed |= std::abs(here - there) >
-                         negligible * std::max(std::abs(here), std::abs(there));
-        }
+    for (const auto &[owner, part] : cluster.parts)
+      {
+        const Pool pool = pool_of(part.region);
+        result.volume += part.volume / volumes[part.region] *
+                         volume_at(parameters, pool, result.pressure);
+        result.is_guess = result.is_guess || pool.is_guess;
+      }
     return result;
+  }
+
+  /** Whether pools of other pressures have become one in @p cluster. */
+  bool
+  PoolsInGap::meets_another(const Cluster             &cluster,
+                            const std::vector<double> &pressures) const
+  {
+    const double here = pressures[cluster.region];
+    return std::any_of(cluster.parts.begin(),
+                       cluster.parts.end(),
+                       [&](const auto &entry) {
+                         const double there = pressures[entry.second.region];
+                         return std::abs(here - there) >
+                                negligible * std::max(std::abs(here), std::abs(there));
+                       });
   }
 
   /** Area, mean pressure and compliance. Collective. */

@@ -77,7 +77,7 @@ namespace strait
     nothing(const SlabField &gap)
     {
       TrappedFluid fluid;
-      fluid.owner.assign(gap.size(), -1.F);
+      fluid.owner.assign(gap.size(), TrappedFluid::reservoirs);
       return fluid;
     }
 
@@ -149,6 +149,26 @@ namespace strait
             EXPECT_NEAR(volume_at(parameters, again.fluid.pools[i], 1.),
                         mass * (i == 0 ? 6 : 1) / 8,
                         1e-12);
+        }
+    }
+
+    TEST(TrappedFluid, TakesInWhatIsCutOffTogetherWithIt)
+    {
+      const std::vector<std::string> fjord = {
+        "########", "....#.##", "##..#2##", "##..#.##", "########", "########"};
+      const std::vector<std::string> closed = {
+        "########", "##....##", "##..#2##", "##..#.##", "########", "########"};
+      for (const TrappedFluidLaw name :
+           {TrappedFluidLaw::incompressible, TrappedFluidLaw::gas})
+        {
+          const FeedbackParameters parameters = law(name);
+          const TrappedFluid       before =
+            settle(nothing(draw(fjord)), fjord, {.6}, parameters).fluid;
+          const auto after = settle(before, closed, {.6, .3}, parameters);
+          ASSERT_EQ(after.fluid.pools.size(), 1U);
+          EXPECT_TRUE(after.has_changed);
+          const double mass = name == TrappedFluidLaw::gas ? 4 * .6 + 6 * .3 : 10.;
+          EXPECT_NEAR(volume_at(parameters, after.fluid.pools[0], 1.), mass, 1e-12);
         }
     }
 

@@ -16,10 +16,10 @@ namespace strait
    * are there, and which of them there are once the state is found.
    *
    * On the way the regions stay what they were in the state before: an open point belongs
-   * to the pool that owned it, whatever its cluster is joined to by now, and of the other
-   * points of a trapped cluster to the pool that has most of it. A cluster of which no
-   * pool has any is fluid that has just been cut off: a region of its own, of no mass
-   * yet. A pool that is pressed shut keeps the points that it had.
+   * to the pool that owned it, whatever its cluster is joined to by now. What a trapped
+   * cluster has of the reservoirs' fluid has just been cut off: a region of its own, of
+   * no mass yet. What has opened in a trapped cluster belongs to the pool that has most
+   * of it, if there is one. A pool that is pressed shut keeps the points that it had.
    */
   class PoolsInGap
   {
@@ -74,8 +74,7 @@ namespace strait
      * The pools of a state that has been found, where the regions have @p pressures.
      * Splits share their mass by volume, mergers add it, what a reservoir has reached
      * forgets it, and what was cut off fills its volume at its pressure, which is a guess
-     * if
-     * @p is_first. @p contact_modulus is that of the walls. Collective.
+     * if @p is_first. @p contact_modulus is that of the walls. Collective.
      */
     Settled settle(const FeedbackParameters  &parameters,
                    const std::vector<double> &pressures,
@@ -83,32 +82,38 @@ namespace strait
                    bool                       is_first) const;
 
   private:
-    struct Share
+    /** Of a trapped cluster, what one owner had before. */
+    struct Part
     {
-      std::int64_t label; // of a trapped cluster
-      int          owner; // −1: nobody
-      double       volume;
+      double volume = 0.;
+      int    region = -1;
     };
 
-    void find_shares();
+    struct Cluster
+    {
+      std::map<int, Part> parts;       // by owner
+      int                 region = -1; // of the pool that has most of it
+    };
+
+    void find_parts();
     void number_regions();
     void measure();
     Pool heir(const FeedbackParameters  &parameters,
               const std::vector<double> &pressures,
-              std::int64_t               label,
-              bool                       is_first,
-              bool                      &has_changed) const;
+              const Cluster             &cluster,
+              bool                       is_first) const;
+    bool meets_another(const Cluster             &cluster,
+                       const std::vector<double> &pressures) const;
     void measure_pools(TrappedFluid              &fluid,
                        const std::vector<double> &pressures,
                        double                     contact_modulus) const;
 
-    const TrappedFluid                           &known;
-    const SlabField                              &gap;
-    std::vector<std::int64_t>                     labels;
-    std::map<std::int64_t, std::map<int, double>> shares; // volume by cluster and owner
-    std::map<std::int64_t, int>                   region_of_cluster;
-    std::vector<int>                              regions;
-    std::vector<double>                           volumes, counts, widest;
+    const TrappedFluid             &known;
+    const SlabField                &gap;
+    std::vector<std::int64_t>       labels;
+    std::map<std::int64_t, Cluster> trapped; // by label
+    std::vector<int>                regions;
+    std::vector<double>             volumes, counts, widest;
   };
 } // namespace strait
 

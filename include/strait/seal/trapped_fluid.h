@@ -22,7 +22,10 @@ namespace strait
   /** The fluid that a path has cut off from its reservoirs so far. */
   struct TrappedFluid
   {
-    std::vector<float> owner; // of each local grid point: the number of a pool, or −1
+    /** Instead of the number of a pool: of contact, and of fluid that is not trapped. */
+    static constexpr int no_fluid = -1, reservoirs = -2;
+
+    std::vector<float> owner; // of each local grid point: the number of a pool, or these
     std::vector<Pool>  pools;
 
     double area         = 0.; // of all pools over the nominal area
