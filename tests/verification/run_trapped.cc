@@ -67,6 +67,7 @@ namespace strait
       SilentSweep        silent(scene);
       std::vector<Point> points;
       EXPECT_TRUE(silent.loads.run([&points](const Step &step) {
+        EXPECT_TRUE(step.state.fluid->converged) << step.state.control.target;
         points.push_back({step.state.control.target / pi,
                           step.state.fluid->trapped->pressure / pi,
                           step.state.contact->contact_area,
