@@ -59,19 +59,18 @@ namespace strait
     auto n = static_cast<int>(known.pools.size());
     for (auto &[label, cluster] : trapped)
       {
-        double most = -1;
+        // The largest by what it held before: its volume now would change places with
+        // that of a pool beside it from round to round.
         for (auto &[owner, part] : cluster.parts)
-          {
-            if (owner >= 0)
+          if (owner >= 0)
+            {
               part.region = owner;
-            else if (owner == TrappedFluid::reservoirs)
-              part.region = n++;
-            if (owner >= 0 && part.volume > most)
-              {
-                most           = part.volume;
+              if (cluster.region < 0 ||
+                  known.pools[owner].volume > known.pools[cluster.region].volume)
                 cluster.region = owner;
-              }
-          }
+            }
+          else if (owner == TrappedFluid::reservoirs)
+            part.region = n++;
         if (cluster.region < 0) // no pool has any of it
           cluster.region =
             cluster.parts.count(TrappedFluid::reservoirs) > 0 ? n - 1 : n++;

@@ -18,8 +18,8 @@ namespace strait
    * On the way the regions stay what they were in the state before: an open point belongs
    * to the pool that owned it, whatever its cluster is joined to by now. What a trapped
    * cluster has of the reservoirs' fluid has just been cut off: a region of its own, of
-   * no mass yet. What has opened in a trapped cluster belongs to the pool that has most
-   * of it, if there is one. A pool that is pressed shut keeps the points that it had.
+   * no mass yet. What has opened in a trapped cluster belongs to the largest pool in it,
+   * if there is one. A pool that is pressed shut keeps the points that it had.
    */
   class PoolsInGap
   {
@@ -92,7 +92,7 @@ namespace strait
     struct Cluster
     {
       std::map<int, Part> parts;       // by owner
-      int                 region = -1; // of the pool that has most of it
+      int                 region = -1; // of the largest pool in it
     };
 
     void find_parts();
