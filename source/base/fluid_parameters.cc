@@ -4,6 +4,7 @@
 #include <strait/base/parameter_table.h>
 #include <strait/base/units.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -116,16 +117,21 @@ namespace strait
       throw InputError(
         "Fluid/Wall feedback/Trapped fluid = gas needs absolute pressures; "
         "set Fluid/State = gas, or Trapped fluid = compressible.");
+    if (trapped_fluid == TrappedFluidLaw::gas && pool_pressure < 0.)
+      throw InputError(
+        "Fluid/Wall feedback/Pool pressure is negative, but that of a gas is absolute; "
+        "raise it.");
     if (trapped_fluid != TrappedFluidLaw::compressible)
       return;
     if (!(bulk_modulus > 0.))
       throw InputError(
         "Fluid/Wall feedback/Trapped fluid = compressible needs Bulk "
         "modulus; give it, or set Trapped fluid = incompressible.");
-    if (!(bulk_modulus + bulk_modulus_slope * vapour_pressure > 0.))
+    const double least = std::min(vapour_pressure, pool_pressure);
+    if (!(bulk_modulus + bulk_modulus_slope * least > 0.))
       throw InputError(
-        "Fluid/Wall feedback/Bulk modulus is not positive at Vapour "
-        "pressure; raise one of them.");
+        "Fluid/Wall feedback/Bulk modulus is not positive at Vapour pressure or Pool "
+        "pressure; raise these or Bulk modulus.");
   }
 
   void

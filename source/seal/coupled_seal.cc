@@ -222,25 +222,26 @@ namespace strait
   void
   CoupledSeal::Iteration::agree(FeedbackGoal goal)
   {
-    // Half as many leave pools apart that have met on a long step, twice as many go on
-    // where pools meet and part without end.
+    // Half as many give long steps up on which pools meet one after the other, twice as
+    // many go on where pools meet and part without end.
     constexpr int most_meetings = 4;
     if (on_wall.is_limited_by_load())
       goal.largest_mean = control.target;
     FluidState &fluid = *state.fluid;
     try
       {
-        for (int meetings = 0;; ++meetings)
+        bool meet = true;
+        for (int meetings = 0; meet && meetings <= most_meetings; ++meetings)
           {
             last_result =
               feedback.solve([&](const SlabField &assumed) { return round(assumed); },
                              largest_pressure(),
                              goal);
-            if (!on_wall.settle(*state.contact, fluid_flow, feedback.pressure()) ||
-                !last_result.converged || meetings == most_meetings)
-              break;
+            meet = on_wall.settle(*state.contact, fluid_flow, feedback.pressure()) &&
+                   last_result.converged;
             goal.goes_on = false;
           }
+        last_result.converged     = last_result.converged && !meet;
         fluid.trapped             = on_wall.trapped();
         fluid.converged           = last_result.converged;
         fluid.undecided           = last_result.undecided;
