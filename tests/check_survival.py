@@ -133,6 +133,10 @@ subsection Contact
   set Tolerance = 1e-13
   set Maximum iterations = 100000
 end
+
+subsection Load programme
+  set Pressures = 0.1
+end
 """
 OPTIONS = None
 
@@ -282,7 +286,7 @@ class Survival(unittest.TestCase):
                 process.send_signal(number)
                 message = process.communicate(timeout=60)[1]
             self.assertEqual(process.returncode, 3, message)
-            self.assertRegex(message, "^strait: Stopped by .*--resume continues.\n$")
+            self.assertRegex(message, "(?m)^strait: Stopped by .*--resume continues.\n\\Z")
             self.assertGreaterEqual(n_rows(output), n)
             self.assertTrue(os.path.exists(os.path.join(output, "run.json")))
             options = ["--resume"]

@@ -28,7 +28,7 @@ th, td { padding: .22rem .6rem; text-align: right; border-bottom: 1px solid var(
 th { cursor: pointer; background: #f5f7f9; vertical-align: bottom; } th small { font-weight: normal;
      color: var(--soft); display: block; } td { white-space: nowrap; }
 .text { text-align: left; } td.text { white-space: normal; } td.text span { white-space: nowrap; }
-td.long { min-width: 16rem; }
+td.long { min-width: 11rem; }
 th[aria-sort=ascending]::after { content: " ▴"; } th[aria-sort=descending]::after { content: " ▾"; }
 figure { margin: .4rem 0; break-inside: avoid; } figcaption { font-size: .8rem; color: var(--soft); }
 img { max-width: 100%; height: auto; } .pictures { display: grid; gap: .6rem;

@@ -60,9 +60,9 @@ namespace strait
       // By how much the level rises at a time: its root and its square find alike.
       constexpr double rise = 1.25;
       using dealii::Utilities::MPI::sum;
-      MPI_Comm     comm    = tria.get_communicator();
-      const auto   n_cells = static_cast<double>(tria.n_global_active_cells());
-      const double width   = sum(bracket.contributions.l1_norm(), comm);
+      MPI_Comm     comm              = tria.get_communicator();
+      const auto   n_cells           = static_cast<double>(tria.n_global_active_cells());
+      const double width             = sum(bracket.contributions.l1_norm(), comm);
       const auto   held_by_more_than = [&](const double contribution) {
         double local = 0.;
         for (const float each : bracket.contributions)

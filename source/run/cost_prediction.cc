@@ -157,6 +157,19 @@ namespace strait
   std::string
   CostPrediction::limiting_error() const
   {
+    if (scene.contact.zoom.enabled)
+      {
+        // Nearer to the critical load the contact on the grid changes by a few points
+        // only: doc/zoom.md, which compares grids. Half of it trusts rows that miss their
+        // error.
+        constexpr double points_nearest = 16.;
+        return format(
+          "windows follow the throat, so the largest error is not predicted: see "
+          "leak_rate_error; reduced loads below about %.2g are beyond this grid of the "
+          "contact, however fine the windows",
+          points_nearest / (static_cast<double>(scene.contact.grid_points[0]) *
+                            scene.contact.grid_points[1]));
+      }
     const std::optional<double> points = points_along_throat();
     if (!points)
       return "largest error: not predicted for this surface and these loads; "

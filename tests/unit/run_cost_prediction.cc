@@ -53,6 +53,9 @@ namespace strait
       Scene unknown        = saddle(256, .001);
       unknown.surface.kind = SurfaceKind::sphere;
       EXPECT_TRUE(says(unknown, "not predicted"));
+      Scene zoomed                = saddle(512, .001);
+      zoomed.contact.zoom.enabled = true;
+      EXPECT_TRUE(says(zoomed, "below about 6.1e-05"));
     }
 
     // 3.9 points where 4 are needed: not "1.0 times as many".

@@ -66,7 +66,7 @@ class Report(unittest.TestCase):
         text = self.text()
         for words in ("4e-12 ± 1 %", "0.0144 ± 1 %", "kPa", "grid 64 × 32", "too steep",
                       "at most 0.3", "Fluid/Target accuracy", "contact 1.5 s",
-                      "Leak rate at a pressure of 200 kPa: 4e-12 m³/s ± 1 %",
+                      "Leak rate at a pressure of 200 kPa: 0.0144 ml/h ± 1 %",
                       "Leak rate at a pressure of 400 kPa: none"):
             self.assertIn(words, text)
         self.assertNotIn("Gamma", text.split("parameters.prm")[0])  # of an effect that is off

@@ -81,4 +81,30 @@ namespace
     EXPECT_GT(order, 1.7);
     EXPECT_LT(errors[2], 5e-5);
   }
+  // Beyond the critical load a neck joins the patches. The line load on its middle grows
+  // as the throat's gap had closed, without a constant power: doc/closing.md, where the
+  // numbers are of 1024² points.
+  TEST(SquareSaddle, NeckBeyondTheCriticalLoad)
+  {
+    const int                 n             = 512;
+    const double              critical_load = 1.43636642;
+    const std::vector<double> excess        = {.1, .05, .02};
+    const std::vector<double> exponents     = {1.2725, 1.2632};
+    ContactSolver             solver(contact_parameters(1e-10), saddle_heights(n));
+    std::vector<double>       line_loads;
+    for (const double e : excess)
+      {
+        const ContactState state = solver.solve(critical_load * (1. + e));
+        ASSERT_TRUE(state.converged);
+        double load = 0.;
+        for (int ix = 0; ix < n; ++ix)
+          load += value_at(state.pressure, ix, n / 2) / n;
+        line_loads.push_back(load);
+      }
+    for (std::size_t k = 0; k < exponents.size(); ++k)
+      EXPECT_NEAR(std::log(line_loads[k] / line_loads[k + 1]) /
+                    std::log(excess[k] / excess[k + 1]),
+                  exponents[k],
+                  .005);
+  }
 } // namespace

@@ -79,6 +79,22 @@ namespace strait
         }
     }
 
+    // The fluid does not see the last of the gap: the patches are apart where it ceases
+    // to flow, all is smooth there, and the law of closing is a power.
+    TEST(ZoomedSaddle, ClosesAsACubeWithNegativeSlip)
+    {
+      Scene scene                         = zoomed(saddle_scene(256));
+      scene.programme.pressures           = {};
+      scene.programme.find_threshold      = true;
+      scene.programme.threshold_tolerance = 1e-6;
+      scene.programme.reduced_loads       = {.002, .0005};
+      scene.fluid.slip_lengths            = {-.01};
+      const std::vector<Row> rows         = run_sweep(scene).rows;
+      ASSERT_EQ(rows.size(), 2U);
+      EXPECT_NEAR(slope(rows[0].worst_gap, rows[1].worst_gap, rows[0], rows[1]), 1., .01);
+      EXPECT_NEAR(slope(rows[0].leak_rate, rows[1].leak_rate, rows[0], rows[1]), 3., .02);
+    }
+
     // Of three views of one contact; in the first the throat lies on the seam along the
     // flow.
     TEST(ZoomedSaddle, DirectionAndPlaceDoNotMatterParallel)

@@ -54,8 +54,8 @@ namespace strait
    * half way, and what its bounds need is made when it is asked for: its largest and
    * least values at any pressure, the least as the largest resistivity, and the two
    * parts into which it may be split (RarefiedFlow). Cells of at least four grid
-   * spacings are looked up in a pyramid of moments, where K was integrated on each cell of
-   * the grid (CellQuadrature); smaller ones are integrated directly. Where the gap has
+   * spacings are looked up in a pyramid of moments, where K was integrated on each cell
+   * of the grid (CellQuadrature); smaller ones are integrated directly. Where the gap has
    * windows of finer points K is that of the finest level present: a cell of the grid
    * that a window replaces is the sum over the window's cells, of which each is
    * integrated once, and a smaller cell that over the parts of the levels' cells that lie

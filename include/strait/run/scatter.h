@@ -6,7 +6,6 @@
 
 #include <vector>
 
-
 namespace strait
 {
   /** Mean and standard deviation of what @p scene looks for, over @p realisations. */

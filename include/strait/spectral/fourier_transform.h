@@ -29,8 +29,9 @@ namespace strait
    * transform makes FFTW forget the wisdom of the process, for the same reason.
    *
    * The buffer, one @p Number a grid point, is lent out as scratch memory between
-   * transforms, and freed on request until it is needed again. @p Number is double or, for what need not be more than seven digits,
-   * float: half the memory, and six tenths of the time.
+   * transforms, and freed on request until it is needed again. @p Number is double or,
+   * for what need not be more than seven digits, float: half the memory, and six tenths
+   * of the time.
    */
   template <class Number>
   class BasicFourierTransform
