@@ -320,6 +320,15 @@ class Survival(unittest.TestCase):
         more = COUPLED.replace("= 0.05, 0.053, 0.056", "= 0.03, 0.035, 0.04, 0.045, 0.05")
         self.stopped_and_resumed(more.replace("0.02", "0.01"), [1, 2], signal.SIGINT)
 
+    def test_stopped_with_trapped_fluid(self):
+        # Every row owes its fluid to those before; between the second and the last some
+        # is pressed together that no reservoir reaches.
+        trapped = COUPLED.replace("Enabled = true", "Enabled = true\n    set Trapped fluid = "
+                                  "compressible\n    set Bulk modulus = 1")
+        trapped = trapped.replace("0.05, 0.053, 0.056", "0.2, 0.3, 0.4, 0.3, 0.2")
+        self.stopped_and_resumed(trapped.replace("subsection Surface",
+                                                 "subsection Surface\n  set Seed = 3"), [2])
+
     def test_ended_by_the_second_interrupt(self):
         """On a terminal, whose last line is that of the step that goes on."""
         scene = self.scene(LONG)

@@ -4,6 +4,7 @@
 #include <strait/base/parameter_table.h>
 #include <strait/base/units.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -56,8 +57,9 @@ namespace strait
       "Tolerance",
       tolerance,
       positive.below(1.),
-      "Relative change of the leak rate, and change of the fluid pressure (rms, "
-      "over its largest value), below which contact and flow agree [1].");
+      "Relative change of the leak rate, and change of the fluid pressure (rms, over that "
+      "of a reservoir or its own, whichever is more), below which contact and flow agree "
+      "[1].");
     section.add(
       "Maximum iterations",
       maximum_iterations,
@@ -79,7 +81,57 @@ namespace strait
       pool_pressure,
       any_number,
       "Fluid pressure in open regions that no reservoir reaches; 0: they are dry "
-      "[pressure].");
+      "[pressure]. Where trapped fluid is not drained, that in which it is found at the "
+      "start of a path.");
+    section.add(
+      "Trapped fluid",
+      trapped_fluid,
+      Names<TrappedFluidLaw>({{TrappedFluidLaw::drained, "drained"},
+                              {TrappedFluidLaw::incompressible, "incompressible"},
+                              {TrappedFluidLaw::compressible, "compressible"},
+                              {TrappedFluidLaw::gas, "gas"}}),
+      "What becomes of fluid that is cut off from its reservoirs. drained: it has Pool "
+      "pressure, as in a seal that was assembled dry; otherwise it keeps its mass along "
+      "the load path. incompressible: it keeps its volume; compressible: a liquid of Bulk "
+      "modulus; gas: pressure times volume stays.");
+    section.add("Bulk modulus",
+                bulk_modulus,
+                not_negative,
+                "Of trapped fluid that is compressible, at pressure 0 [pressure].");
+    section.add("Bulk modulus slope",
+                bulk_modulus_slope,
+                not_negative,
+                "Derivative of the bulk modulus by the pressure [1].");
+    section.add(
+      "Vapour pressure",
+      vapour_pressure,
+      any_number,
+      "Trapped liquid that has too much room forms a cavity of this pressure; it "
+      "counts like all pressures from that outside the seal [pressure].");
+  }
+
+  void
+  FeedbackParameters::check(const bool is_gas) const
+  {
+    if (trapped_fluid == TrappedFluidLaw::gas && !is_gas)
+      throw InputError(
+        "Fluid/Wall feedback/Trapped fluid = gas needs absolute pressures; "
+        "set Fluid/State = gas, or Trapped fluid = compressible.");
+    if (trapped_fluid == TrappedFluidLaw::gas && pool_pressure < 0.)
+      throw InputError(
+        "Fluid/Wall feedback/Pool pressure is negative, but that of a gas is absolute; "
+        "raise it.");
+    if (trapped_fluid != TrappedFluidLaw::compressible)
+      return;
+    if (!(bulk_modulus > 0.))
+      throw InputError(
+        "Fluid/Wall feedback/Trapped fluid = compressible needs Bulk "
+        "modulus; give it, or set Trapped fluid = incompressible.");
+    const double least = std::min(vapour_pressure, pool_pressure);
+    if (!(bulk_modulus + bulk_modulus_slope * least > 0.))
+      throw InputError(
+        "Fluid/Wall feedback/Bulk modulus is not positive at Vapour pressure or Pool "
+        "pressure; raise these or Bulk modulus.");
   }
 
   void
@@ -268,6 +320,8 @@ namespace strait
   FluidParameters::check() const
   {
     check_rarefaction();
+    if (feedback.enabled)
+      feedback.check(is_gas);
     if (slip_lengths.empty())
       throw InputError(
         "Fluid/Slip length is empty; give 0 for a fluid that does not slip.");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
 #include <strait/percolation/clusters.h>
 #include <strait/percolation/local_clusters.h>
 
 #include <algorithm>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -13,28 +13,6 @@ namespace strait
   {
     using Label              = std::int64_t;
     constexpr Label no_label = -1;
-
-    /** All ranks' values, one rank after the other. */
-    std::vector<Label>
-    gather_all(const std::vector<Label> &mine, MPI_Comm comm)
-    {
-      int n_ranks = 1;
-      MPI_Comm_size(comm, &n_ranks);
-      std::vector<int> counts(n_ranks), starts(n_ranks + 1, 0);
-      const int        n = static_cast<int>(mine.size());
-      MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
-      std::partial_sum(counts.begin(), counts.end(), starts.begin() + 1);
-      std::vector<Label> all(starts.back());
-      MPI_Allgatherv(mine.data(),
-                     n,
-                     MPI_INT64_T,
-                     all.data(),
-                     counts.data(),
-                     starts.data(),
-                     MPI_INT64_T,
-                     comm);
-      return all;
-    }
 
     /** Labels that are right within each slab, and among the windows: the number of the
      *  root, where the windows' points follow those of the whole grid. */
@@ -116,7 +94,7 @@ namespace strait
                 const FlowDirection direction)
     {
       const std::vector<Label> pairs =
-        gather_all(touching_labels(gap, labels, direction), gap.layout().communicator());
+        gather_all(gap.layout().communicator(), touching_labels(gap, labels, direction));
 
       std::vector<Label> names(pairs);
       std::sort(names.begin(), names.end());
@@ -152,7 +130,7 @@ namespace strait
         v.erase(std::unique(v.begin(), v.end()), v.end());
       };
       sort_unique(mine);
-      std::vector<Label> all = gather_all(mine, comm);
+      std::vector<Label> all = gather_all(comm, mine);
       sort_unique(all);
       return all;
     }
@@ -252,5 +230,18 @@ namespace strait
                   reservoirs.inlet.end(),
                   [&](const Label label) { return contains(reservoirs.outlet, label); });
     return clusters;
+  }
+
+  std::vector<std::int64_t>
+  trapped_labels(const SlabField    &open_gap,
+                 const Clusters     &clusters,
+                 const FlowDirection direction)
+  {
+    std::vector<Label> labels = label_slab(open_gap, direction);
+    merge_slabs(open_gap, labels, direction);
+    for (std::size_t k = 0; k < labels.size(); ++k)
+      if (clusters.states[k] != NodeState::trapped)
+        labels[k] = no_label;
+    return labels;
   }
 } // namespace strait

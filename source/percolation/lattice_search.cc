@@ -2,7 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/percolation/lattice_search.h>
 
-#include <numeric>
+#include <limits>
 
 namespace strait
 {
@@ -82,21 +82,11 @@ namespace strait
       double        cost;
       std::uint64_t step;
     };
-    constexpr int        size = sizeof(Finding);
     MPI_Comm             comm = lattice.communicator();
     std::vector<Finding> mine;
     for (const std::size_t k : std::exchange(found_in_windows, {}))
       mine.push_back({k - lattice.grid_lines().size(), costs[k], last_steps[k]});
-    int n_ranks = 1;
-    MPI_Comm_size(comm, &n_ranks);
-    std::vector<int> counts(n_ranks), starts(n_ranks + 1, 0);
-    const int        n = static_cast<int>(mine.size()) * size;
-    MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
-    std::partial_sum(counts.begin(), counts.end(), starts.begin() + 1);
-    std::vector<Finding> all(starts.back() / size);
-    MPI_Allgatherv(
-      mine.data(), n, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, comm);
-    for (const Finding &found : all)
+    for (const Finding &found : gather_all(comm, mine))
       if (const std::size_t k = lattice.grid_lines().size() + found.point;
           found.cost < costs[k])
         improve(k, found.cost, static_cast<std::uint8_t>(found.step));

@@ -33,6 +33,13 @@ namespace strait
         [member](const Step &step) { return std::invoke(member, *step.state.fluid); };
     };
 
+    /** The same of fluid that is trapped in it, 0 where the walls have parted. */
+    const auto of_trapped = [](auto member) {
+      return [member](const Step &step) {
+        return std::invoke(member, step.state.fluid->trapped.value_or(TrappedFluid()));
+      };
+    };
+
     /** The same of the theory. */
     const auto of_theory = [](auto member) {
       return [member](const Step &step) { return std::invoke(member, *step.theory); };
@@ -290,6 +297,15 @@ namespace strait
            "`pressure`")
       .add(of_fluid(&FluidState::rounds),
            "feedback_iterations [1]: rounds of contact and flow")
+      .when({"with `Trapped fluid` other than `drained`",
+             scene.fluid.feedback.enabled &&
+               scene.fluid.feedback.trapped_fluid != TrappedFluidLaw::drained})
+      .add(
+        of_trapped(&TrappedFluid::area),
+        "trapped_area [1]: of open regions that no reservoir reaches, over the nominal "
+        "area")
+      .add(of_trapped(&TrappedFluid::pressure),
+           "trapped_pressure [pressure]: of the fluid in these, mean over their area")
       .when({"with `Theory/Enabled`, and not where the gap is given",
              scene.theory.enabled && (scene.contact.enabled || theory_alone)})
       .add(of_theory(&TheoryResult::contact_area),

@@ -229,20 +229,22 @@ namespace strait
         return;
       // Points stand for different areas where there are windows, which feedback
       // excludes.
-      const auto       &states = step.flow->channel.clusters.states;
-      const SlabLayout &layout = step.state.gap().layout();
+      const auto       &trapped = step.state.fluid->trapped;
+      const auto       &states  = step.flow->channel.clusters.states;
+      const SlabLayout &layout  = step.state.gap().layout();
       const double      area =
-        sum(layout.communicator(),
-            static_cast<double>(
-              std::count(states.begin(), states.end(), NodeState::trapped))) /
-        layout.grid().n_points();
+        trapped ? trapped->guessed_area
+                     : sum(layout.communicator(),
+                      static_cast<double>(
+                        std::count(states.begin(), states.end(), NodeState::trapped))) /
+                    layout.grid().n_points();
       const double number = part_of_load(area * excess_pressure(scene.fluid));
       add("trapped-fluid",
           number,
           most_trapped_load,
-          format("fluid is trapped on %.2g %% of the area, which at the pressure of the "
-                 "reservoirs would carry %.2g of the load: compare runs with Fluid/Wall "
-                 "feedback/Pool pressure from 0 to that pressure",
+          format("fluid of unknown pressure is trapped on %.2g %% of the area, which at "
+                 "the pressure of the reservoirs would carry %.2g of the load: compare "
+                 "runs with Fluid/Wall feedback/Pool pressure from 0 to that pressure",
                  100. * area,
                  number));
     }

@@ -2,9 +2,8 @@
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
 #include <strait/flow/reynolds_solver.h>
-#include <strait/flow/solution_on_grid.h>
 #include <strait/seal/coupled_seal.h>
-#include <strait/seal/unsettled_pools.h>
+#include <strait/seal/fluid_on_wall.h>
 #include <strait/seal/wall_feedback.h>
 
 #include <algorithm>
@@ -51,15 +50,13 @@ namespace strait
     std::size_t
     memory_consumption() const
     {
-      return feedback.memory_consumption() + pools.memory_consumption() +
+      return feedback.memory_consumption() + on_wall.memory_consumption() +
              seal.extension.memory_consumption();
     }
 
   private:
-    bool          is_limited_by_load() const;
     void          agree(FeedbackGoal goal);
     FeedbackRound round(const SlabField &assumed);
-    SlabField     pressure_in_gap(SlabField start);
     void          lift_off();
     double        largest_pressure() const;
 
@@ -69,9 +66,8 @@ namespace strait
     FlowStage          &flow;
     StepFlow            fluid_flow;
     WallFeedback        feedback;
-    UnsettledPools      pools;
+    FluidOnWall         on_wall;
     FeedbackResult      last_result;
-    bool                has_extended; // so that the pressure is a start under the contact
     int                 n_iterations = 0;
     long                fft_pairs    = 0;
   };
@@ -119,11 +115,16 @@ namespace strait
              : nullptr)
     , flow(seal.flow)
     , feedback(seal.scene.fluid.feedback, seal.layout)
-    , has_extended(from_ != nullptr && from_->fluid)
+    , on_wall(seal.scene,
+              control,
+              flow,
+              seal.extension,
+              seal.layout->n_local_points(),
+              from_)
   {
     state.control = control;
     state.fluid.emplace();
-    if (!has_extended)
+    if (from_ == nullptr || !from_->fluid)
       return;
     feedback.pressure() = from_->fluid->pressure;
     // What carried another load is not to lift this one off before it was tried. The
@@ -131,18 +132,9 @@ namespace strait
     // carries nearly all, and it must stay below one.
     constexpr double largest_share = .99;
     const double     fluid_load    = mean(feedback.pressure());
-    if (is_limited_by_load() && fluid_load >= control.target)
+    if (on_wall.is_limited_by_load() && fluid_load >= control.target)
       for (double &pressure : feedback.pressure())
         pressure *= largest_share * control.target / fluid_load;
-  }
-
-  /** Whether the fluid cannot carry more than the load: adhesion could hold against it.
-   */
-  bool
-  CoupledSeal::Iteration::is_limited_by_load() const
-  {
-    return seal.scene.contact.control == ContactControl::load &&
-           !seal.scene.contact.adhesion.enabled;
   }
 
   void
@@ -230,15 +222,27 @@ namespace strait
   void
   CoupledSeal::Iteration::agree(FeedbackGoal goal)
   {
-    if (is_limited_by_load())
+    // Half as many give long steps up on which pools meet one after the other, twice as
+    // many go on where pools meet and part without end.
+    constexpr int most_meetings = 4;
+    if (on_wall.is_limited_by_load())
       goal.largest_mean = control.target;
     FluidState &fluid = *state.fluid;
     try
       {
-        last_result =
-          feedback.solve([&](const SlabField &assumed) { return round(assumed); },
-                         largest_pressure(),
-                         goal);
+        bool meet = true;
+        for (int meetings = 0; meet && meetings <= most_meetings; ++meetings)
+          {
+            last_result =
+              feedback.solve([&](const SlabField &assumed) { return round(assumed); },
+                             largest_pressure(),
+                             goal);
+            meet = on_wall.settle(*state.contact, fluid_flow, feedback.pressure()) &&
+                   last_result.converged;
+            goal.goes_on = false;
+          }
+        last_result.converged     = last_result.converged && !meet;
+        fluid.trapped             = on_wall.trapped();
         fluid.converged           = last_result.converged;
         fluid.undecided           = last_result.undecided;
         fluid.load                = mean(feedback.pressure());
@@ -263,7 +267,7 @@ namespace strait
   FeedbackRound
   CoupledSeal::Iteration::round(const SlabField &assumed)
   {
-    if (is_limited_by_load() && mean(assumed) >= control.target)
+    if (on_wall.is_limited_by_load() && mean(assumed) >= control.target)
       throw LiftedOff();
     const auto   start = Timers::Clock::now();
     ContactState next  = seal.contact->solve(control.target, near, &assumed);
@@ -282,60 +286,11 @@ namespace strait
     FeedbackRound result;
     result.percolates     = fluid_flow.channel.percolates();
     result.leak_rate      = fluid_flow.leakage.upper;
-    result.fluid_pressure = pressure_in_gap(assumed);
+    result.fluid_pressure = on_wall.pressure(*state.contact, fluid_flow, assumed);
     seal.log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",
                              mean(result.fluid_pressure),
                              result.leak_rate));
     return result;
-  }
-
-  /** The pressure of the fluid in the present gap; @p start under the contact is where
-   *  its extension starts from. */
-  SlabField
-  CoupledSeal::Iteration::pressure_in_gap(SlabField start)
-  {
-    const std::vector<NodeState> &states = fluid_flow.channel.clusters.states;
-    pools.note(states);
-    SlabField               open  = open_gap(state.contact->gap, control.slip_length);
-    const double            inlet = flow.fluid().inlet_pressure;
-    const double            drop  = inlet - flow.fluid().outlet_pressure;
-    const GridDeposit::Sums channel =
-      fluid_flow.solution ? pressure_on_grid(*fluid_flow.solution, seal.layout)
-                          : GridDeposit::Sums();
-    for (std::size_t k = 0; k < start.size(); ++k)
-      switch (pools.contains(k) ? pools.state_before(k) : states[k])
-        {
-          case NodeState::percolating:
-            if (pools.contains(k))
-              break; // it keeps what it had when it was cut off
-            // On the seam the channel may reach one side only; see extend().
-            start[k] = channel.area.empty() || channel.area[k] == 0
-                         ? inlet
-                         : inlet - drop * (1. - channel.integral[k] / channel.area[k]);
-            break;
-          case NodeState::inlet_side:
-            start[k] = inlet;
-            break;
-          case NodeState::outlet_side:
-            start[k] = flow.fluid().outlet_pressure;
-            break;
-          case NodeState::trapped:
-          case NodeState::outside: // there is none of them in the box
-            start[k] = seal.scene.fluid.feedback.pool_pressure;
-            break;
-          case NodeState::closed:
-            if (!has_extended)
-              start[k] = .5 * (inlet + flow.fluid().outlet_pressure);
-            open[k] = std::min(open[k], 0.);
-            break;
-        }
-    has_extended = true;
-    // The next round starts from here, so that no more is needed than to come nearer.
-    // With half of it each round takes an iteration or so more, with double of it fewer,
-    // and more rounds until the pressure under the contact has followed.
-    constexpr double reduction = 1e-3;
-    seal.extension.extend(start, open, inlet, flow.fluid().outlet_pressure, reduction);
-    return start;
   }
 
   void
@@ -351,8 +306,9 @@ namespace strait
       contact.adhesion.emplace();
     contact.mean_gap = state.mean_gap = infinite;
     state.fluid->lifted_off           = true;
-    state.fluid->converged            = false;
-    state.fluid->load                 = control.target;
+    state.fluid->trapped.reset();
+    state.fluid->converged = false;
+    state.fluid->load      = control.target;
     seal.log.warn(
       format("the fluid alone carries a load of %.6g: the walls part and nothing "
              "limits the leak",

@@ -26,6 +26,8 @@ namespace strait
       {
         archive.field(state.fluid->pressure, layout);
         archive.value(state.fluid->load);
+        if (transfer_presence(archive, state.fluid->trapped))
+          transfer(archive, *state.fluid->trapped, *layout);
         archive.value(state.fluid->rounds);
         archive.value(state.fluid->mesh_error);
         archive.value(state.fluid->converged);

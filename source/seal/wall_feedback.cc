@@ -35,6 +35,24 @@ namespace strait
       };
     }
 
+    /** The root of the mean over the grid of @p field, whose local @p squares are given.
+     */
+    double
+    mean_root(const double squares, const SlabField &field)
+    {
+      const auto n_points = static_cast<double>(field.grid().n_points());
+      return std::sqrt(sum(field.layout().communicator(), squares) / n_points);
+    }
+
+    double
+    root_mean_square(const SlabField &field)
+    {
+      double squares = 0;
+      for (const double value : field)
+        squares += value * value;
+      return mean_root(squares, field);
+    }
+
     void
     subtract(SlabField &from, const SlabField &field)
     {
@@ -76,7 +94,6 @@ namespace strait
                       const double        largest_pressure,
                       const FeedbackGoal &goal)
   {
-    scale = largest_pressure;
     FeedbackResult result;
     int            changes_of_verdict = 0;
     bool           is_first = true, percolated = false;
@@ -97,6 +114,8 @@ namespace strait
       {
         FeedbackRound now = round(assumed);
         ++result.iterations;
+        // Trapped fluid may have a higher pressure than the reservoirs.
+        scale         = std::max(largest_pressure, root_mean_square(now.fluid_pressure));
         result.change = difference(now.fluid_pressure, assumed);
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
@@ -254,24 +273,13 @@ namespace strait
     double squares = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
       squares += (a[i] - b[i]) * (a[i] - b[i]);
-    return relative(squares, a);
+    return mean_root(squares, a) / scale;
   }
 
   double
   WallFeedback::size(const SlabField &change) const
   {
-    double squares = 0;
-    for (const double value : change)
-      squares += value * value;
-    return relative(squares, change);
-  }
-
-  /** Root mean square over the grid of @p field, whose local @p squares are given. */
-  double
-  WallFeedback::relative(const double squares, const SlabField &field) const
-  {
-    const auto n_points = static_cast<double>(field.grid().n_points());
-    return std::sqrt(sum(field.layout().communicator(), squares) / n_points) / scale;
+    return root_mean_square(change) / scale;
   }
 
   std::size_t

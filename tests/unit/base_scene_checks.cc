@@ -44,6 +44,29 @@ TEST(Scene, MeshAndWhatGoesWithIt)
     expect_in("Fluid/Mesh", error_of("", {mesh, other}));
 }
 
+TEST(Scene, TrappedFluidNeedsWhatItsLawNeeds)
+{
+  const std::string feedback = "Fluid/Wall feedback/";
+  const Overrides   enabled  = {feedback + "Enabled=true"};
+  EXPECT_EQ(scene_of("", enabled).fluid.feedback.trapped_fluid, TrappedFluidLaw::drained);
+
+  const Overrides gas = enabled + Overrides{feedback + "Trapped fluid=gas"};
+  expect_in("needs absolute pressures", error_of("", gas));
+  const Overrides is_gas = gas + Overrides{"Fluid/State=gas"};
+  EXPECT_EQ(scene_of("", is_gas).fluid.feedback.trapped_fluid, TrappedFluidLaw::gas);
+  expect_in("Pool pressure is negative",
+            error_of("", is_gas + Overrides{feedback + "Pool pressure=-1"}));
+
+  const Overrides liquid = enabled + Overrides{feedback + "Trapped fluid=compressible"};
+  expect_in("needs Bulk modulus", error_of("", liquid));
+  const Overrides stiff =
+    liquid + Overrides{feedback + "Bulk modulus=2", feedback + "Bulk modulus slope=7"};
+  EXPECT_EQ(scene_of("", stiff).fluid.feedback.bulk_modulus, 2.);
+  for (const char *pressure : {"Vapour pressure=-1", "Pool pressure=-1"})
+    expect_in("Bulk modulus is not positive",
+              error_of("", stiff + Overrides{feedback + pressure}));
+}
+
 TEST(Scene, RealisationsOfAMapAreItsWindows)
 {
   // What says its frame leaves the file unread.

@@ -5,7 +5,10 @@
 #include <mpi.h>
 
 #include <functional>
+#include <numeric>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 namespace strait
 {
@@ -50,6 +53,26 @@ namespace strait
 
   /** Collective: sums of several values with one message. */
   void sum_in_place(MPI_Comm comm, double *values, int count);
+
+  /** Collective: the items of all ranks, one rank after the other. They are sent as
+   *  bytes. */
+  template <typename Item>
+  std::vector<Item>
+  gather_all(MPI_Comm comm, const std::vector<Item> &mine)
+  {
+    static_assert(std::is_trivially_copyable<Item>::value, "is sent as bytes");
+    constexpr int size    = sizeof(Item);
+    int           n_ranks = 1;
+    MPI_Comm_size(comm, &n_ranks);
+    std::vector<int> counts(n_ranks), starts(n_ranks + 1, 0);
+    const int        n = static_cast<int>(mine.size()) * size;
+    MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
+    std::partial_sum(counts.begin(), counts.end(), starts.begin() + 1);
+    std::vector<Item> all(starts.back() / size);
+    MPI_Allgatherv(
+      mine.data(), n, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, comm);
+    return all;
+  }
 } // namespace strait
 
 #endif

@@ -17,6 +17,15 @@ namespace strait
     none
   };
 
+  /** What fluid that no reservoir reaches does, and by which law. */
+  enum class TrappedFluidLaw
+  {
+    drained,        // it has the pool pressure: the seal was assembled dry
+    incompressible, // it keeps its volume
+    compressible,   // a liquid that keeps its mass
+    gas             // likewise, of constant pressure times volume
+  };
+
   /** The subsection Fluid/Wall feedback: the fluid presses the walls apart. */
   struct FeedbackParameters
   {
@@ -27,7 +36,13 @@ namespace strait
     double       relaxation         = 1.;
     double       pool_pressure      = 0.;
 
+    TrappedFluidLaw trapped_fluid      = TrappedFluidLaw::drained;
+    double          bulk_modulus       = 0.; // at pressure 0; 0: not known
+    double          bulk_modulus_slope = 0.; // its derivative by the pressure
+    double          vapour_pressure    = 0.;
+
     void bind(ParameterSection section);
+    void check(bool is_gas) const;
   };
 
   /** Where the mean flow goes; the box is periodic across it. */

@@ -59,6 +59,15 @@ namespace strait
    */
   Clusters find_clusters(const SlabField &open_gap, const FlowDomain &domain);
 
+  /**
+   * Which cluster a trapped point of @p open_gap belongs to, as find_clusters() found
+   * them in the box: the least global number of its points, so that it does not depend on
+   * the number of ranks; −1 where no fluid is trapped. Collective.
+   */
+  std::vector<std::int64_t> trapped_labels(const SlabField &open_gap,
+                                           const Clusters  &clusters,
+                                           FlowDirection    direction);
+
   /** find_clusters() for a @p domain that is a region, on rank 0, whose memory it needs
    *  for 17 B a grid point. Collective. */
   Clusters find_clusters_in_region(const SlabField &open_gap, const FlowDomain &domain);

@@ -3,6 +3,7 @@
 #define strait_seal_seal_state_h
 
 #include <strait/contact/contact_state.h>
+#include <strait/seal/trapped_fluid.h>
 
 #include <optional>
 
@@ -21,6 +22,8 @@ namespace strait
   {
     SlabField pressure;  // on the grid, continued under the contact [pressure]
     double    load = 0.; // its mean over the nominal area
+
+    std::optional<TrappedFluid> trapped; // none where it is drained
 
     int    rounds     = 0;  // of contact and flow, until they agreed
     double mesh_error = 0.; // what the last mesh changed of the leak rate, relative

@@ -86,8 +86,8 @@ namespace strait
 
     /**
      * Iterate from pressure() on. The last call of @p round is for the pressure()
-     * that is left. @p largest_pressure, that of a reservoir, is the measure of
-     * changes. Collective.
+     * that is left. Changes are measured by @p largest_pressure, that of a reservoir,
+     * or by that of the fluid on the walls (rms) if that is more. Collective.
      */
     FeedbackResult
     solve(const Round &round, double largest_pressure, const FeedbackGoal &goal);
@@ -123,7 +123,6 @@ namespace strait
     is_undecided(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
     double difference(const SlabField &a, const SlabField &b) const;
     double size(const SlabField &change) const;
-    double relative(double squares, const SlabField &field) const;
 
     const FeedbackParameters parameters;
     double                   scale = 1.;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_seal_trapped_fluid_h
+#define strait_seal_trapped_fluid_h
+
+#include <strait/base/fluid_parameters.h>
+#include <strait/spectral/state_archive.h>
+
+#include <vector>
+
+namespace strait
+{
+  /** A region of fluid that no reservoir reaches. Its mass is told by a volume that it
+   *  fills at a pressure. */
+  struct Pool
+  {
+    double volume     = 0.;    // [length³]
+    double pressure   = 0.;    // at which it fills that
+    double compliance = 0.;    // about dV/dp of the walls around it
+    bool   is_guess   = false; // it was there before the path began, its mass unknown
+  };
+
+  /** The fluid that a path has cut off from its reservoirs so far. */
+  struct TrappedFluid
+  {
+    /** Instead of the number of a pool: of contact, and of fluid that is not trapped. */
+    static constexpr int no_fluid = -1, reservoirs = -2;
+
+    std::vector<float> owner; // of each local grid point: the number of a pool, or these
+    std::vector<Pool>  pools;
+
+    double area         = 0.; // of all pools over the nominal area
+    double guessed_area = 0.; // of those whose mass was unknown
+    double pressure     = 0.; // mean over their area
+  };
+
+  /** The volume that the fluid of @p pool fills at @p pressure without a cavity. */
+  double
+  volume_at(const FeedbackParameters &parameters, const Pool &pool, double pressure);
+
+  /**
+   * The pressure at which @p pool holds its fluid if it has the volume @p volume under
+   * @p pressure and widens by its compliance with every unit of pressure; no less than
+   * that of vapour.
+   */
+  double pressure_to_hold(const FeedbackParameters &parameters,
+                          const Pool               &pool,
+                          double                    volume,
+                          double                    pressure);
+
+  /** In either direction. Collective. */
+  void transfer(StateArchive &archive, TrappedFluid &trapped, const SlabLayout &layout);
+} // namespace strait
+
+#endif

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/flow/solution_on_grid.h>
+#include <strait/seal/fluid_on_wall.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace strait
+{
+  FluidOnWall::FluidOnWall(const Scene       &scene_,
+                           const Control     &control_,
+                           const FlowStage   &flow_,
+                           HarmonicExtension &extension_,
+                           const std::size_t  n_local_points,
+                           const SealState   *from)
+    : scene(scene_)
+    , control(control_)
+    , flow(flow_)
+    , extension(extension_)
+    , is_first(from == nullptr || !from->fluid)
+    , has_extended(!is_first)
+  {
+    if (scene.fluid.feedback.trapped_fluid == TrappedFluidLaw::drained)
+      return;
+    if (!is_first && from->fluid->trapped)
+      known = *from->fluid->trapped;
+    else
+      known.owner.assign(n_local_points, TrappedFluid::reservoirs);
+    found = known;
+  }
+
+  bool
+  FluidOnWall::is_limited_by_load() const
+  {
+    return scene.contact.control == ContactControl::load &&
+           !scene.contact.adhesion.enabled;
+  }
+
+  SlabField
+  FluidOnWall::pressure(const ContactState &contact,
+                        const StepFlow     &fluid_flow,
+                        const SlabField    &assumed)
+  {
+    const double inlet  = flow.fluid().inlet_pressure;
+    const double outlet = flow.fluid().outlet_pressure;
+    SlabField    open   = open_gap(contact.gap, control.slip_length);
+    SlabField    result = assumed;
+    double       rise   = 0;
+    if (found)
+      {
+        const SlabField  gap   = open;
+        const PoolsInGap pools = pools_in(gap, fluid_flow);
+        assign(result, open, fluid_flow, &pools);
+        rise = hold(result, open, contact, assumed, pools);
+      }
+    else
+      {
+        unsettled.note(fluid_flow.channel.clusters.states);
+        assign(result, open, fluid_flow, nullptr);
+      }
+    has_extended = true;
+    // The next round starts from here, so that no more is needed than to come nearer.
+    // With half of it each round takes an iteration or so more, with double of it fewer,
+    // and more rounds until the pressure under the contact has followed.
+    constexpr double reduction = 1e-3;
+    extension.extend(result, open, inlet, outlet, reduction);
+    // A pool that is too full does not lift the wall off: its pressure falls as soon as
+    // the wall has given way.
+    if (is_limited_by_load() && rise > 0 && mean(result) >= control.target)
+      {
+        const double before = mean(assumed);
+        const double part   = .5 * (control.target - before) / (mean(result) - before);
+        for (std::size_t k = 0; k < result.size(); ++k)
+          result[k] = assumed[k] + part * (result[k] - assumed[k]);
+      }
+    return result;
+  }
+
+  PoolsInGap
+  FluidOnWall::pools_in(const SlabField &gap, const StepFlow &fluid_flow) const
+  {
+    return {known, gap, fluid_flow.channel.clusters, scene.fluid.direction};
+  }
+
+  /** The pressure of all fluid but that in @p pools, if they are given. What is not open
+   *  to it is closed in @p open_gap. */
+  void
+  FluidOnWall::assign(SlabField        &pressure,
+                      SlabField        &open_gap,
+                      const StepFlow   &fluid_flow,
+                      const PoolsInGap *pools) const
+  {
+    const std::vector<NodeState> &states = fluid_flow.channel.clusters.states;
+    const double                  inlet  = flow.fluid().inlet_pressure;
+    const double                  drop   = inlet - flow.fluid().outlet_pressure;
+    const GridDeposit::Sums       channel =
+      fluid_flow.solution
+              ? pressure_on_grid(*fluid_flow.solution, pressure.layout_pointer())
+              : GridDeposit::Sums();
+    for (std::size_t k = 0; k < pressure.size(); ++k)
+      {
+        if (pools != nullptr && pools->region(k) >= 0)
+          continue;
+        const bool is_unsettled = pools == nullptr && unsettled.contains(k);
+        switch (is_unsettled ? unsettled.state_before(k) : states[k])
+          {
+            case NodeState::percolating:
+              if (is_unsettled)
+                break; // it keeps what it had when it was cut off
+              // On the seam the channel may reach one side only; see extend().
+              pressure[k] =
+                channel.area.empty() || channel.area[k] == 0
+                  ? inlet
+                  : inlet - drop * (1. - channel.integral[k] / channel.area[k]);
+              break;
+            case NodeState::inlet_side:
+              pressure[k] = inlet;
+              break;
+            case NodeState::outlet_side:
+              pressure[k] = flow.fluid().outlet_pressure;
+              break;
+            case NodeState::trapped:
+            case NodeState::outside: // there is none of them in the box
+              pressure[k] = scene.fluid.feedback.pool_pressure;
+              break;
+            case NodeState::closed:
+              if (!has_extended)
+                pressure[k] = .5 * (inlet + flow.fluid().outlet_pressure);
+              open_gap[k] = std::min(open_gap[k], 0.);
+              break;
+          }
+      }
+  }
+
+  /** The pressures at which @p pools hold their fluid; returns by how much these raise
+   * the mean pressure. */
+  double
+  FluidOnWall::hold(SlabField          &pressure,
+                    SlabField          &open_gap,
+                    const ContactState &contact,
+                    const SlabField    &assumed,
+                    const PoolsInGap   &pools) const
+  {
+    const FeedbackParameters &parameters = scene.fluid.feedback;
+    const auto                n_points   = static_cast<double>(assumed.grid().n_points());
+    const std::vector<double> now        = pools.in_the_wide(assumed);
+    const std::vector<double> on_shut    = pools.in_the_wide(contact.pressure);
+    std::vector<double>       next(now);
+    double                    rise = 0;
+    for (std::size_t r = 0; r < next.size(); ++r)
+      if (r < known.pools.size())
+        {
+          // What is pressed shut opens once its fluid has taken the contact over.
+          const Pool  &pool = known.pools[r];
+          const double volume =
+            pools.volume(r) > 0. ? pools.volume(r) : -pool.compliance * on_shut[r];
+          next[r] = pressure_to_hold(parameters, pool, volume, now[r]);
+          rise += std::max(0., next[r] - now[r]) * pools.n_points(r) / n_points;
+        }
+      else if (!has_extended)
+        next[r] = parameters.pool_pressure;
+    // Half of the room that the load leaves may be taken at once: more might lift the
+    // wall off before it has given way, less takes more rounds.
+    const double room  = .5 * std::max(0., control.target - mean(assumed));
+    const double share = is_limited_by_load() && rise > room ? room / rise : 1.;
+    for (std::size_t r = 0; r < known.pools.size(); ++r)
+      if (next[r] > now[r])
+        next[r] = now[r] + share * (next[r] - now[r]);
+    for (std::size_t k = 0; k < pressure.size(); ++k)
+      if (const int r = pools.region(k); r >= 0)
+        {
+          pressure[k] = next[r];
+          // Any gap will do for a pool that is shut: its points count as open.
+          open_gap[k] = std::max(open_gap[k], std::numeric_limits<double>::min());
+        }
+    return rise;
+  }
+
+  bool
+  FluidOnWall::settle(const ContactState &contact,
+                      const StepFlow     &fluid_flow,
+                      const SlabField    &pressure)
+  {
+    if (!found)
+      return false;
+    const SlabField     gap     = open_gap(contact.gap, control.slip_length);
+    const PoolsInGap    pools   = pools_in(gap, fluid_flow);
+    PoolsInGap::Settled settled = pools.settle(scene.fluid.feedback,
+                                               pools.in_the_wide(pressure),
+                                               scene.contact.effective_modulus,
+                                               is_first);
+    found                       = std::move(settled.fluid);
+    if (settled.has_changed)
+      known = *found;
+    return settled.has_changed;
+  }
+
+  std::size_t
+  FluidOnWall::memory_consumption() const
+  {
+    return unsettled.memory_consumption() +
+           (known.owner.capacity() + (found ? found->owner.capacity() : 0)) *
+             sizeof(float);
+  }
+} // namespace strait

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/seal/pools_in_gap.h>
+#include <strait/spectral/rows_around.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strait
+{
+  namespace
+  {
+    // Of a pool's volume, that a reservoir may reach, and of a pressure, by which pools
+    // that meet may differ, without another solution. Half of it asks for more of them,
+    // double of it leaves pressures that are as much off.
+    constexpr double negligible = .01;
+  } // namespace
+
+  PoolsInGap::PoolsInGap(const TrappedFluid &known_,
+                         const SlabField    &open_gap,
+                         const Clusters     &clusters,
+                         const FlowDirection direction)
+    : known(known_)
+    , gap(open_gap)
+    , labels(trapped_labels(open_gap, clusters, direction))
+  {
+    find_parts();
+    number_regions();
+    measure();
+  }
+
+  /** What each cluster of trapped fluid has of each owner. */
+  void
+  PoolsInGap::find_parts()
+  {
+    struct Share
+    {
+      std::int64_t label;
+      int          owner;
+      double       volume;
+    };
+    const PeriodicGrid                           &grid = gap.grid();
+    const double                                  cell = grid.dx() * grid.dy();
+    std::map<std::int64_t, std::map<int, double>> mine;
+    for (std::size_t k = 0; k < labels.size(); ++k)
+      if (labels[k] >= 0)
+        mine[labels[k]][static_cast<int>(known.owner[k])] += cell * gap[k];
+    std::vector<Share> list;
+    for (const auto &[label, owners] : mine)
+      for (const auto &[owner, volume] : owners)
+        list.push_back({label, owner, volume});
+    for (const Share &share : gather_all(gap.layout().communicator(), list))
+      trapped[share.label].parts[share.owner].volume += share.volume;
+  }
+
+  void
+  PoolsInGap::number_regions()
+  {
+    auto n = static_cast<int>(known.pools.size());
+    for (auto &[label, cluster] : trapped)
+      {
+        // The largest by what it held before: its volume now would change places with
+        // that of a pool beside it from round to round.
+        for (auto &[owner, part] : cluster.parts)
+          if (owner >= 0)
+            {
+              part.region = owner;
+              if (cluster.region < 0 ||
+                  known.pools[owner].volume > known.pools[cluster.region].volume)
+                cluster.region = owner;
+            }
+          else if (owner == TrappedFluid::reservoirs)
+            part.region = n++;
+        if (cluster.region < 0) // no pool has any of it
+          cluster.region =
+            cluster.parts.count(TrappedFluid::reservoirs) > 0 ? n - 1 : n++;
+        if (const auto opened = cluster.parts.find(TrappedFluid::no_fluid);
+            opened != cluster.parts.end())
+          opened->second.region = cluster.region;
+      }
+    volumes.resize(n);
+    regions.resize(gap.size());
+    for (std::size_t k = 0; k < gap.size(); ++k)
+      {
+        const auto owner = static_cast<int>(known.owner[k]);
+        regions[k]       = !(gap[k] > 0)    ? -1
+                           : owner >= 0     ? owner
+                           : labels[k] >= 0 ? trapped.at(labels[k]).parts.at(owner).region
+                                            : -1;
+      }
+  }
+
+  void
+  PoolsInGap::measure()
+  {
+    const MPI_Comm comm    = gap.layout().communicator();
+    const auto     n_pools = known.pools.size();
+    const auto     n       = static_cast<int>(volumes.size());
+    const double   cell    = gap.grid().dx() * gap.grid().dy();
+    for (std::size_t k = 0; k < gap.size(); ++k)
+      if (regions[k] >= 0)
+        volumes[regions[k]] += cell * gap[k];
+    sum_in_place(comm, volumes.data(), n);
+    for (std::size_t k = 0; k < gap.size() && n_pools > 0; ++k)
+      if (known.owner[k] >= 0 && volumes[static_cast<int>(known.owner[k])] == 0)
+        regions[k] = static_cast<int>(known.owner[k]);
+    counts.resize(n);
+    widest.resize(n);
+    for (std::size_t k = 0; k < gap.size(); ++k)
+      if (const int r = regions[k]; r >= 0)
+        {
+          ++counts[r];
+          widest[r] = std::max(widest[r], gap[k]);
+        }
+    sum_in_place(comm, counts.data(), n);
+    MPI_Allreduce(MPI_IN_PLACE, widest.data(), n, MPI_DOUBLE, MPI_MAX, comm);
+  }
+
+  std::vector<double>
+  PoolsInGap::in_the_wide(const SlabField &field) const
+  {
+    const std::size_t   n = n_regions();
+    std::vector<double> sums(2 * n);
+    for (std::size_t k = 0; k < regions.size(); ++k)
+      if (const int r = regions[k]; r >= 0 && 2. * std::max(gap[k], 0.) >= widest[r])
+        {
+          sums[r] += field[k];
+          ++sums[n + r];
+        }
+    sum_in_place(gap.layout().communicator(), sums.data(), static_cast<int>(2 * n));
+    std::vector<double> means(n);
+    for (std::size_t r = 0; r < n; ++r)
+      means[r] = sums[n + r] > 0 ? sums[r] / sums[n + r] : 0.;
+    return means;
+  }
+
+  PoolsInGap::Settled
+  PoolsInGap::settle(const FeedbackParameters  &parameters,
+                     const std::vector<double> &pressures,
+                     const double               contact_modulus,
+                     const bool                 is_first) const
+  {
+    Settled                     settled;
+    std::map<std::int64_t, int> number;                   // of the pool of a cluster
+    std::vector<double>         left(known.pools.size()); // of pools that are trapped
+    for (const auto &[label, cluster] : trapped)
+      {
+        number.emplace(label, static_cast<int>(number.size()));
+        settled.fluid.pools.push_back(heir(parameters, pressures, cluster, is_first));
+        settled.has_changed = settled.has_changed || meets_another(cluster, pressures);
+        for (const auto &[owner, part] : cluster.parts)
+          if (static_cast<std::size_t>(part.region) < left.size())
+            left[part.region] += part.volume;
+      }
+    std::map<int, int> still_shut;
+    for (std::size_t p = 0; p < known.pools.size(); ++p)
+      if (volumes[p] > 0)
+        settled.has_changed |= left[p] < (1. - negligible) * volumes[p];
+      else
+        {
+          still_shut[static_cast<int>(p)] = static_cast<int>(settled.fluid.pools.size());
+          settled.fluid.pools.push_back(known.pools[p]);
+        }
+    settled.fluid.owner.resize(gap.size());
+    for (std::size_t k = 0; k < gap.size(); ++k)
+      {
+        int owner = gap[k] > 0 ? TrappedFluid::reservoirs : TrappedFluid::no_fluid;
+        if (labels[k] >= 0)
+          owner = number.at(labels[k]);
+        else if (const auto shut = still_shut.find(regions[k]); shut != still_shut.end())
+          owner = shut->second;
+        settled.fluid.owner[k] = static_cast<float>(owner);
+      }
+    measure_pools(settled.fluid, pressures, contact_modulus);
+    return settled;
+  }
+
+  /** The pool that @p cluster has become. */
+  Pool
+  PoolsInGap::heir(const FeedbackParameters  &parameters,
+                   const std::vector<double> &pressures,
+                   const Cluster             &cluster,
+                   const bool                 is_first) const
+  {
+    const auto pool_of = [&](const std::size_t region) {
+      return region < known.pools.size()
+               ? known.pools[region]
+               : Pool{volumes[region], pressures[region], 0., is_first};
+    };
+    Pool result = pool_of(cluster.region);
+    for (const auto &[owner, part] : cluster.parts)
+      result.pressure = std::max(result.pressure, pool_of(part.region).pressure);
+    result.volume = 0.;
+    for (const auto &[owner, part] : cluster.parts)
+      {
+        const Pool pool = pool_of(part.region);
+        result.volume += part.volume / volumes[part.region] *
+                         volume_at(parameters, pool, result.pressure);
+        result.is_guess = result.is_guess || pool.is_guess;
+      }
+    return result;
+  }
+
+  /** Whether pools of other pressures have become one in @p cluster. */
+  bool
+  PoolsInGap::meets_another(const Cluster             &cluster,
+                            const std::vector<double> &pressures) const
+  {
+    const double here = pressures[cluster.region];
+    return std::any_of(cluster.parts.begin(),
+                       cluster.parts.end(),
+                       [&](const auto &entry) {
+                         const double there = pressures[entry.second.region];
+                         return std::abs(here - there) >
+                                negligible * std::max(std::abs(here), std::abs(there));
+                       });
+  }
+
+  /** Area, mean pressure and compliance. Collective. */
+  void
+  PoolsInGap::measure_pools(TrappedFluid              &fluid,
+                            const std::vector<double> &pressures,
+                            const double               contact_modulus) const
+  {
+    // A slit or disc of area A and circumference S that is pressed open between walls in
+    // contact all around has dV/dp = 1.6 to 1.7 A²/(S E*), and more where they are not.
+    // Half of it makes rounds overshoot, double of it makes each reach half as far.
+    constexpr double    compliance = 2.5;
+    const PeriodicGrid &grid       = gap.grid();
+    const int           nx         = grid.nx;
+    const auto          n          = fluid.pools.size();
+    SlabField           owner(gap.layout_pointer());
+    std::copy(fluid.owner.begin(), fluid.owner.end(), owner.begin());
+    const RowsAround    rows(owner);
+    std::vector<double> sums(2 * n + 1); // areas, circumferences, ∫p
+    for (int row = 0, k = 0; row < gap.layout().n_rows(); ++row)
+      for (int ix = 0; ix < nx; ++ix, ++k)
+        if (const double mine = owner[k]; mine >= 0)
+          {
+            const auto pool = static_cast<std::size_t>(mine);
+            sums[pool] += grid.dx() * grid.dy();
+            for (const int step : {nx - 1, 1})
+              sums[n + pool] += rows[row][(ix + step) % nx] != mine ? grid.dy() : 0.;
+            for (const int step : {-1, 1})
+              sums[n + pool] += rows[row + step][ix] != mine ? grid.dx() : 0.;
+            sums[2 * n] += grid.dx() * grid.dy() * pressures[regions[k]];
+          }
+    sum_in_place(gap.layout().communicator(), sums.data(), static_cast<int>(sums.size()));
+    for (std::size_t p = 0; p < n; ++p)
+      {
+        Pool &pool = fluid.pools[p];
+        pool.compliance =
+          compliance * sums[p] * sums[p] /
+          (contact_modulus * std::max(sums[n + p], std::min(grid.dx(), grid.dy())));
+        fluid.area += sums[p];
+        fluid.guessed_area += pool.is_guess ? sums[p] : 0.;
+      }
+    fluid.pressure = fluid.area > 0 ? sums[2 * n] / fluid.area : 0.;
+    fluid.area /= grid.lx * grid.ly;
+    fluid.guessed_area /= grid.lx * grid.ly;
+  }
+} // namespace strait

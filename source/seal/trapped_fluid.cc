@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/seal/trapped_fluid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace strait
+{
+  double
+  volume_at(const FeedbackParameters &parameters, const Pool &pool, const double pressure)
+  {
+    const double modulus = parameters.bulk_modulus, slope = parameters.bulk_modulus_slope;
+    switch (parameters.trapped_fluid)
+      {
+        case TrappedFluidLaw::compressible:
+          return pool.volume * (slope == 0.
+                                  ? std::exp(-(pressure - pool.pressure) / modulus)
+                                  : std::pow((modulus + slope * pressure) /
+                                               (modulus + slope * pool.pressure),
+                                             -1. / slope));
+        case TrappedFluidLaw::gas:
+          return pool.volume * pool.pressure /
+                 std::max(pressure, std::numeric_limits<double>::min());
+        case TrappedFluidLaw::incompressible:
+        case TrappedFluidLaw::drained:
+          break;
+      }
+    return pool.volume;
+  }
+
+  double
+  pressure_to_hold(const FeedbackParameters &parameters,
+                   const Pool               &pool,
+                   const double              volume,
+                   const double              pressure)
+  {
+    // Where a gas has no pressure it has no mass. A liquid tears at that of its vapour.
+    const bool   is_gas = parameters.trapped_fluid == TrappedFluidLaw::gas;
+    const double least  = is_gas ? 0. : parameters.vapour_pressure;
+    const auto   excess = [&](const double p) {
+      return volume + pool.compliance * (p - pressure) - volume_at(parameters, pool, p);
+    };
+    if (excess(least) >= 0.)
+      return least;
+    // The walls yield as the pressure rises, and the fluid shrinks: one pressure fits.
+    double lower = least;
+    double upper = std::max({pressure, pool.pressure, least});
+    upper += std::max(0.,
+                      volume_at(parameters, pool, upper) - volume -
+                        pool.compliance * (upper - pressure)) /
+             pool.compliance;
+    // Halvings: half as many leave a part in 1e9 of the interval, twice as many repeat
+    // the last number.
+    constexpr int n_halvings = 60;
+    for (int i = 0; i < n_halvings; ++i)
+      {
+        const double middle                   = .5 * (lower + upper);
+        (excess(middle) < 0. ? lower : upper) = middle;
+      }
+    return upper;
+  }
+
+  void
+  transfer(StateArchive &archive, TrappedFluid &trapped, const SlabLayout &layout)
+  {
+    archive.field(trapped.owner, layout);
+    transfer_all(archive, trapped.pools, [&archive](Pool &pool) {
+      archive.value(pool.volume);
+      archive.value(pool.pressure);
+      archive.value(pool.compliance);
+      archive.value(pool.is_guess);
+    });
+    archive.value(trapped.area);
+    archive.value(trapped.guessed_area);
+    archive.value(trapped.pressure);
+  }
+} // namespace strait

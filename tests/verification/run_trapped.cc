@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Fluid that a contact cuts off from its reservoirs keeps its mass.
+#include <strait/reference/trapped_wave.h>
+#include <strait/reference/wavy_contact.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "run_fixture.h"
+
+namespace strait
+{
+  namespace
+  {
+    constexpr double when_trapped = .2; // load over p*
+
+    TEST(Trapped, ReferenceHasTheValuesOfTheTable)
+    {
+      // Computed independently.
+      const double loads[] = {.5, 1., 2., 5.};
+      const struct
+      {
+        double modulus, slope, pressures[4];
+      } rows[] = {{10., 0., {.29136, .77700, 1.74854, 4.6661}},
+                  {10., 7., {.29211, .78153, 1.76604, 4.73866}},
+                  {1., 0., {.23201, .62397, 1.43707, 4.1219}},
+                  {0., 0., {.3, .8, 1.8, 4.8}}};
+      for (const auto &row : rows)
+        for (int i = 0; i < 4; ++i)
+          EXPECT_NEAR((reference::TrappedWave{when_trapped, row.modulus, row.slope}
+                         .fluid_pressure(loads[i])),
+                      row.pressures[i],
+                      1e-5)
+            << row.modulus << ' ' << loads[i];
+    }
+
+    /** A wave whose crest lies at the reservoirs, so that all fluid is trapped. */
+    Scene
+    trapped_wave(const int n, const TrappedFluidLaw law, const double modulus)
+    {
+      Scene scene                        = saddle_scene(n);
+      scene.contact.grid_points          = {{n, 4}};
+      scene.contact.tolerance            = 1e-9;
+      scene.surface.kind                 = SurfaceKind::expression;
+      scene.surface.expression           = "cos(2*pi*x)";
+      scene.fluid.inlet_pressure         = 0.;
+      scene.fluid.feedback.enabled       = true;
+      scene.fluid.feedback.tolerance     = 1e-5;
+      scene.fluid.feedback.trapped_fluid = law;
+      scene.fluid.feedback.bulk_modulus  = modulus;
+      scene.programme.pressures          = {};
+      for (const double load : {when_trapped, .5, 1., 2., 5., 2., 1., .5, when_trapped})
+        scene.programme.pressures.push_back(load * pi);
+      return scene;
+    }
+
+    struct Point
+    {
+      double load, pressure, area, mean_gap; // load and pressure over p*
+    };
+
+    std::vector<Point>
+    path_of(const Scene &scene)
+    {
+      SilentSweep        silent(scene);
+      std::vector<Point> points;
+      EXPECT_TRUE(silent.loads.run([&points](const Step &step) {
+        EXPECT_TRUE(step.state.fluid->converged) << step.state.control.target;
+        points.push_back({step.state.control.target / pi,
+                          step.state.fluid->trapped->pressure / pi,
+                          step.state.contact->contact_area,
+                          step.state.mean_gap});
+        return true;
+      }));
+      return points;
+    }
+
+    /** @p points of the path lie on the closed form, on the way up and down. */
+    void
+    compare(const std::vector<Point> &points, const reference::TrappedWave &exact)
+    {
+      ASSERT_EQ(points.size(), 9U);
+      for (const Point &point : points)
+        EXPECT_NEAR(point.pressure, exact.fluid_pressure(point.load), 1e-4) << point.load;
+      for (std::size_t i = 0; i < points.size() / 2; ++i)
+        {
+          const Point &up = points[i], &down = points[points.size() - 1 - i];
+          EXPECT_NEAR(up.pressure, down.pressure, 1e-5) << up.load;
+          EXPECT_NEAR(up.mean_gap, down.mean_gap, 1e-5) << up.load;
+        }
+    }
+
+    TEST(Trapped, IncompressibleFluidKeepsTheContactParallel)
+    {
+      const std::vector<Point> points =
+        path_of(trapped_wave(512, TrappedFluidLaw::incompressible, 0.));
+      compare(points, {when_trapped});
+      for (const Point &point : points)
+        // To a grid point at either rim.
+        EXPECT_NEAR(point.area, points[0].area, 2.5 / 512) << point.load;
+    }
+
+    TEST(Trapped, CompressibleFluidGivesWay)
+    {
+      for (const double modulus : {10., 1.})
+        compare(path_of(trapped_wave(512, TrappedFluidLaw::compressible, modulus * pi)),
+                {when_trapped, modulus});
+      Scene scene = trapped_wave(512, TrappedFluidLaw::compressible, 10. * pi);
+      scene.fluid.feedback.bulk_modulus_slope = 7.;
+      compare(path_of(scene), {when_trapped, 10., 7.});
+    }
+
+    TEST(Trapped, GasKeepsPressureTimesVolume)
+    {
+      Scene scene                        = trapped_wave(512, TrappedFluidLaw::gas, 0.);
+      scene.fluid.feedback.pool_pressure = .1 * pi;
+      const std::vector<Point> points    = path_of(scene);
+      for (const Point &point : points)
+        EXPECT_NEAR(point.pressure * point.mean_gap,
+                    points[0].pressure * points[0].mean_gap,
+                    1e-5)
+          << point.load;
+      EXPECT_GT(points[4].pressure, 10. * points[0].pressure);
+    }
+
+    TEST(Trapped, LiquidTearsWhereTheWallLeavesIt)
+    {
+      // Without a cavity it would hold the wall by a tension.
+      Scene scene               = trapped_wave(256, TrappedFluidLaw::incompressible, 0.);
+      scene.programme.pressures = {.2 * pi, .1 * pi, .2 * pi};
+      const std::vector<Point>     points = path_of(scene);
+      const reference::Westergaard dry{1., 1., 1., .1 * pi};
+      EXPECT_EQ(points[1].pressure, 0.);
+      EXPECT_NEAR(points[1].mean_gap, dry.mean_gap(), 1e-3);
+      EXPECT_NEAR(points[2].mean_gap, points[0].mean_gap, 1e-6);
+    }
+  } // namespace
+} // namespace strait
