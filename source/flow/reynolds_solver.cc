@@ -238,9 +238,13 @@ namespace strait
   double
   ReynoldsSolver::pressure_at(const double potential) const
   {
-    return gap_field.gas() != nullptr
-             ? gap_field.gas()->pressure(potential)
-             : parameters.outlet_pressure + pressure_drop * potential;
+    if (gap_field.gas() != nullptr)
+      return gap_field.gas()->pressure(potential);
+    const double low = parameters.outlet_pressure, high = parameters.inlet_pressure;
+    // The density of a gas rises with its pressure, so that p² is what K∇ is taken of.
+    return parameters.is_gas
+             ? std::sqrt(std::max(0., low * low + (high * high - low * low) * potential))
+             : low + pressure_drop * potential;
   }
 
   double

@@ -72,7 +72,7 @@ namespace strait
   } // namespace
 
   GridDeposit::Sums
-  pressure_on_grid(const ReynoldsSolver &solver, const SlabLayoutPtr &layout)
+  potential_on_grid(const ReynoldsSolver &solver, const SlabLayoutPtr &layout)
   {
     const PotentialProblem         &pressure = solver.pressure();
     const FiniteElement<2>         &fe       = pressure.dof_handler().get_fe();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/flow/reynolds_solver.h>
 #include <strait/flow/solution_on_grid.h>
 #include <strait/seal/fluid_on_wall.h>
 
@@ -92,10 +93,9 @@ namespace strait
   {
     const std::vector<NodeState> &states = fluid_flow.channel.clusters.states;
     const double                  inlet  = flow.fluid().inlet_pressure;
-    const double                  drop   = inlet - flow.fluid().outlet_pressure;
     const GridDeposit::Sums       channel =
       fluid_flow.solution
-              ? pressure_on_grid(*fluid_flow.solution, pressure.layout_pointer())
+              ? potential_on_grid(*fluid_flow.solution, pressure.layout_pointer())
               : GridDeposit::Sums();
     for (std::size_t k = 0; k < pressure.size(); ++k)
       {
@@ -108,10 +108,10 @@ namespace strait
               if (is_unsettled)
                 break; // it keeps what it had when it was cut off
               // On the seam the channel may reach one side only; see extend().
-              pressure[k] =
-                channel.area.empty() || channel.area[k] == 0
-                  ? inlet
-                  : inlet - drop * (1. - channel.integral[k] / channel.area[k]);
+              pressure[k] = channel.area.empty() || channel.area[k] == 0
+                              ? inlet
+                              : fluid_flow.solution->pressure_at(channel.integral[k] /
+                                                                 channel.area[k]);
               break;
             case NodeState::inlet_side:
               pressure[k] = inlet;

@@ -43,6 +43,22 @@ namespace strait
         }
     }
 
+    // p² is linear where that of a gas is K∇, and the volume at the mean pressure flows
+    // as that of a liquid.
+    TEST(FlowClosedForms, GasKeepsItsPressureLonger)
+    {
+      FluidParameters fluid = plain_fluid();
+      fluid.is_gas          = true;
+      fluid.inlet_pressure  = 3.;
+      fluid.outlet_pressure = 1.;
+      const GivenGap given(sample([](double, double) { return 1.; }, 32, 32), fluid);
+      ReynoldsSolver solver(fluid, given.field);
+      EXPECT_NEAR(solver.run(given.channel).rate, 2., 1e-8);
+      EXPECT_NEAR(solver.pressure_at(0.), 1., 1e-12);
+      EXPECT_NEAR(solver.pressure_at(.5), std::sqrt(5.), 1e-12);
+      EXPECT_NEAR(solver.pressure_at(1.), 3., 1e-12);
+    }
+
     TEST(FlowClosedForms, ReversedPressureReversesTheLeak)
     {
       FluidParameters fluid = plain_fluid();

@@ -136,6 +136,17 @@ namespace strait
       EXPECT_NEAR(std::log2(errors[1] / errors[2]), 2., .2);
     }
 
+    // The square of a gas's pressure falls evenly from the inlet to vacuum.
+    TEST(Coupled, GasCarriesTwoThirdsWhereALiquidCarriesHalf)
+    {
+      Scene        scene  = open_channel(64, 1e-5);
+      const double liquid = last_step(scene).state.fluid->load;
+      scene.fluid.is_gas  = true;
+      const double gas    = last_step(scene).state.fluid->load;
+      EXPECT_NEAR(liquid / scene.fluid.inlet_pressure, 1. / 2, 1e-3);
+      EXPECT_NEAR(gas / scene.fluid.inlet_pressure, 2. / 3, 1e-2);
+    }
+
     TEST(Coupled, LeakRateOfTheOpenChannelToSecondOrder)
     {
       // The next order is the third: halving the parameter halves the error.

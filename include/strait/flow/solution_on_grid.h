@@ -15,8 +15,8 @@ namespace strait
    * The potential of @p solver (1 at the inlet, 0 at the outlet), handed from its open
    * cells to the points of the grid without loss. Collective.
    */
-  GridDeposit::Sums pressure_on_grid(const ReynoldsSolver &solver,
-                                     const SlabLayoutPtr  &layout);
+  GridDeposit::Sums potential_on_grid(const ReynoldsSolver &solver,
+                                      const SlabLayoutPtr  &layout);
 
   /** The flow at some points, row by row. */
   struct FlowAtPoints
