@@ -205,6 +205,8 @@ namespace strait
     const auto scope =
       timers.scope(scene.fluid.feedback.enabled ? "coupling" : "contact");
     step.flow.reset(); // its mesh was made for another gap
+    if (flow)
+      flow->release();
     Arrival arrival = follow(*seal,
                              control,
                              is_first && !start    ? nullptr

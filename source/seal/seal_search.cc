@@ -273,6 +273,8 @@ namespace strait
        (path_comes_from == Side::open) == (near->control.target < control.target) ||
        (path_comes_from == Side::sealed && scene.contact.yields()));
     SealState state = model.solve(control, is_ahead ? &*near : nullptr, Aim::verdict);
+    if (!model.depends_on_path())
+      open_state.reset(); // this one takes its place
 
     Probe result;
     result.openness     = openness(state, result.bottleneck);

@@ -148,6 +148,15 @@ namespace strait
     /** The gap of a @p conductivity that is not zero. */
     double gap_of(double conductivity) const;
 
+    /** Give back the memory until the next update(). */
+    void
+    release()
+    {
+      levels.release();
+      known = {};
+      known_other.reset();
+    }
+
     /** Bytes of this rank. */
     std::size_t memory_consumption() const;
 

@@ -74,6 +74,14 @@ namespace strait
      *  rank may ask for others. Collective. */
     GapRows rows(const GapInterpolant &interpolant, double y_low, double y_high) const;
 
+    /** Forget the gap. */
+    void
+    release()
+    {
+      grid_rows     = {};
+      window_values = {};
+    }
+
     /** Bytes of this rank. */
     std::size_t
     memory_consumption() const

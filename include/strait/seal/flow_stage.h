@@ -63,6 +63,13 @@ namespace strait
       meshed_leak_rate = 0.;
     }
 
+    /** Give back the memory of the bridge; flows that were solved cannot be refined. */
+    void
+    release()
+    {
+      gap_field.release();
+    }
+
     /** Say how well a leak rate is known, and why no better, if there is a reason. */
     void warn_of_width(const Leakage &leakage);
 
