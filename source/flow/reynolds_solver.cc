@@ -321,6 +321,13 @@ namespace strait
     // Each marked cell adds three; a few more come from balancing the mesh.
     const double affordable =
       (static_cast<double>(parameters.maximum_unknowns) / leakage.unknowns - 1.) / 3.;
+    // Where the last mesh has hardly narrowed the bracket its cells do not hold what they
+    // are thought to, and all are refined that hold more than their share. A smaller
+    // factor does so where brackets narrow slowly but steadily, one closer to 1 notices a
+    // mesh later.
+    constexpr double well_narrowed = .8;
+    const bool       narrows =
+      widths.size() < 2 || widths.back() < well_narrowed * widths[widths.size() - 2];
     auto &tria = flow_mesh.triangulation();
     if (parameters.refinement == Refinement::uniform && affordable >= 1.)
       tria.set_all_refine_flags();
@@ -330,7 +337,7 @@ namespace strait
                plain,
                hidden_flows(
                  flow_mesh, gap_field, plain, pressure_problem, stream_problem, channel),
-               1. - wanted / leakage.relative_width(),
+               narrows ? 1. - wanted / leakage.relative_width() : 1.,
                affordable))
       return false;
     tria.prepare_coarsening_and_refinement();
