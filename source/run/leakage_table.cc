@@ -34,9 +34,10 @@ namespace strait
     };
 
     /** The same of fluid that is trapped in it, 0 where the walls have parted. */
-    const auto of_trapped = [](auto member) {
+    const auto of_trapped = [](double TrappedFluid::*member) {
       return [member](const Step &step) {
-        return std::invoke(member, step.state.fluid->trapped.value_or(TrappedFluid()));
+        const std::optional<TrappedFluid> &trapped = step.state.fluid->trapped;
+        return trapped ? *trapped.*member : 0.;
       };
     };
 

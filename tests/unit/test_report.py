@@ -71,6 +71,14 @@ class Report(unittest.TestCase):
             self.assertIn(words, text)
         self.assertNotIn("Gamma", text.split("parameters.prm")[0])  # of an effect that is off
 
+    def test_of_several_units_the_first_answers(self):
+        more = [line + end for line, end in zip(
+            TABLE.splitlines(), (",leak_rate_l_per_s", ",4e-9", ",1e-10", ",0"), strict=True)]
+        (self.folder / "leakage.csv").write_text("\n".join(more) + "\n", encoding="utf-8")
+        text = self.text()
+        self.assertIn("Leak rate at a pressure of 200 kPa: 0.0144 ml/h ± 1 %", text)
+        self.assertIn("4e-09 ± 1 %", text)
+
     def test_an_unknown_bound_gives_no_error(self):
         cell = re.search(r'data-value="1e-13">([^<]*)<', self.page()).group(1)
         self.assertEqual(cell, "1e-13")
