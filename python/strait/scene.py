@@ -188,7 +188,7 @@ class _TemporaryFolder:
     """Is removed when nobody needs it any more."""
 
     def __init__(self, path: str):
-        weakref.finalize(self, shutil.rmtree, path, ignore_errors=True)
+        self.remove = weakref.finalize(self, shutil.rmtree, path, ignore_errors=True)
 
 
 def statistics(heights: np.ndarray, size: float | tuple[float, float] = 1.) -> dict[str, float]:

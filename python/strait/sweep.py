@@ -72,6 +72,8 @@ def _run(path: str, overrides: list[str], folder: os.PathLike | None, table: str
         run = error.run
     result = run.csv(table)
     _core.wait_for_all_ranks()  # before a temporary folder goes
+    if run.keeper:
+        run.keeper.remove()  # here, for a Ctrl-C while an object goes would be lost
     return result
 
 
