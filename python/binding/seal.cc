@@ -231,7 +231,7 @@ namespace strait::python
         for (const LoadOrControl &at : through)
           {
             Arrival arrival =
-              strait::follow(seal, control_of(at), last.get(), aim(), jump_search(scene));
+              strait::follow(seal, control_of(at), last.get(), aim(), step_rule(scene));
             jumps.insert(jumps.end(), arrival.jumps.begin(), arrival.jumps.end());
             parted = !arrival.state;
             if (parted)

@@ -213,7 +213,7 @@ namespace strait
                              : is_first || returns ? &*start
                                                    : &step.state,
                              flow ? Aim::leak_rate : Aim::verdict,
-                             jump_search(scene));
+                             step_rule(scene));
     for (const Jump &jump : arrival.jumps)
       {
         log.line(describe(jump));

@@ -238,15 +238,21 @@ namespace strait
                       static_cast<double>(
                         std::count(states.begin(), states.end(), NodeState::trapped))) /
                     layout.grid().n_points();
-      const double number = part_of_load(area * excess_pressure(scene.fluid));
+      const double guessed = part_of_load(area * excess_pressure(scene.fluid));
+      const double by_step = trapped ? part_of_load(trapped->uncertainty) : 0.;
       add("trapped-fluid",
-          number,
+          std::max(guessed, by_step),
           most_trapped_load,
-          format("fluid of unknown pressure is trapped on %.2g %% of the area, which at "
-                 "the pressure of the reservoirs would carry %.2g of the load: compare "
-                 "runs with Fluid/Wall feedback/Pool pressure from 0 to that pressure",
-                 100. * area,
-                 number));
+          guessed < by_step
+            ? format("%.2g of the load hangs on when in this step fluid was cut off: "
+                     "take shorter steps of Load programme/Pressures",
+                     by_step)
+            : format(
+                "fluid of unknown pressure is trapped on %.2g %% of the area, which at "
+                "the pressure of the reservoirs would carry %.2g of the load: compare "
+                "runs with Fluid/Wall feedback/Pool pressure from 0 to that pressure",
+                100. * area,
+                guessed));
     }
   } // namespace
 

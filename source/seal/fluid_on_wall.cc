@@ -18,13 +18,13 @@ namespace strait
     , control(control_)
     , flow(flow_)
     , extension(extension_)
-    , is_first(from == nullptr || !from->fluid)
-    , has_extended(!is_first)
+    , past(from != nullptr && from->fluid && from->fluid->trapped ? from : nullptr)
+    , has_extended(from != nullptr && from->fluid)
   {
     if (scene.fluid.feedback.trapped_fluid == TrappedFluidLaw::drained)
       return;
-    if (!is_first && from->fluid->trapped)
-      known = *from->fluid->trapped;
+    if (past != nullptr)
+      known = *past->fluid->trapped;
     else
       known.owner.assign(n_local_points, TrappedFluid::reservoirs);
     found = known;
@@ -183,15 +183,22 @@ namespace strait
   {
     if (!found)
       return false;
-    const SlabField     gap     = open_gap(contact.gap, control.slip_length);
-    const PoolsInGap    pools   = pools_in(gap, fluid_flow);
+    const SlabField          gap   = open_gap(contact.gap, control.slip_length);
+    const PoolsInGap         pools = pools_in(gap, fluid_flow);
+    std::optional<SlabField> before;
+    if (past != nullptr)
+      before = open_gap(past->gap(), past->control.slip_length);
     PoolsInGap::Settled settled = pools.settle(scene.fluid.feedback,
                                                pools.in_the_wide(pressure),
                                                scene.contact.effective_modulus,
-                                               is_first);
+                                               before ? &*before : nullptr);
     found                       = std::move(settled.fluid);
+    found->uncertainty += uncertainty;
     if (settled.has_changed)
-      known = *found;
+      {
+        known       = *found;
+        uncertainty = found->uncertainty;
+      }
     return settled.has_changed;
   }
 

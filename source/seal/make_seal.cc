@@ -16,6 +16,11 @@ namespace strait
 {
   namespace
   {
+    // How much of the load may hang on when in a step fluid was cut off, of the target
+    // accuracy. Half of it halves more steps, double of it lets the step decide about as
+    // much more of what trapped fluid carries.
+    constexpr double trapped_share = .1;
+
     /** Find the law and tell of it. Returns its surface energy. */
     double
     find_surface_energy(const ContactParameters &parameters,
@@ -108,12 +113,14 @@ namespace strait
     return std::make_unique<CoupledSeal>(scene, std::move(model), layout, *flow, log);
   }
 
-  JumpSearch
-  jump_search(const Scene &scene)
+  StepRule
+  step_rule(const Scene &scene)
   {
     double largest = 0;
     for (const double target : scene.programme.pressures)
       largest = std::max(largest, std::abs(target));
-    return {scene.contact.control, scene.programme.jump_tolerance * largest};
+    return {scene.contact.control,
+            scene.programme.jump_tolerance * largest,
+            trapped_share * scene.fluid.target_accuracy};
   }
 } // namespace strait

@@ -1,141 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/text.h>
 #include <strait/seal/path.h>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace strait
 {
   namespace
   {
-    // How many times faster than in the last step the contact area, and the mean gap
-    // (or, under gap control, the pressure) may change; of the area how much more. Half
-    // of any of them halves steps that are smooth, which costs contact problems; double
-    // of it lets jumps pass that change the area or the gap by as little.
-    constexpr double steeper_area = 3., free_change_of_area = .01;
-    constexpr double steeper = 1.3;
-
-    /** Between the change of the energy and the trapezoidal rule, in units of the
-     *  range that the slopes at the ends leave: a smooth path has a twelfth of the
-     *  relative step, a jump at a fraction f of the step |f − 1/2|. Half of it halves
-     *  steps that are merely long, double of it overlooks jumps nearer to the middle. */
-    constexpr double largest_skewness = .025;
-
-    /** What a jump must dissipate, in units of the largest slope and the step; and the
-     *  change of the slope itself that is always allowed. Half of it takes the
-     * optimiser's tolerance for jumps sooner, double of it overlooks jumps that dissipate
-     * so little. */
-    constexpr double slope_noise = 1e-3;
-
     /** Of one step: a rough contact line may move in many small jumps, which together
      *  are not worth more. With half of it such a step ends with one wider jump where
      *  twice as many solves would enclose them one by one. */
     constexpr int max_solves = 60;
 
-    PathPoint
-    point_of(const SealState &state)
-    {
-      const ContactState &contact = *state.contact;
-      return {state.control.target,
-              contact.nominal_pressure,
-              contact.mean_gap,
-              contact.contact_area,
-              contact.adhesion->total_energy};
-    }
-
-    void
-    transfer(StateArchive &archive, PathPoint &point)
-    {
-      archive.value(point.target);
-      archive.value(point.pressure);
-      archive.value(point.mean_gap);
-      archive.value(point.contact_area);
-      archive.value(point.energy);
-    }
-
-    /** One step of a path whose states have an energy. */
-    class Stride
-    {
-    public:
-      Stride(const SealState &from, const SealState &to, const ContactControl control_)
-        : control(control_)
-        , before(point_of(from))
-        , after(point_of(to))
-        , trend(from.trend)
-        , largest_slope(std::max(from.trend.largest_slope, std::abs(slope_at(after))))
-        , change(after.target - before.target)
-        , rise(after.energy - before.energy)
-      {
-        // How much the energy changes without dissipation, by the slope at either end.
-        std::tie(least, most) =
-          std::minmax({slope_at(before) * change, slope_at(after) * change});
-      }
-
-      bool
-      is_smooth() const
-      {
-        // The largest slope of the path before: this state may be beyond a jump.
-        const double noise = slope_noise * trend.largest_slope * std::abs(change);
-        if (rise < least - noise || std::abs(rise - .5 * (least + most)) >
-                                      largest_skewness * (most - least) + noise)
-          return false;
-        if (!trend.is_known)
-          return true;
-        const double area  = std::abs(after.contact_area - before.contact_area);
-        const double slope = std::abs(slope_at(after) - slope_at(before));
-        return area <=
-                 free_change_of_area + steeper_area * std::abs(trend.area * change) &&
-               slope <= slope_noise * trend.largest_slope +
-                          steeper * std::abs(trend.slope * change);
-      }
-
-      /** What a step that is no smooth one, and can be no shorter, may be. */
-      std::optional<Jump>
-      jump() const
-      {
-        if (rise >= least) // steep, but no jump
-          return {};
-        // The load of the jump is unknown within the step: the middle of the slopes.
-        return Jump{before, after, .5 * (least + most) - rise, false};
-      }
-
-      Jump
-      pull_off() const
-      {
-        return {before, after, 0., true};
-      }
-
-      PathTrend
-      trend_after() const
-      {
-        PathTrend next     = trend;
-        next.largest_slope = largest_slope;
-        if (change != 0)
-          {
-            next.is_known = true;
-            next.area     = (after.contact_area - before.contact_area) / change;
-            next.slope    = (slope_at(after) - slope_at(before)) / change;
-          }
-        return next;
-      }
-
-    private:
-      /** dH/dp. */
-      double
-      slope_at(const PathPoint &point) const
-      {
-        return control == ContactControl::load ? point.mean_gap : -point.pressure;
-      }
-
-      ContactControl  control;
-      PathPoint       before, after;
-      const PathTrend trend;
-      double          largest_slope, change, rise;
-      double          least = 0, most = 0;
-    };
+    /** Of a step in which fluid is cut off, of the one asked for. Half of it takes twice
+     *  as many where small pools form all the time, double of it leaves twice the doubt.
+     */
+    constexpr double shortest = 1.5 / 16;
 
     bool
     has_energy(const SealState &state)
@@ -157,6 +39,94 @@ namespace strait
                                                       : state.contact->nominal_pressure);
     }
 
+    /** Whether too much of the load in @p state hangs on when fluid was cut off. */
+    bool
+    cuts_off_unseen(const SealState &state, const double tolerance)
+    {
+      return state.fluid && state.fluid->trapped &&
+             state.fluid->trapped->uncertainty >
+               tolerance * std::abs(state.contact->nominal_pressure);
+    }
+
+    /** Along a path. */
+    double
+    distance(const Control &a, const Control &b)
+    {
+      return std::abs(a.target - b.target) +
+             std::abs(a.inlet_pressure - b.inlet_pressure);
+    }
+
+    /** What adds up over the steps on the way to a state. */
+    struct Sums
+    {
+      long   fft_pairs       = 0;
+      int    iterations      = 0;
+      int    rounds          = 0;
+      double contact_seconds = 0.;
+      double uncertainty     = 0.; // of steps that are taken
+
+      void
+      add_costs(const SealState &state)
+      {
+        contact_seconds += state.contact_seconds;
+        fft_pairs += state.contact ? state.contact->fft_pairs : 0;
+        iterations += state.contact ? state.contact->iterations : 0;
+        rounds += state.fluid ? state.fluid->rounds : 0;
+      }
+
+      void
+      add_uncertainty(const SealState &state)
+      {
+        if (state.fluid && state.fluid->trapped)
+          uncertainty += state.fluid->trapped->uncertainty;
+      }
+
+      void
+      put_into(SealState &state) const
+      {
+        state.contact_seconds = contact_seconds;
+        if (state.contact)
+          {
+            state.contact->fft_pairs  = fft_pairs;
+            state.contact->iterations = iterations;
+          }
+        if (state.fluid)
+          state.fluid->rounds = rounds;
+        if (state.fluid && state.fluid->trapped)
+          state.fluid->trapped->uncertainty = uncertainty;
+      }
+    };
+
+    /**
+     * Whether the step @p from one state @p to another passes a jump and may be halved.
+     * If it passes one and is short enough, or is the last of @p n_solves, the jump is
+     * one of @p jumps.
+     */
+    bool
+    leaps(const SealState   &from,
+          SealState         &to,
+          const StepRule    &rule,
+          int               &n_solves,
+          std::vector<Jump> &jumps)
+    {
+      if (!has_energy(to))
+        return false;
+      const Stride stride(from, to, rule.control);
+      const bool   detached = has_detached(to), halves = rule.jump_tolerance > 0;
+      if (detached || (halves && !stride.is_smooth()))
+        {
+          if (halves && ++n_solves < max_solves &&
+              std::abs(to.control.target - from.control.target) > rule.jump_tolerance)
+            return true;
+          if (detached)
+            jumps.push_back(stride.pull_off());
+          else if (const auto jump = stride.jump())
+            jumps.push_back(*jump);
+        }
+      to.trend = stride.trend_after();
+      return false;
+    }
+
     Control
     halfway(const Control &a, const Control &b)
     {
@@ -166,90 +136,45 @@ namespace strait
     }
   } // namespace
 
-  void
-  transfer(StateArchive &archive, Jump &jump)
-  {
-    transfer(archive, jump.before);
-    transfer(archive, jump.after);
-    archive.value(jump.dissipated);
-    archive.value(jump.is_pull_off);
-  }
-
   Arrival
-  follow(SealModel        &model,
-         const Control    &to,
-         const SealState  *from,
-         const Aim         aim,
-         const JumpSearch &how)
+  follow(SealModel       &model,
+         const Control   &to,
+         const SealState *from,
+         const Aim        aim,
+         const StepRule  &rule)
   {
     Arrival              arrival;
-    std::vector<Control> ahead      = {to};
-    long                 pairs      = 0;
-    double               seconds    = 0;
-    int                  iterations = 0, n_solves = 0;
+    std::vector<Control> ahead = {to};
+    Sums                 sums;
+    int                  n_solves = 0;
     while (!ahead.empty())
       {
         const SealState *here  = arrival.state ? &*arrival.state : from;
         SealState        state = model.solve(ahead.back(), here, aim);
-        seconds += state.contact_seconds;
-        if (state.contact)
+        sums.add_costs(state);
+        if (here != nullptr)
           {
-            pairs += state.contact->fft_pairs;
-            iterations += state.contact->iterations;
-          }
-        const bool detached = has_detached(state);
-        if (here != nullptr && has_energy(state))
-          {
-            const Stride stride(*here, state, how.control);
-            if (detached || (how.tolerance > 0 && !stride.is_smooth()))
+            const bool is_long = distance(here->control, ahead.back()) >
+                                 shortest * distance(from->control, to);
+            if ((is_long && cuts_off_unseen(state, rule.trapped_tolerance)) ||
+                leaps(*here, state, rule, n_solves, arrival.jumps))
               {
-                const bool may_halve = how.tolerance > 0 && ++n_solves < max_solves;
-                if (may_halve &&
-                    std::abs(ahead.back().target - here->control.target) > how.tolerance)
-                  {
-                    ahead.push_back(halfway(ahead.back(), here->control));
-                    continue;
-                  }
-                if (detached)
-                  arrival.jumps.push_back(stride.pull_off());
-                else if (const auto jump = stride.jump())
-                  arrival.jumps.push_back(*jump);
+                ahead.push_back(halfway(ahead.back(), here->control));
+                continue;
               }
-            state.trend = stride.trend_after();
           }
         else if (has_energy(state))
-          state.trend.largest_slope = slope_of_first(state, how.control);
-        if (detached)
+          state.trend.largest_slope = slope_of_first(state, rule.control);
+        if (has_detached(state))
           {
             arrival.state.reset();
             return arrival;
           }
+        sums.add_uncertainty(state);
         arrival.state = std::move(state);
         ahead.pop_back();
       }
-    if (arrival.state->contact)
-      {
-        arrival.state->contact->fft_pairs  = pairs;
-        arrival.state->contact->iterations = iterations;
-      }
-    arrival.state->contact_seconds = seconds;
+    sums.put_into(*arrival.state);
     return arrival;
-  }
-
-  std::string
-  describe(const Jump &jump)
-  {
-    if (jump.is_pull_off)
-      return format("the surfaces part between the nominal pressures %.6g and %.6g",
-                    jump.before.target,
-                    jump.after.target);
-    return format(
-      "jump between %.6g and %.6g: contact %.3f %% to %.3f %%, %.4g "
-      "dissipated per area",
-      jump.before.target,
-      jump.after.target,
-      100 * jump.before.contact_area,
-      100 * jump.after.contact_area,
-      jump.dissipated);
   }
 } // namespace strait

@@ -138,7 +138,7 @@ namespace strait
   PoolsInGap::settle(const FeedbackParameters  &parameters,
                      const std::vector<double> &pressures,
                      const double               contact_modulus,
-                     const bool                 is_first) const
+                     const SlabField           *gap_before) const
   {
     Settled                     settled;
     std::map<std::int64_t, int> number;                   // of the pool of a cluster
@@ -146,7 +146,8 @@ namespace strait
     for (const auto &[label, cluster] : trapped)
       {
         number.emplace(label, static_cast<int>(number.size()));
-        settled.fluid.pools.push_back(heir(parameters, pressures, cluster, is_first));
+        settled.fluid.pools.push_back(
+          heir(parameters, pressures, cluster, gap_before == nullptr));
         settled.has_changed = settled.has_changed || meets_another(cluster, pressures);
         for (const auto &[owner, part] : cluster.parts)
           if (static_cast<std::size_t>(part.region) < left.size())
@@ -172,6 +173,8 @@ namespace strait
         settled.fluid.owner[k] = static_cast<float>(owner);
       }
     measure_pools(settled.fluid, pressures, contact_modulus);
+    if (gap_before != nullptr)
+      settled.fluid.uncertainty = uncertainty(parameters, settled.fluid, *gap_before);
     return settled;
   }
 
@@ -180,12 +183,12 @@ namespace strait
   PoolsInGap::heir(const FeedbackParameters  &parameters,
                    const std::vector<double> &pressures,
                    const Cluster             &cluster,
-                   const bool                 is_first) const
+                   const bool                 is_guess) const
   {
     const auto pool_of = [&](const std::size_t region) {
       return region < known.pools.size()
                ? known.pools[region]
-               : Pool{volumes[region], pressures[region], 0., is_first};
+               : Pool{volumes[region], pressures[region], 0., is_guess};
     };
     Pool result = pool_of(cluster.region);
     for (const auto &[owner, part] : cluster.parts)
@@ -214,6 +217,40 @@ namespace strait
                          return std::abs(here - there) >
                                 negligible * std::max(std::abs(here), std::abs(there));
                        });
+  }
+
+  /**
+   * The change of the mean pressure, had all that was cut off kept the volume that it had
+   * in @p gap_before. Collective.
+   */
+  double
+  PoolsInGap::uncertainty(const FeedbackParameters &parameters,
+                          const TrappedFluid       &fluid,
+                          const SlabField          &gap_before) const
+  {
+    const std::size_t   n    = fluid.pools.size();
+    const PeriodicGrid &grid = gap.grid();
+    std::vector<double> sums(2 * n); // what each lost before it was cut off; points
+    for (std::size_t k = 0; k < gap.size(); ++k)
+      if (fluid.owner[k] >= 0)
+        {
+          const auto pool = static_cast<std::size_t>(fluid.owner[k]);
+          if (static_cast<std::size_t>(regions[k]) >= known.pools.size())
+            sums[pool] += grid.dx() * grid.dy() * (std::max(gap_before[k], 0.) - gap[k]);
+          ++sums[n + pool];
+        }
+    sum_in_place(gap.layout().communicator(), sums.data(), static_cast<int>(2 * n));
+    double result = 0.;
+    for (std::size_t p = 0; p < n; ++p)
+      {
+        Pool         fuller = fluid.pools[p];
+        const double volume = fuller.volume;
+        fuller.volume += std::abs(sums[p]);
+        result += sums[n + p] / static_cast<double>(grid.n_points()) *
+                  (pressure_to_hold(parameters, fuller, volume, fuller.pressure) -
+                   fuller.pressure);
+      }
+    return result;
   }
 
   /** Area, mean pressure and compliance. Collective. */

@@ -92,7 +92,10 @@ namespace strait
       const Clusters   clusters = find_clusters(gap, FlowDirection::x);
       const PoolsInGap pools(before, gap, clusters, FlowDirection::x);
       EXPECT_EQ(pools.n_regions(), pressures.size());
-      return pools.settle(parameters, pressures, 1., before.pools.empty());
+      return pools.settle(parameters,
+                          pressures,
+                          1.,
+                          before.pools.empty() ? nullptr : &gap);
     }
 
     // The inlet is to the left, the outlet to the right.
@@ -198,7 +201,7 @@ namespace strait
       const PoolsInGap pools(two, gap, clusters, FlowDirection::x);
       EXPECT_EQ(pools.volume(1), 0.);
       EXPECT_EQ(pools.n_points(1), 3.);
-      const TrappedFluid still = pools.settle(parameters, {.3, .6}, 1., false).fluid;
+      const TrappedFluid still = pools.settle(parameters, {.3, .6}, 1., &gap).fluid;
       ASSERT_EQ(still.pools.size(), 2U);
       EXPECT_EQ(still.pools[1].volume, 4.);
       EXPECT_EQ(still.owner, two.owner);

@@ -27,7 +27,7 @@ namespace strait
   {
   public:
     /** On the way to the state under @p control from the state @p from, or without a past
-     *  if that is null. The other references must outlive this object. */
+     *  if that is null. All of them must outlive this object. */
     FluidOnWall(const Scene       &scene,
                 const Control     &control,
                 const FlowStage   &flow,
@@ -82,8 +82,9 @@ namespace strait
     HarmonicExtension          &extension;
     TrappedFluid                known; // at the start of the step, or when pools last met
     std::optional<TrappedFluid> found;
-    UnsettledPools              unsettled; // of fluid that is drained
-    const bool                  is_first;
+    UnsettledPools              unsettled;        // of fluid that is drained
+    const SealState            *past;             // none at the first state of a path
+    double                      uncertainty = 0.; // of what was cut off and is known now
     bool                        has_extended; // so that the assumed pressure is a start
   };
 } // namespace strait

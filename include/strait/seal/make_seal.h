@@ -34,8 +34,8 @@ namespace strait
                                        FlowStage               *flow,
                                        Log                     &log);
 
-  /** How finely the scene wants jumps enclosed. */
-  JumpSearch jump_search(const Scene &scene);
+  /** Which steps are too long for the accuracy that the scene asks for. */
+  StepRule step_rule(const Scene &scene);
 } // namespace strait
 
 #endif

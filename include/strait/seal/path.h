@@ -5,40 +5,24 @@
 #include <strait/base/contact_parameters.h>
 #include <strait/base/log.h>
 #include <strait/seal/seal_model.h>
+#include <strait/seal/stride.h>
 
+#include <limits>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace strait
 {
-  /** What matters of a state of an adhesive contact on its path. */
-  struct PathPoint
+  /** Which steps of a path are too long. */
+  struct StepRule
   {
-    double target       = 0; // nominal pressure, or mean gap under gap control
-    double pressure     = 0;
-    double mean_gap     = 0;
-    double contact_area = 0;
-    double energy       = 0; // AdhesiveState::total_energy
-  };
+    ContactControl control = ContactControl::load;
 
-  /** A discontinuity: from one state to another at almost the same load. */
-  struct Jump
-  {
-    PathPoint before;
-    PathPoint after;               // without meaning at a pull-off
-    double    dissipated  = 0;     // energy per area
-    bool      is_pull_off = false; // the surfaces part
-  };
+    /** How finely jumps are enclosed, in units of the load; 0: they are not. */
+    double jump_tolerance = 0;
 
-  /** In either direction. Collective. */
-  void transfer(StateArchive &archive, Jump &jump);
-
-  /** How finely jumps are enclosed. */
-  struct JumpSearch
-  {
-    ContactControl control   = ContactControl::load;
-    double         tolerance = 0; // in units of the load; 0: every step is taken as it is
+    /** How much of the load may hang on when in the step fluid was cut off. */
+    double trapped_tolerance = std::numeric_limits<double>::infinity();
   };
 
   /** Where a step along a path ended. */
@@ -59,16 +43,14 @@ namespace strait
    * suspicious, and so is a contact area or mean gap that changes much faster than
    * before. Such a step is halved, from its first state, until the halves are smooth or
    * shorter than the tolerance. Where a fluid presses on the walls there is no such
-   * energy, and every step is taken as it is.
+   * energy. There a step is halved, down to a sixteenth, while too much of the load hangs
+   * on when in the step fluid was cut off.
    */
-  Arrival follow(SealModel        &model,
-                 const Control    &to,
-                 const SealState  *from,
-                 Aim               aim,
-                 const JumpSearch &how = {});
-
-  /** One line about a jump for the log. */
-  std::string describe(const Jump &jump);
+  Arrival follow(SealModel       &model,
+                 const Control   &to,
+                 const SealState *from,
+                 Aim              aim,
+                 const StepRule  &rule = {});
 } // namespace strait
 
 #endif

@@ -73,13 +73,14 @@ namespace strait
     /**
      * The pools of a state that has been found, where the regions have @p pressures.
      * Splits share their mass by volume, mergers add it, what a reservoir has reached
-     * forgets it, and what was cut off fills its volume at its pressure, which is a guess
-     * if @p is_first. @p contact_modulus is that of the walls. Collective.
+     * forgets it, and what was cut off fills its volume at its pressure. That is a guess
+     * without a past; else it has been cut off somewhere between the open gap
+     * @p gap_before and this one. @p contact_modulus is that of the walls. Collective.
      */
     Settled settle(const FeedbackParameters  &parameters,
                    const std::vector<double> &pressures,
                    double                     contact_modulus,
-                   bool                       is_first) const;
+                   const SlabField           *gap_before) const;
 
   private:
     /** Of a trapped cluster, what one owner had before. */
@@ -95,18 +96,21 @@ namespace strait
       int                 region = -1; // of the largest pool in it
     };
 
-    void find_parts();
-    void number_regions();
-    void measure();
-    Pool heir(const FeedbackParameters  &parameters,
-              const std::vector<double> &pressures,
-              const Cluster             &cluster,
-              bool                       is_first) const;
-    bool meets_another(const Cluster             &cluster,
-                       const std::vector<double> &pressures) const;
-    void measure_pools(TrappedFluid              &fluid,
-                       const std::vector<double> &pressures,
-                       double                     contact_modulus) const;
+    void   find_parts();
+    void   number_regions();
+    void   measure();
+    Pool   heir(const FeedbackParameters  &parameters,
+                const std::vector<double> &pressures,
+                const Cluster             &cluster,
+                bool                       is_guess) const;
+    bool   meets_another(const Cluster             &cluster,
+                         const std::vector<double> &pressures) const;
+    void   measure_pools(TrappedFluid              &fluid,
+                         const std::vector<double> &pressures,
+                         double                     contact_modulus) const;
+    double uncertainty(const FeedbackParameters &parameters,
+                       const TrappedFluid       &fluid,
+                       const SlabField          &gap_before) const;
 
     const TrappedFluid             &known;
     const SlabField                &gap;

@@ -31,6 +31,10 @@ namespace strait
     double area         = 0.; // of all pools over the nominal area
     double guessed_area = 0.; // of those whose mass was unknown
     double pressure     = 0.; // mean over their area
+
+    /** By how much the mean pressure on the walls might differ, as nobody knows when in
+     *  the last step fluid was cut off. */
+    double uncertainty = 0.;
   };
 
   /** The volume that the fluid of @p pool fills at @p pressure without a cavity. */
