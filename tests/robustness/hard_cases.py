@@ -224,7 +224,7 @@ def without_times(file):
             return value
         return strip(json.loads(content))
     if name == "log.txt":
-        return re.sub(rb"[0-9.e+-]+ *(m?s|min|h)\b", b"TIME", content)
+        return re.sub(rb" *[0-9.e+-]+ *(m?s|min|h)\b", b" TIME", content)
     return content
 
 
