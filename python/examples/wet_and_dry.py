@@ -20,7 +20,7 @@ for law, name, color in ("drained", "dry", "C1"), ("incompressible", "wet", "C0"
     up = seal.follow(loads)
     down = seal.follow(loads[::-1], from_=up[-1])
     print(f"{name}: at a load of {loads[-1]:.2g} the fluid carries "
-          f"{up[-1].fluid_load / loads[-1]:.4f}, contact {up[-1].contact_area:.4f}")
+          f"{up[-1].fluid_load:.4f}, contact {up[-1].contact_area:.4f}")
     for path, branch, line in (up, "loading", ".-"), (down, "unloading", "x--"):
         left.plot(path["nominal_pressure"], path["contact_area"], line, color=color,
                   label=f"{name}, {branch}")
