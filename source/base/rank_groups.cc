@@ -16,9 +16,9 @@ namespace strait
         format("Realisations/Ranks each = %d does not divide the number of ranks, %d.",
                n_each,
                n_ranks));
-    n_groups = n_ranks / n_each;
-    my_group = my_rank / n_each;
-    MPI_Comm_split(MPI_COMM_WORLD, my_group, my_rank, &comm);
+    number = n_ranks / n_each;
+    mine   = my_rank / n_each;
+    MPI_Comm_split(MPI_COMM_WORLD, mine, my_rank, &comm);
   }
 
   RankGroups::~RankGroups()

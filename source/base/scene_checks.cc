@@ -12,7 +12,7 @@ namespace strait
     void
     check_programme(const Scene &scene)
     {
-      const bool by_load = scene.contact.control == ContactControl::load;
+      const bool by_load = scene.contact.loads();
       if (scene.contact.enabled)
         for (const double value : scene.programme.pressures)
           if (!(value > 0.) && !(scene.contact.adhesion.enabled && by_load))
@@ -55,7 +55,7 @@ namespace strait
     void
     check_theory_alone(const Scene &scene)
     {
-      if (scene.contact.control != ContactControl::load)
+      if (!scene.contact.loads())
         throw InputError(
           "Theory/Enabled without Contact and Fluid takes Load programme/"
           "Pressures as loads; set Contact/Control = load.");
@@ -122,7 +122,7 @@ namespace strait
           "each of its solvers; switch Contact/Adhesion off.");
       if (contact.method != ContactMethod::dual_cg)
         refuse("needs a solver that knows such a bound; set Contact/Solver = dual CG.");
-      if (contact.control != ContactControl::load)
+      if (!contact.loads())
         refuse(
           "changes the surface that a mean gap is counted from; set "
           "Contact/Control = load.");
@@ -173,8 +173,7 @@ namespace strait
     {
       if (!scene.seal.enabled)
         return;
-      if (!scene.contact.enabled || !scene.fluid.enabled ||
-          scene.contact.control != ContactControl::load ||
+      if (!scene.contact.enabled || !scene.fluid.enabled || !scene.contact.loads() ||
           scene.programme.pressures.empty() || !scene.fluid.mesh_file.empty())
         throw InputError(
           "Seal/Enabled needs leak rates of boxes under loads: Contact/Enabled, "
@@ -212,7 +211,7 @@ namespace strait
         refuse(
           "follows the flow through the box and not through Fluid/Mesh; remove one "
           "of them.");
-      if (scene.contact.control != ContactControl::load)
+      if (!scene.contact.loads())
         refuse("needs Contact/Control = load.");
     }
   } // namespace

@@ -234,4 +234,18 @@ namespace strait
           break;
       }
   }
+
+  std::string
+  scene_number(const double value)
+  {
+    return format("%.9g", value);
+  }
+
+  std::string
+  scene_pair(const SurfaceParameters &parameters, double along_x, double along_y)
+  {
+    if (parameters.rotate)
+      std::swap(along_x, along_y);
+    return scene_number(along_x) + ", " + scene_number(along_y);
+  }
 } // namespace strait

@@ -44,15 +44,9 @@ namespace strait
     , traction_scale(flattening_traction(wall.heights(), parameters.effective_modulus))
     , problem(wall.heights(), parameters.effective_modulus, law)
     , stability(problem,
-                loads() ? GapConstraint::Kind::nominal_pressure
-                        : GapConstraint::Kind::mean_gap)
+                parameters.loads() ? GapConstraint::Kind::nominal_pressure
+                                   : GapConstraint::Kind::mean_gap)
   {
-  }
-
-  bool
-  AdhesiveContactSolver::loads() const
-  {
-    return parameters.control == ContactControl::load;
   }
 
   ContactState
@@ -63,7 +57,7 @@ namespace strait
     check(target, from);
     wall.deform(fluid_pressure);
     const bool   is_dry   = fluid_pressure == nullptr;
-    const double of_solid = loads() ? target - wall.fluid_load() : target;
+    const double of_solid = parameters.loads() ? target - wall.fluid_load() : target;
     SlabField    gap      = start_gap(of_solid, from, is_dry);
     if (from != nullptr && from->adhesion)
       stability.direction() = from->adhesion->softest_direction;
@@ -117,7 +111,7 @@ namespace strait
   std::unique_ptr<GapOptimiser>
   AdhesiveContactSolver::make_optimiser(const double target, RelaxationObserver observer)
   {
-    const bool          by_load = loads();
+    const bool          by_load = parameters.loads();
     const GapConstraint constraint{by_load ? GapConstraint::Kind::nominal_pressure
                                            : GapConstraint::Kind::mean_gap,
                                    target};
@@ -135,7 +129,7 @@ namespace strait
   void
   AdhesiveContactSolver::check(const double target, const ContactState *from) const
   {
-    if (!std::isfinite(target) || (!loads() && !(target > 0)))
+    if (!std::isfinite(target) || (!parameters.loads() && !(target > 0)))
       throw InputError("Load programme/Pressures contains " + to_text(target) +
                        " but a mean gap must be positive.");
     if (from == nullptr && start == AdhesiveStart::without_adhesion && !(target > 0))

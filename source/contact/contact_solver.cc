@@ -2,8 +2,6 @@
 #include <strait/base/exceptions.h>
 #include <strait/contact/contact_area.h>
 #include <strait/contact/contact_solver.h>
-#include <strait/contact/grid_transfer.h>
-#include <strait/contact/zoom_in.h>
 #include <strait/spectral/fill_windows.h>
 
 #include <algorithm>
@@ -14,17 +12,6 @@ namespace strait
 {
   namespace
   {
-    /** Residual on the coarser grids: their discretisation error is larger. Half of it
-     *  takes a little longer there for a start that is no better, double of it leaves
-     * more to the finest grid, where an iteration costs most. */
-    constexpr double coarse_tolerance = 1e-3;
-
-    double
-    box_length(const PeriodicGrid &grid)
-    {
-      return std::sqrt(grid.lx * grid.ly);
-    }
-
     /** Whether a state at @p target may start from @p from. */
     bool
     is_near(const ContactState &from, const double target)
@@ -93,7 +80,7 @@ namespace strait
         indent(indentation, pressure, gap, parameters.hardness, solution.converged);
     ContactState state = state_of(solution, std::move(pressure), std::move(gap));
     state.plasticity   = std::move(plasticity);
-    if (loads())
+    if (parameters.loads())
       state.nominal_pressure = target; // the mean, without its rounding
     state.fft_pairs = contact.n_applications() - n_before;
     state.approach  = starts && is_dry
@@ -124,30 +111,10 @@ namespace strait
     return *zoomed;
   }
 
-  /** A start without a state near to it. Collective. */
-  SlabField
-  ContactSolver::start_without(const SlabLayoutPtr &layout, const double target)
-  {
-    SlabField start = start_from_coarser_grid(wall.heights(), target);
-    if (layout->windows().empty())
-      return start;
-    ContactState on_grid;
-    on_grid.pressure = std::move(start);
-    on_grid.gap      = SlabField(wall.layout());
-    optimise(problem, target, tolerance_for(target), on_grid.pressure, on_grid.gap);
-    return zoom_in(std::move(on_grid), layout->windows()).pressure;
-  }
-
-  bool
-  ContactSolver::loads() const
-  {
-    return parameters.control == ContactControl::load;
-  }
-
   void
   ContactSolver::check(const double target) const
   {
-    const bool         by_load = loads();
+    const bool         by_load = parameters.loads();
     std::ostringstream message;
     if (!(target > 0) || !std::isfinite(target))
       {
@@ -178,20 +145,20 @@ namespace strait
   ContactSolver::makes_contact(const double target) const
   {
     // The highest peak has height 0 here.
-    return loads() || target + wall.mean_height() < 0;
+    return parameters.loads() || target + wall.mean_height() < 0;
   }
 
   double
   ContactSolver::share_of_solid(const double target) const
   {
-    return loads() ? target - wall.fluid_load() : target;
+    return parameters.loads() ? target - wall.fluid_load() : target;
   }
 
   ContactConstraint
   ContactSolver::constraint_for(const double target) const
   {
     // The displacement under pressure has the mean 0.
-    if (!loads())
+    if (!parameters.loads())
       return ContactConstraint::rigid_displacement(target + wall.mean_height());
     return parameters.yields()
              ? ContactConstraint::mean_pressure(target, parameters.hardness)
@@ -206,7 +173,7 @@ namespace strait
     const double length =
       wall.rms_height() > 0
         ? wall.rms_height()
-        : target * box_length(wall.heights().grid()) / parameters.effective_modulus;
+        : target * wall.heights().grid().mean_side() / parameters.effective_modulus;
     return {parameters.tolerance, length, parameters.maximum_iterations};
   }
 
@@ -231,52 +198,6 @@ namespace strait
         report(line.str());
       }
     return solution;
-  }
-
-  SlabField
-  ContactSolver::cold_start(const SlabField &grid_heights, const double target) const
-  {
-    SlabField start(grid_heights.layout_pointer(), target);
-    if (parameters.control == ContactControl::mean_gap)
-      {
-        // Where the surfaces would overlap, in proportion to the overlap.
-        const double stiffness =
-          parameters.effective_modulus / box_length(grid_heights.grid());
-        for (std::size_t i = 0; i < start.size(); ++i)
-          start[i] =
-            stiffness * std::max(0., grid_heights[i] - (target + wall.mean_height()));
-      }
-    return start;
-  }
-
-  SlabField
-  ContactSolver::start_from_coarser_grid(const SlabField &fine_heights,
-                                         const double     target)
-  {
-    if (!can_be_coarsened(fine_heights.grid()))
-      return cold_start(fine_heights, target);
-
-    const SlabField  coarse_heights  = restrict_by_injection(fine_heights);
-    SlabField        coarse_pressure = start_from_coarser_grid(coarse_heights, target);
-    SlabField        coarse_gap(coarse_heights.layout_pointer());
-    ContactTolerance tolerance = tolerance_for(target);
-    tolerance.residual         = std::max(tolerance.residual, coarse_tolerance);
-    {
-      HalfSpaceProblem coarse(coarse_heights, parameters.effective_modulus);
-      optimise(coarse, target, tolerance, coarse_pressure, coarse_gap);
-    }
-
-    // Interpolated contact is too wide: drop what is next to an open gap.
-    const SlabLayoutPtr &layout    = fine_heights.layout_pointer();
-    SlabField            start     = prolong_bilinearly(coarse_pressure, layout);
-    const SlabField      gap       = prolong_bilinearly(coarse_gap, layout);
-    const double         spacing   = std::sqrt(layout->grid().dx() * layout->grid().dy());
-    const double         steepness = 0.3 * parameters.effective_modulus / spacing;
-    for (std::size_t i = 0; i < start.size(); ++i)
-      if (!(start[i] > steepness * gap[i]))
-        start[i] = 0;
-    // On a coarse grid a lone peak may have been missed.
-    return max_value(start) > 0 ? std::move(start) : cold_start(fine_heights, target);
   }
 
   ContactState

@@ -47,8 +47,7 @@ namespace strait
   void
   Approach::transfer(StateArchive &archive, const SlabLayout &layout)
   {
-    archive.value(at);
-    archive.value(came_from);
+    archive.values(at, came_from);
     archive.field(earlier, layout);
     archive.value(scale);
   }
@@ -79,47 +78,35 @@ namespace strait
     return state;
   }
 
-  namespace
-  {
-    void
-    transfer_step(StateArchive &archive, RelaxationStep &step)
-    {
-      archive.value(step.iteration);
-      archive.value(step.energy);
-      archive.value(step.residual);
-      archive.value(step.step);
-    }
-  } // namespace
-
   void
   transfer(StateArchive &archive, ContactState &state, const SlabLayoutPtr &layout)
   {
     archive.field(state.pressure, layout);
     archive.field(state.gap, layout);
-    archive.value(state.nominal_pressure);
-    archive.value(state.mean_gap);
-    archive.value(state.contact_area);
-    archive.value(state.contact_area_corrected);
-    archive.value(state.residual);
-    archive.value(state.iterations);
-    archive.value(state.fft_pairs);
-    archive.value(state.converged);
+    archive.values(state.nominal_pressure,
+                   state.mean_gap,
+                   state.contact_area,
+                   state.contact_area_corrected,
+                   state.residual,
+                   state.iterations,
+                   state.fft_pairs,
+                   state.converged);
     state.approach.transfer(archive, state.pressure.layout());
     if (transfer_presence(archive, state.plasticity))
       {
         archive.field(state.plasticity->indentation, layout);
-        archive.value(state.plasticity->mean_indentation);
-        archive.value(state.plasticity->area);
+        archive.values(state.plasticity->mean_indentation, state.plasticity->area);
       }
     if (!transfer_presence(archive, state.adhesion))
       return;
-    archive.value(state.adhesion->adhesive_energy);
-    archive.value(state.adhesion->total_energy);
-    archive.value(state.adhesion->smallest_curvature);
-    archive.value(state.adhesion->detached);
-    archive.field(state.adhesion->softest_direction, *layout);
-    transfer_all(archive, state.adhesion->relaxation, [&](RelaxationStep &step) {
-      transfer_step(archive, step);
+    AdhesiveState &adhesion = *state.adhesion;
+    archive.values(adhesion.adhesive_energy,
+                   adhesion.total_energy,
+                   adhesion.smallest_curvature,
+                   adhesion.detached);
+    archive.field(adhesion.softest_direction, *layout);
+    transfer_all(archive, adhesion.relaxation, [&](RelaxationStep &step) {
+      archive.values(step.iteration, step.energy, step.residual, step.step);
     });
   }
 } // namespace strait

@@ -10,7 +10,7 @@ namespace strait
   template <class Number>
   BasicHalfSpace<Number>::BasicHalfSpace(const SlabLayoutPtr &layout,
                                          const double         contact_modulus)
-    : transform(layout)
+    : Transform(layout)
     , modulus(contact_modulus)
   {
   }
@@ -33,7 +33,7 @@ namespace strait
     interruption_point();
     // 2/(qE*) with q = 2π |(kx/lx, ky/ly)|, in units of lx so that tiny boxes do
     // not underflow.
-    const PeriodicGrid &grid   = layout().grid();
+    const PeriodicGrid &grid   = this->layout().grid();
     const auto          aspect = static_cast<Number>(grid.lx / grid.ly);
     const double        factor = grid.lx / (M_PI * modulus);
     const auto          symbol = [=](const int kx, const int ky) {
@@ -42,12 +42,14 @@ namespace strait
       return k2 > 0 ? factor / std::sqrt(k2) : 0.;
     };
     double work = 0;
-    transform.multiply_in_passes(
+    this->multiply_in_passes(
       pressure,
       displacement,
       symbol,
       before,
-      [&](const double local_work) { work = sum(layout().communicator(), local_work); },
+      [&](const double local_work) {
+        work = sum(this->layout().communicator(), local_work);
+      },
       [&](const int row) { after(row, work); });
     return work;
   }

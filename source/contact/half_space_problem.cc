@@ -52,7 +52,7 @@ namespace strait
   long
   HalfSpaceProblem::n_applications() const
   {
-    return half_space.n_fft_pairs() + of_steps.n_fft_pairs();
+    return half_space.n_pairs() + of_steps.n_pairs();
   }
 
   void

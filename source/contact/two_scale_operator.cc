@@ -61,50 +61,6 @@ namespace strait
         std::clamp((theta * stride / M_PI - begin) / (end - begin), 0., 1.);
       return 1 - s * s * (3 - 2 * s);
     }
-
-    /** The adjoint of fetch_rows(): add row k of @p values to the row rows[k] of the rank
-     *  that owns it, one rank after the other. Collective. */
-    void
-    add_to_owners(const SlabLayout          &layout,
-                  const std::vector<int>    &rows,
-                  const std::vector<double> &values,
-                  double                    *local_rows)
-    {
-      const int           n_ranks = layout.n_ranks(), nx = layout.grid().nx;
-      std::vector<int>    sent(n_ranks), received(n_ranks), from(n_ranks), to(n_ranks);
-      std::vector<double> outgoing; // each row behind its number
-      for (int rank = 0; rank < n_ranks; ++rank)
-        {
-          to[rank] = static_cast<int>(outgoing.size());
-          for (std::size_t k = 0; k < rows.size(); ++k)
-            if (const int row = rows[k] % layout.grid().ny;
-                layout.owner_of_row(row) == rank)
-              {
-                outgoing.push_back(row);
-                outgoing.insert(outgoing.end(), &values[k * nx], &values[k * nx] + nx);
-              }
-          sent[rank] = static_cast<int>(outgoing.size()) - to[rank];
-        }
-      MPI_Comm comm = layout.communicator();
-      MPI_Alltoall(sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, comm);
-      std::partial_sum(received.begin(), received.end() - 1, from.begin() + 1);
-      std::vector<double> incoming(from.back() + received.back());
-      MPI_Alltoallv(outgoing.data(),
-                    sent.data(),
-                    to.data(),
-                    MPI_DOUBLE,
-                    incoming.data(),
-                    received.data(),
-                    from.data(),
-                    MPI_DOUBLE,
-                    comm);
-      for (std::size_t at = 0; at < incoming.size(); at += nx + 1)
-        {
-          const auto row = static_cast<std::size_t>(incoming[at]) - layout.first_row();
-          for (int i = 0; i < nx; ++i)
-            local_rows[row * nx + i] += incoming[at + 1 + i];
-        }
-    }
   } // namespace
 
   TwoScaleOperator
@@ -272,7 +228,7 @@ namespace strait
   {
     const SlabLayout &slabs = coarse_transform->layout();
     std::fill(coarse.begin(), coarse.end(), 0.);
-    add_to_owners(slabs, around, near_rows, coarse.data());
+    add_rows(slabs, around, near_rows, coarse.data());
     const int n_waves = slabs.grid().nx / 2 + 1;
     coarse_transform->multiply(coarse.data(),
                                coarse.data(),

@@ -25,19 +25,41 @@ namespace strait
       return {refined * nx, refined * ny, nx * dx, ny * dy};
     }
 
-    /** Copy an array of rows into the middle of a larger one, or back. */
-    template <class Copy>
-    void
-    for_rows_in_the_middle(const int   n_columns,
-                           const int   n_rows,
-                           const int   of_columns,
-                           const int   of_rows,
-                           const Copy &copy)
+    /** Columns and rows of an array. */
+    using Shape = std::array<int, 2>;
+
+    Shape
+    shape_of(const FourierTransform &box)
     {
-      const int x = (of_columns - n_columns) / 2, y = (of_rows - n_rows) / 2;
-      for (int iy = 0; iy < n_rows; ++iy)
-        copy(static_cast<std::size_t>(iy) * n_columns,
-             static_cast<std::size_t>(iy + y) * of_columns + x);
+      return {{box.layout().grid().nx, box.layout().grid().ny}};
+    }
+
+    /** Call visit(position in the array, position in the box) for the points of an array
+     *  in the middle of a box. */
+    template <class Visit>
+    void
+    for_each_in_the_middle(const Shape &array, const Shape &box, const Visit &visit)
+    {
+      const int   x = (box[0] - array[0]) / 2, y = (box[1] - array[1]) / 2;
+      std::size_t k = 0;
+      for (int iy = 0; iy < array[1]; ++iy)
+        for (int ix = 0; ix < array[0]; ++ix, ++k)
+          visit(k, static_cast<std::size_t>(iy + y) * box[0] + x + ix);
+    }
+
+    /** The box of an array, zero around it. */
+    void
+    put_into_box(const Shape               &shape,
+                 const std::vector<double> &array,
+                 const Shape               &shape_of_box,
+                 std::vector<double>       &box)
+    {
+      std::fill(box.begin(), box.end(), 0.);
+      for_each_in_the_middle(shape,
+                             shape_of_box,
+                             [&](const std::size_t k, const std::size_t at) {
+                               box[at] = array[k];
+                             });
     }
   } // namespace
 
@@ -213,64 +235,32 @@ namespace strait
   {
     for (std::size_t w = 0; w < windows.size(); ++w)
       {
-        Window             &window     = *windows[w];
-        const ZoomWindow   &place      = window.place;
-        const PeriodicGrid &coarse     = window.coarse_box.layout().grid();
-        const PeriodicGrid &fine       = window.fine_box.layout().grid();
-        const int           n_patch[2] = {window.transfer.patch_columns(),
-                                          window.transfer.patch_rows()};
-
-        std::fill(window.in_coarse_box.begin(), window.in_coarse_box.end(), 0.);
-        for_rows_in_the_middle(n_patch[0],
-                               n_patch[1],
-                               coarse.nx,
-                               coarse.ny,
-                               [&](const std::size_t from, const std::size_t to) {
-                                 std::copy_n(&window.patch[from],
-                                             n_patch[0],
-                                             &window.in_coarse_box[to]);
-                               });
+        Window     &window = *windows[w];
+        const Shape patch  = {
+           {window.transfer.patch_columns(), window.transfer.patch_rows()}};
+        const Shape own    = {{window.place.n_columns(), window.place.n_rows()}};
+        const Shape coarse = shape_of(window.coarse_box);
+        const Shape fine   = shape_of(window.fine_box);
+        put_into_box(patch, window.patch, coarse, window.in_coarse_box);
         transform(window.coarse_box, window.in_coarse_box.data(), symbol);
-
         std::fill(window.patch.begin(), window.patch.end(), 0.);
         window.for_each_of_patch([&](const std::size_t k, const std::size_t at) {
           window.patch[k] = values[at];
         });
-        if (place.parent < 0)
+        if (window.place.parent < 0)
           sum_over_ranks(window.patch.data(), static_cast<int>(window.patch.size()));
-        for_rows_in_the_middle(n_patch[0],
-                               n_patch[1],
-                               coarse.nx,
-                               coarse.ny,
-                               [&](const std::size_t patch, const std::size_t box) {
-                                 for (int ix = 0; ix < n_patch[0]; ++ix)
-                                   window.patch[patch + ix] -=
-                                     window.in_coarse_box[box + ix];
+        for_each_in_the_middle(patch,
+                               coarse,
+                               [&](const std::size_t k, const std::size_t at) {
+                                 window.patch[k] -= window.in_coarse_box[at];
                                });
-
-        std::fill(window.in_fine_box.begin(), window.in_fine_box.end(), 0.);
-        for_rows_in_the_middle(place.n_columns(),
-                               place.n_rows(),
-                               fine.nx,
-                               fine.ny,
-                               [&](const std::size_t from, const std::size_t to) {
-                                 std::copy_n(&window.own[from],
-                                             place.n_columns(),
-                                             &window.in_fine_box[to]);
-                               });
+        put_into_box(own, window.own, fine, window.in_fine_box);
         transform(window.fine_box, window.in_fine_box.data(), symbol);
-
         double *result = values + layout().start_of_window(static_cast<int>(w));
         window.transfer.interpolate(window.patch, window.own);
-        for_rows_in_the_middle(place.n_columns(),
-                               place.n_rows(),
-                               fine.nx,
-                               fine.ny,
-                               [&](const std::size_t own, const std::size_t box) {
-                                 for (int ix = 0; ix < place.n_columns(); ++ix)
-                                   result[own + ix] =
-                                     window.own[own + ix] + window.in_fine_box[box + ix];
-                               });
+        for_each_in_the_middle(own, fine, [&](const std::size_t k, const std::size_t at) {
+          result[k] = window.own[k] + window.in_fine_box[at];
+        });
       }
   }
 

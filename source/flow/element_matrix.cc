@@ -10,54 +10,31 @@ namespace strait
 {
   namespace
   {
-    using Polynomial = std::vector<double>; // coefficients, constant first
+    using dealii::Polynomials::LagrangeEquidistant;
+    using Polynomial = dealii::Polynomials::Polynomial<double>;
 
     Polynomial
-    product(const Polynomial &a, const Polynomial &b)
+    product(Polynomial a, const Polynomial &b)
     {
-      Polynomial c(a.size() + b.size() - 1, 0.);
-      for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t j = 0; j < b.size(); ++j)
-          c[i + j] += a[i] * b[j];
-      return c;
-    }
-
-    Polynomial
-    derivative(const Polynomial &a)
-    {
-      Polynomial d;
-      for (std::size_t i = 1; i < a.size(); ++i)
-        d.push_back(static_cast<double>(i) * a[i]);
-      return d;
-    }
-
-    /** Coefficients of the Lagrange polynomials on equidistant points. */
-    std::vector<Polynomial>
-    lagrange_basis(const unsigned int degree)
-    {
-      std::vector<Polynomial> basis;
-      for (unsigned int k = 0; k <= degree; ++k)
-        {
-          Polynomial p{1.};
-          for (unsigned int l = 0; l <= degree; ++l)
-            if (l != k)
-              {
-                const double x_k = static_cast<double>(k) / degree;
-                const double x_l = static_cast<double>(l) / degree;
-                p                = product(p, {-x_l / (x_k - x_l), 1. / (x_k - x_l)});
-              }
-          basis.push_back(p);
-        }
-      return basis;
+      return a *= b;
     }
 
     double
     integral(const Polynomial &p)
     {
-      double value = 0;
-      for (std::size_t i = 0; i < p.size(); ++i)
-        value += p[i] / static_cast<double>(i + 1);
-      return value;
+      return p.primitive().value(1.);
+    }
+
+    /** Of a polynomial, constant first. */
+    std::vector<double>
+    coefficients_of(const Polynomial &p)
+    {
+      std::vector<double> c(p.degree() + 1);
+      p.value(0., c); // the derivatives at 0
+      double factorial = 1;
+      for (std::size_t k = 1; k < c.size(); ++k)
+        c[k] /= factorial *= static_cast<double>(k);
+      return c;
     }
   } // namespace
 
@@ -67,7 +44,7 @@ namespace strait
     const dealii::FE_Q<2>           fe(p);
     const std::vector<unsigned int> lexicographic_of = fe.get_poly_space_numbering();
     n                                                = fe.n_dofs_per_cell();
-    const std::vector<Polynomial> basis              = lagrange_basis(p);
+    const std::vector<Polynomial> basis = LagrangeEquidistant::generate_complete_basis(p);
     const auto                    bx = [&](const unsigned int i) -> const Polynomial                    &{
       return basis[lexicographic_of[i] % (p + 1)];
     };
@@ -78,17 +55,19 @@ namespace strait
     curl_matrix.reinit(n, n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        curl_matrix(i, j) = integral(product(derivative(bx(i)), bx(j))) *
-                              integral(product(by(i), derivative(by(j)))) -
-                            integral(product(bx(i), derivative(bx(j)))) *
-                              integral(product(derivative(by(i)), by(j)));
+        curl_matrix(i, j) = integral(product(bx(i).derivative(), bx(j))) *
+                              integral(product(by(i), by(j).derivative())) -
+                            integral(product(bx(i), bx(j).derivative())) *
+                              integral(product(by(i).derivative(), by(j)));
 
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j <= i; ++j)
         {
           std::map<int, Term> sums;
           const auto          collect =
-            [&](const Polynomial &in_x, const Polynomial &in_y, double Term::*part) {
+            [&](const Polynomial &of_x, const Polynomial &of_y, double Term::*part) {
+              const std::vector<double> in_x = coefficients_of(of_x),
+                                        in_y = coefficients_of(of_y);
               for (std::size_t a = 0; a < in_x.size(); ++a)
                 for (std::size_t b = 0; b < in_y.size(); ++b)
                   if (const double c = in_x[a] * in_y[b]; c != 0)
@@ -97,11 +76,11 @@ namespace strait
                       sums.try_emplace(m, Term{m, 0., 0.}).first->second.*part += c;
                     }
             };
-          collect(product(derivative(bx(i)), derivative(bx(j))),
+          collect(product(bx(i).derivative(), bx(j).derivative()),
                   product(by(i), by(j)),
                   &Term::along_x);
           collect(product(bx(i), bx(j)),
-                  product(derivative(by(i)), derivative(by(j))),
+                  product(by(i).derivative(), by(j).derivative()),
                   &Term::along_y);
           terms.emplace_back();
           for (const auto &[m, term] : sums)

@@ -15,23 +15,15 @@ namespace strait
 {
   using namespace dealii;
 
-  PotentialProblem::PotentialProblem(const Kind       kind_,
-                                     FlowMesh        &mesh_,
-                                     const MomentSet &set)
-    : PotentialProblem(kind_,
-                       mesh_,
-                       set,
-                       kind_ == Kind::pressure ? GapField::Coefficient::conductivity
-                                               : GapField::Coefficient::resistivity)
-  {
-  }
-
-  PotentialProblem::PotentialProblem(const Kind                  kind_,
-                                     FlowMesh                   &mesh_,
-                                     const MomentSet            &set,
-                                     const GapField::Coefficient coefficient_)
+  PotentialProblem::PotentialProblem(
+    const Kind                                 kind_,
+    FlowMesh                                  &mesh_,
+    const MomentSet                           &set,
+    const std::optional<GapField::Coefficient> coefficient_)
     : problem_kind(kind_)
-    , kind_of_coefficient(coefficient_)
+    , kind_of_coefficient(coefficient_.value_or(kind_ == Kind::pressure
+                                                  ? GapField::Coefficient::conductivity
+                                                  : GapField::Coefficient::resistivity))
     , mesh(mesh_)
     , element(set)
     , fe(set.degree())
@@ -47,23 +39,24 @@ namespace strait
     dofs.distribute_dofs(fe);
     owned = dofs.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    if (problem_kind == Kind::stream_function && mesh.seal() != nullptr &&
-        mesh.seal()->is_ring)
+    if (is_free() && mesh.seal() != nullptr)
       ring.emplace().set_up(mesh, dofs, owned, relevant);
     make_constraints();
     right_hand_side.reinit(owned, comm);
     distributed.reinit(owned, comm);
     ghosted.reinit(owned, relevant, comm);
     if (transfer)
-      take_solution_of_coarser_mesh();
+      {
+        transfer->interpolate(distributed);
+        transfer.reset();
+        complete_solution();
+      }
     is_numbered = true;
   }
 
   void
-  PotentialProblem::take_solution_of_coarser_mesh()
+  PotentialProblem::complete_solution()
   {
-    transfer->interpolate(distributed);
-    transfer.reset();
     Vector complete(distributed);
     constraints.distribute(complete);
     ghosted = complete;
@@ -122,11 +115,9 @@ namespace strait
           largest  = matrix.diag_element(k);
           stiffest = k;
         }
-    const bool is_here = largest > 0 && largest == Utilities::MPI::max(largest, comm);
-    const int  rank    = Utilities::MPI::this_mpi_process(comm);
-    const int  first_rank =
-      Utilities::MPI::min(is_here ? rank : std::numeric_limits<int>::max(), comm);
-    if (rank == first_rank)
+    const auto over_ranks = Utilities::MPI::min_max_avg(largest, comm);
+    if (over_ranks.max > 0 &&
+        over_ranks.max_index == Utilities::MPI::this_mpi_process(comm))
       matrix.add(stiffest, stiffest, largest);
     matrix.compress(VectorOperation::add);
   }
@@ -258,9 +249,7 @@ namespace strait
           matrix, distributed, right_hand_side, *multigrid, goal, max_iterations);
         total.iterations += solve.iterations;
         total.error_energy = solve.error_energy;
-        Vector complete(distributed);
-        constraints.distribute(complete);
-        ghosted         = complete;
+        complete_solution();
         goal            = accuracy * energy();
         total.converged = solve.converged && solve.error_energy <= goal;
         // The energy hardly changes any more, and with it the goal, so that this ends.
@@ -306,11 +295,12 @@ namespace strait
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const std::size_t here = c++;
-          if (!is_active(here))
-            continue;
-          cell_values(cell, values);
-          sum += cell_energy(here, values);
+          if (is_active(c))
+            {
+              cell_values(cell, values);
+              sum += cell_energy(c, values);
+            }
+          ++c;
         }
     return Utilities::MPI::sum(sum, mesh.triangulation().get_communicator());
   }

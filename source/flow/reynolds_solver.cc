@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/hidden_flow.h>
+#include <strait/flow/marking.h>
 #include <strait/flow/reynolds_solver.h>
-
-#include <deal.II/distributed/grid_refinement.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,85 +24,10 @@ namespace strait
     // wrong by far more if the solver failed, so that half and double find the same.
     constexpr double rounding = 1e-6;
 
-    // While a barrier or a channel is being resolved the bracket may rest for a mesh
-    // or two before it narrows again. Half of the patience gives up while it rests;
-    // double of it, or a progress closer to one, makes more meshes in vain where the grid
-    // is too coarse.
+    // While a barrier or a channel is being resolved the bracket may rest for a mesh or
+    // two before it narrows again. Half of the patience gives up while it rests; double
+    // of it makes more meshes in vain where the grid is too coarse.
     constexpr std::size_t patience = 4;
-    constexpr double      progress = .97;
-
-    /**
-     * Mark the cells to refine, at most @p affordable of all, for a bracket of which the
-     * part @p excess is too much. Returns false, with none
-     * marked, if there are none or if so few could be that another mesh does not pay.
-     * Collective.
-     */
-    bool
-    mark(FlowMesh::Triangulation     &tria,
-         const Bracket               &bracket,
-         const dealii::Vector<float> &hidden,
-         const double                 excess,
-         const double                 affordable)
-    {
-      // A cell is refined if it contributes more to the width of the bracket than this
-      // fraction of the mean. Half of it refines more cells on each mesh and ends with
-      // more unknowns than it takes; double of it takes more meshes.
-      constexpr double marking_level = .7;
-      // … or if so much of the width may come from what it hides. A third of it refines
-      // up to three times as many cells near the threshold for a mesh less; three times
-      // as much misses a channel that a few cells side by side block.
-      constexpr double hiding_level = .1;
-      // … but no more than hold this many times the excess, and a little. Refined cells
-      // keep a quarter of what they contribute: half of it takes a mesh more nearly each
-      // time, with double of it the last mesh is finer than was asked.
-      constexpr double excess_factor = 1.6, least_share = .1;
-      // By how much the level rises at a time: its root and its square find alike.
-      constexpr double rise = 1.25;
-      using dealii::Utilities::MPI::sum;
-      MPI_Comm     comm              = tria.get_communicator();
-      const auto   n_cells           = static_cast<double>(tria.n_global_active_cells());
-      const double width             = sum(bracket.contributions.l1_norm(), comm);
-      const auto   held_by_more_than = [&](const double contribution) {
-        double local = 0.;
-        for (const float each : bracket.contributions)
-          local += each > contribution ? each : 0.;
-        return sum(local, comm);
-      };
-      double contribution = marking_level * width / n_cells;
-      while (held_by_more_than(rise * contribution) >
-             (excess_factor * excess + least_share) * width)
-        contribution *= rise;
-      const double hidden_flow    = hiding_level * (1. - bracket.lower / bracket.upper);
-      unsigned long long n_marked = 0;
-      for (const auto &cell : tria.active_cell_iterators())
-        if (cell->is_locally_owned() &&
-            (bracket.contributions(cell->active_cell_index()) > contribution ||
-             hidden(cell->active_cell_index()) > hidden_flow))
-          {
-            cell->set_refine_flag();
-            ++n_marked;
-          }
-      n_marked = sum(n_marked, comm);
-      if (n_marked == 0 || 3. * affordable < 1. - progress)
-        return false;
-      // Where most cells matter alike, adaptivity saves nothing and costs hanging nodes
-      // and meshes.
-      if (2. * n_marked > n_cells && affordable > 1.)
-        tria.set_all_refine_flags();
-      else if (n_marked > affordable * n_cells)
-        {
-          for (const auto &cell : tria.active_cell_iterators())
-            cell->clear_refine_flag();
-          dealii::parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
-            tria, bracket.contributions, affordable, 0.);
-          // Of cells that contribute alike it may mark none.
-          n_marked = 0;
-          for (const auto &cell : tria.active_cell_iterators())
-            n_marked += cell->is_locally_owned() && cell->refine_flag_set() ? 1 : 0;
-          return sum(n_marked, comm) > 0;
-        }
-      return true;
-    }
   } // namespace
 
   ReynoldsSolver::ReynoldsSolver(const FluidParameters &fluid,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
-#include <strait/reference/wavy_contact.h>
 #include <strait/run/cost_prediction.h>
 
 #include <algorithm>
@@ -106,13 +105,12 @@ namespace strait
     // Of random surfaces the mean, 0.24, less one standard deviation: to be surprised by
     // the threshold is worse than to be warned of it. Half and double of it would warn of
     // nearly all loads, or of none.
-    constexpr double rough   = .19;
-    const double     modulus = scene.contact.effective_modulus;
+    constexpr double rough = .19;
+    // Of the square saddle that over the pressure of full contact, 2πE*Δ/λ, computed.
+    constexpr double saddle = .228605;
     if (scene.surface.kind == SurfaceKind::square_saddle)
-      return reference::square_saddle::critical_load *
-             reference::square_saddle::full_pressure(scene.surface.amplitude,
-                                                     scene.surface.size[0],
-                                                     modulus);
+      return saddle * 2 * M_PI * scene.contact.effective_modulus *
+             scene.surface.amplitude / scene.surface.size[0];
     if (scene.surface.kind == SurfaceKind::self_affine)
       return rough * scene.contact.pressure_scale(slope);
     return {};
@@ -132,7 +130,7 @@ namespace strait
     if (smallest)
       return smallest;
     const std::optional<double> critical = critical_load();
-    if (critical && scene.contact.control == ContactControl::load)
+    if (critical && scene.contact.loads())
       for (const double pressure : scene.programme.pressures)
         visit(1. - pressure / *critical);
     return smallest;

@@ -10,7 +10,6 @@
 #include <strait/run/ensemble_tables.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/run_state.h>
-#include <strait/run/scatter.h>
 #include <strait/run/scripts.h>
 #include <strait/run/simulation.h>
 #include <strait/surface/read_scene.h>
@@ -119,12 +118,8 @@ namespace strait
     bool
     has_checkpoint(const Scene &scene, MPI_Comm comm)
     {
-      std::string found;
-      run_on_root(comm, [&]() {
-        if (std::filesystem::exists(scene.output.directory + "/checkpoint"))
-          found = "yes";
-      });
-      return !broadcast(comm, found).empty();
+      const std::string path = scene.output.directory + "/checkpoint";
+      return maximum(comm, std::filesystem::exists(path) ? 1. : 0.) > 0;
     }
 
     /** What is to be told of a realisation that was run. */
@@ -164,7 +159,7 @@ namespace strait
               const bool        resume)
     {
       // One group alone has the screen.
-      Log         log(groups.communicator(), is_quiet || groups.mine() > 0);
+      Log         log(groups.comm, is_quiet || groups.mine > 0);
       RunSummary  run;
       std::string status = "ok";
       Outcome     outcome;
@@ -172,8 +167,8 @@ namespace strait
         {
           run = simulate(scene,
                          log,
-                         resume && has_checkpoint(scene, groups.communicator()),
-                         groups.communicator());
+                         resume && has_checkpoint(scene, groups.comm),
+                         groups.comm);
           if (!run.converged)
             status = "not-converged";
           add_words(status, run.status);
@@ -199,7 +194,7 @@ namespace strait
                  const bool                resume)
     {
       std::vector<Outcome> outcomes(scenes.size());
-      const auto           mine = static_cast<std::size_t>(groups.mine());
+      const auto           mine = static_cast<std::size_t>(groups.mine);
       if (mine < scenes.size())
         outcomes[mine] = run_alone(scenes[mine], groups, is_quiet, resume);
       for (std::size_t group = 0; group < scenes.size(); ++group)
@@ -254,7 +249,7 @@ namespace strait
       {
         // As many as there are groups, at the same time.
         const std::size_t  first = rows.size();
-        const std::size_t  end   = std::min(first + groups.number(), realisations.size());
+        const std::size_t  end   = std::min(first + groups.number, realisations.size());
         std::vector<Scene> scenes;
         for (std::size_t k = first; k < end; ++k)
           {

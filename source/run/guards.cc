@@ -4,7 +4,6 @@
 #include <strait/base/text.h>
 #include <strait/interface/moment_set.h>
 #include <strait/run/guards.h>
-#include <strait/run/validity.h>
 
 #include <sys/resource.h>
 
@@ -95,7 +94,7 @@ namespace strait
     refuse_meaningless_pressures(const Scene &scene)
     {
       if (scene.units.pressure.empty() || !scene.contact.enabled ||
-          scene.contact.control != ContactControl::load)
+          !scene.contact.loads())
         return;
       const bool is_pressed = scene.fluid.enabled && !scene.fluid.feedback.enabled &&
                               !scene.contact.adhesion.enabled;
@@ -111,13 +110,13 @@ namespace strait
                      unit,
                      scene.contact.effective_modulus,
                      unit));
-          if (is_pressed && excess_pressure(scene.fluid) > pressure)
+          if (is_pressed && scene.fluid.excess_pressure() > pressure)
             throw InputError(
               format("The fluid's pressure of %.6g %s exceeds the nominal pressure of "
                      "%.6g %s and would lift the walls off, so that a leak rate without "
                      "that means nothing; set Fluid/Wall feedback/Enabled = true, or "
                      "raise Load programme/Pressures.",
-                     excess_pressure(scene.fluid),
+                     scene.fluid.excess_pressure(),
                      unit,
                      pressure,
                      unit));

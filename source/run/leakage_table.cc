@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/percolation/bottleneck.h>
 #include <strait/run/leakage_table.h>
 
 #include <algorithm>
@@ -14,42 +13,25 @@ namespace strait
   {
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-    /** Getters of members of the contact. */
-    const auto of_contact = [](auto member) {
-      return
-        [member](const Step &step) { return std::invoke(member, *step.state.contact); };
-    };
+    // Values of columns that are members of a part of a step, or functions of it.
+    const auto of_contact = values_of(
+      [](const Step &step) -> const ContactState & { return *step.state.contact; });
+    const auto of_plasticity = values_of([](const Step &step) -> const PlasticState & {
+      return *step.state.contact->plasticity;
+    });
+    const auto of_fluid =
+      values_of([](const Step &step) -> const FluidState & { return *step.state.fluid; });
+    const auto of_theory =
+      values_of([](const Step &step) -> const TheoryResult & { return *step.theory; });
+    const auto of_leakage =
+      values_of([](const Step &step) -> const Leakage & { return step.flow->leakage; });
 
-    /** The same of its yielding. */
-    const auto of_plasticity = [](auto member) {
-      return [member](const Step &step) {
-        return std::invoke(member, *step.state.contact->plasticity);
-      };
-    };
-
-    /** The same of the fluid that presses on the walls. */
-    const auto of_fluid = [](auto member) {
-      return
-        [member](const Step &step) { return std::invoke(member, *step.state.fluid); };
-    };
-
-    /** The same of fluid that is trapped in it, 0 where the walls have parted. */
+    /** The same of fluid that is trapped, 0 where the walls have parted. */
     const auto of_trapped = [](double TrappedFluid::*member) {
       return [member](const Step &step) {
         const std::optional<TrappedFluid> &trapped = step.state.fluid->trapped;
         return trapped ? *trapped.*member : 0.;
       };
-    };
-
-    /** The same of the theory. */
-    const auto of_theory = [](auto member) {
-      return [member](const Step &step) { return std::invoke(member, *step.theory); };
-    };
-
-    /** The same of a leak rate. */
-    const auto of_leakage = [](auto member) {
-      return
-        [member](const Step &step) { return std::invoke(member, step.flow->leakage); };
     };
 
     /** The same of the path of least resistance, where there is one. */
@@ -60,15 +42,6 @@ namespace strait
                  : std::invoke(value, step.flow->channel.paths.front());
       };
     };
-
-    std::array<double, 2>
-    place_of_bottleneck(const Step &step)
-    {
-      if (step.flow->channel.paths.empty())
-        return {not_a_number, not_a_number};
-      return position_of(step.state.gap().layout(),
-                         step.flow->channel.paths.front().bottleneck);
-    }
 
     void
     add_leak_rates(Table<Step> &table, const Scene &scene, const Condition &with_flow)
@@ -150,11 +123,11 @@ namespace strait
           "effective_gap [length]: (12 η K_eff)^(1/3) with K_eff = Q L/(W Δp), or in a "
           "mesh ([meshes](meshes.md)) Q/(S Δp) with Q = S K Δp at a uniform K: smooth "
           "plates with this gap leak as much")
-        .add([](const Step &step) { return place_of_bottleneck(step)[0]; },
+        .add([](const Step &step) { return step.place_of_bottleneck()[0]; },
              "worst_constriction_x [length]: narrowest grid point of the path of least "
              "resistance ∫ds/g³; at the outlet, the copy of x = 0 at x = Lx; `nan` if "
              "nothing percolates")
-        .add([](const Step &step) { return place_of_bottleneck(step)[1]; },
+        .add([](const Step &step) { return step.place_of_bottleneck()[1]; },
              "worst_constriction_y [length]: its y, likewise")
         .add(of_path(&FlowPath::bottleneck_gap),
              "worst_constriction_gap [length]: the gap that the fluid sees there");
@@ -178,22 +151,6 @@ namespace strait
           "constriction to where the gap is twice as large");
     }
   } // namespace
-
-  double
-  in_trade_unit(const double           leak_rate,
-                const LeakRateUnit    &unit,
-                const UnitParameters  &units,
-                const FluidParameters &fluid)
-  {
-    double in_si = leak_rate * std::pow(metres_in(units.length).value_or(1.), 3) /
-                   seconds_in(units.time).value_or(1.);
-    if (unit.is_throughput)
-      in_si *= fluid.mean_pressure() * pascals_in(units.pressure).value_or(1.);
-    // A gas that is counted by its volume at 0 °C, which is less than at its temperature.
-    if (std::string(unit.name) == "sccm")
-      in_si *= 273.15 / fluid.temperature;
-    return in_si / unit.in_si;
-  }
 
   Table<Step>
   leakage_table(const Scene &scene)

@@ -61,8 +61,7 @@ namespace strait
       if (stops[k].target != stops[k - 1].target)
         {
           // Mean gaps fall while the load grows.
-          loading = (stops[k].target > stops[k - 1].target) ==
-                    (scene.contact.control == ContactControl::load);
+          loading = (stops[k].target > stops[k - 1].target) == (scene.contact.loads());
           break;
         }
     return loading ? "loading" : "unloading";

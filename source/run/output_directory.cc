@@ -86,12 +86,9 @@ namespace strait
           run_on_root(comm, [&]() { write_text(path + "/" + name, text); });
       }
     scaling.transfer(archive);
-    archive.value(error_budget);
-    archive.value(validity);
-    archive.value(words_of_status);
-    archive.value(words_of_validity);
     auto n_jumps_written = static_cast<long>(n_jumps);
-    archive.value(n_jumps_written);
+    archive.values(
+      error_budget, validity, words_of_status, words_of_validity, n_jumps_written);
     n_jumps = n_jumps_written;
     if (archive.is_reading())
       run_on_root(comm, [&]() {

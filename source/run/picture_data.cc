@@ -3,7 +3,6 @@
 #include <strait/flow/reynolds_solver.h>
 #include <strait/flow/seal_mesh.h>
 #include <strait/flow/solution_on_grid.h>
-#include <strait/percolation/bottleneck.h>
 #include <strait/run/disk_space.h>
 #include <strait/run/picture_data.h>
 
@@ -173,8 +172,7 @@ namespace strait
       file.set_attribute("percolates", step.flow->channel.percolates() ? 1. : 0.);
       if (!step.flow->channel.paths.empty())
         {
-          const auto [x, y] = position_of(step.state.gap().layout(),
-                                          step.flow->channel.paths.front().bottleneck);
+          const auto [x, y] = step.place_of_bottleneck();
           file.set_attribute("worst_x", x);
           file.set_attribute("worst_y", y);
         }

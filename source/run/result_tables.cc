@@ -2,7 +2,6 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 #include <strait/base/units.h>
-#include <strait/percolation/bottleneck.h>
 #include <strait/run/ensemble_tables.h>
 #include <strait/run/leakage_table.h>
 #include <strait/run/result_tables.h>
@@ -27,24 +26,13 @@ namespace strait
       return {"with adhesion", scene.contact.enabled && scene.contact.adhesion.enabled};
     }
 
-    std::array<double, 2>
-    place_of_bottleneck(const Step &step)
-    {
-      return position_of(step.state.gap().layout(),
-                         step.flow->channel.paths.front().bottleneck);
-    }
-
     /** Entries of the report on a step's constrictions, and of the throat in it. */
-    const auto of_report = [](auto member) {
-      return [member](const Step &step) {
-        return std::invoke(member, *step.flow->constrictions);
-      };
-    };
-    const auto of_throat = [](auto member) {
-      return [member](const Step &step) {
-        return std::invoke(member, step.flow->constrictions->throat);
-      };
-    };
+    const auto of_report = values_of([](const Step &step) -> const ConstrictionReport & {
+      return *step.flow->constrictions;
+    });
+    const auto of_throat = values_of([](const Step &step) -> const Throat & {
+      return step.flow->constrictions->throat;
+    });
   } // namespace
 
   Table<Transition>
@@ -82,9 +70,9 @@ namespace strait
            "slip_length [length]: d0")
       .add([](const Step &step) { return step.reduced_load.value_or(std::nan("")); },
            "reduced_load [1]: 1 − L/L_c")
-      .add([](const Step &step) { return place_of_bottleneck(step)[0]; },
+      .add([](const Step &step) { return step.place_of_bottleneck()[0]; },
            "x [length]: narrowest point of the path of least resistance")
-      .add([](const Step &step) { return place_of_bottleneck(step)[1]; },
+      .add([](const Step &step) { return step.place_of_bottleneck()[1]; },
            "y [length]: likewise")
       .add(of_throat(&Throat::gap), "gap [length]: g0 of the throat there")
       .add(of_throat(&Throat::length),
@@ -141,10 +129,7 @@ namespace strait
                          {"with `Load programme/Find blow-out`",
                           scene.programme.find_blow_out},
                          "One row for each of `Pressures`.");
-    const auto     of_opening = [](auto member) {
-      return
-        [member](const BlowOut &found) { return std::invoke(member, found.opening); };
-    };
+    const auto     of_opening = values_of(&BlowOut::opening);
     table.add(&BlowOut::load, "pressure [pressure]: nominal pressure, the load")
       .add(of_opening(&Transition::lower),
            "blow_out_pressure_lower [pressure]: largest inlet pressure known to be held "

@@ -17,15 +17,15 @@ namespace strait
     {
       archive.value(summary.converged);
       transfer(archive, summary.thresholds);
-      archive.value(summary.exponent.from);
-      archive.value(summary.exponent.to);
-      archive.value(summary.exponent.exponent);
-      archive.value(summary.exponent.error);
-      archive.value(summary.exponent.n_points);
-      archive.value(summary.crossover);
-      archive.value(summary.theory_crossover);
-      archive.value(summary.status);
-      archive.value(summary.validity);
+      archive.values(summary.exponent.from,
+                     summary.exponent.to,
+                     summary.exponent.exponent,
+                     summary.exponent.error,
+                     summary.exponent.n_points,
+                     summary.crossover,
+                     summary.theory_crossover,
+                     summary.status,
+                     summary.validity);
     }
 
     void
@@ -60,9 +60,7 @@ namespace strait
         transfer_summary(*archive, left);
         return;
       }
-    archive->value(surface);
-    archive->value(adhesion_energy);
-    archive->value(searched);
+    archive->values(surface, surface_energy, has_searched);
   }
 
   void
@@ -99,21 +97,14 @@ namespace strait
   }
 
   void
-  RunState::save(LoadSweep &sweep, OutputDirectory &output, Log &log) const
+  RunState::save(LoadSweep &sweep, OutputDirectory &output, Log &log)
   {
     if (!scene.output.checkpoint)
       return;
-    CheckpointWriter    writer(path, comm);
-    std::string         resolved = scene.resolved;
-    bool                at_end   = false;
-    std::vector<double> heights  = surface;
-    writer.value(resolved);
-    writer.value(at_end);
-    writer.value(heights);
-    double energy = adhesion_energy;
-    writer.value(energy);
-    bool has_searched = searched;
-    writer.value(has_searched);
+    CheckpointWriter writer(path, comm);
+    std::string      resolved = scene.resolved;
+    bool             at_end   = false;
+    writer.values(resolved, at_end, surface, surface_energy, has_searched);
     transfer_parts(writer, sweep, output, log);
     writer.commit();
   }
@@ -127,8 +118,7 @@ namespace strait
     std::string      resolved = scene.resolved;
     bool             at_end   = true;
     RunSummary       result   = summary;
-    writer.value(resolved);
-    writer.value(at_end);
+    writer.values(resolved, at_end);
     transfer_summary(writer, result);
     writer.commit();
   }

@@ -42,10 +42,10 @@ namespace strait
   Scaling::transfer(StateArchive &archive)
   {
     transfer_all(archive, samples, [&](Sample &sample) {
-      archive.value(sample.slip_length);
-      archive.value(sample.reduced_load);
-      archive.value(sample.status);
-      archive.value(sample.is_coarse);
+      archive.values(sample.slip_length,
+                     sample.reduced_load,
+                     sample.status,
+                     sample.is_coarse);
       for (double &value : sample.values)
         archive.value(value);
     });

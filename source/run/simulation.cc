@@ -146,7 +146,7 @@ namespace strait
                MPI_Comm         comm,
                Log             &log)
     {
-      if (state.has_searched())
+      if (state.has_searched)
         return;
       sweep.after_probe([&]() {
         state.save(sweep, output, log);
@@ -157,7 +157,7 @@ namespace strait
         output.write(sweep.find_thresholds());
       if (scene.programme.find_blow_out)
         output.write(sweep.find_blow_outs());
-      state.note_searched();
+      state.has_searched = true;
       sweep.end_searches();
       if (scene.programme.find_threshold || scene.programme.find_blow_out)
         state.save(sweep, output, log);
@@ -189,8 +189,8 @@ namespace strait
     // The sweep takes the heights.
     const bool      is_shown = scene.output.surface_map || scene.output.surface_spectrum;
     const SlabField shown    = is_shown ? heights : SlabField();
-    LoadSweep       sweep(scene, std::move(heights), log, timers, state.surface_energy());
-    state.note_surface_energy(sweep.surface_energy());
+    LoadSweep       sweep(scene, std::move(heights), log, timers, state.surface_energy);
+    state.surface_energy = sweep.surface_energy();
     // The first thing that is written, after the last check of the input.
     OutputDirectory output(scene, comm, log, resume);
     if (resume)

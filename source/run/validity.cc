@@ -145,10 +145,10 @@ namespace strait
     Verdict::add_fluid_pressure()
     {
       const FluidParameters &fluid = scene.fluid;
-      const bool is_meant = scene.has_physical_modulus() || excess_pressure(fluid) != 1.;
+      const bool is_meant = scene.has_physical_modulus() || fluid.excess_pressure() != 1.;
       if (!step.flow || !step.state.contact || fluid.feedback.enabled || !is_meant)
         return;
-      const double number = part_of_load(excess_pressure(fluid));
+      const double number = part_of_load(fluid.excess_pressure());
       add("fluid-pressure",
           number,
           most_fluid_pressure,
@@ -238,7 +238,7 @@ namespace strait
                       static_cast<double>(
                         std::count(states.begin(), states.end(), NodeState::trapped))) /
                     layout.grid().n_points();
-      const double guessed = part_of_load(area * excess_pressure(scene.fluid));
+      const double guessed = part_of_load(area * scene.fluid.excess_pressure());
       const double by_step = trapped ? part_of_load(trapped->uncertainty) : 0.;
       add("trapped-fluid",
           std::max(guessed, by_step),
@@ -302,12 +302,5 @@ namespace strait
       .set("validity", step.validity())
       .set("checks", checks);
     return record;
-  }
-
-  double
-  excess_pressure(const FluidParameters &fluid)
-  {
-    return fluid.is_gas ? std::abs(fluid.inlet_pressure - fluid.outlet_pressure)
-                        : std::max(fluid.inlet_pressure, fluid.outlet_pressure);
   }
 } // namespace strait

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/spectral/fftw.h>
 #include <strait/spectral/fourier_transform.h>
-
-#include <fftw3.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -9,64 +8,6 @@
 
 namespace strait
 {
-  namespace
-  {
-    /** FFTW's names for what it does with one kind of number. */
-    template <class Number>
-    struct Fftw;
-
-    template <>
-    struct Fftw<double>
-    {
-      using Complex                              = fftw_complex;
-      using Plan                                 = fftw_plan_s;
-      static constexpr auto plan_row_forward     = fftw_plan_dft_r2c_1d;
-      static constexpr auto plan_row_backward    = fftw_plan_dft_c2r_1d;
-      static constexpr auto plan_column          = fftw_plan_dft_1d;
-      static constexpr auto execute_row_forward  = fftw_execute_dft_r2c;
-      static constexpr auto execute_row_backward = fftw_execute_dft_c2r;
-      static constexpr auto execute_column       = fftw_execute_dft;
-      static constexpr auto destroy_plan         = fftw_destroy_plan;
-      static constexpr auto forget_wisdom        = fftw_forget_wisdom;
-    };
-
-    template <>
-    struct Fftw<float>
-    {
-      using Complex                              = fftwf_complex;
-      using Plan                                 = fftwf_plan_s;
-      static constexpr auto plan_row_forward     = fftwf_plan_dft_r2c_1d;
-      static constexpr auto plan_row_backward    = fftwf_plan_dft_c2r_1d;
-      static constexpr auto plan_column          = fftwf_plan_dft_1d;
-      static constexpr auto execute_row_forward  = fftwf_execute_dft_r2c;
-      static constexpr auto execute_row_backward = fftwf_execute_dft_c2r;
-      static constexpr auto execute_column       = fftwf_execute_dft;
-      static constexpr auto destroy_plan         = fftwf_destroy_plan;
-      static constexpr auto forget_wisdom        = fftwf_forget_wisdom;
-    };
-
-    // A std::vector begins at a multiple of 16 B, as FFTW's vector instructions want.
-    template <class Number>
-    typename Fftw<Number>::Complex *
-    fftw(std::complex<Number> *values)
-    {
-      return reinterpret_cast<typename Fftw<Number>::Complex *>(values);
-    }
-
-    template <class Number>
-    struct DestroyPlan
-    {
-      void
-      operator()(typename Fftw<Number>::Plan *plan) const
-      {
-        Fftw<Number>::destroy_plan(plan);
-      }
-    };
-
-    template <class Number>
-    using Plan = std::unique_ptr<typename Fftw<Number>::Plan, DestroyPlan<Number>>;
-  } // namespace
-
   template <class Number>
   struct BasicFourierTransform<Number>::Parts
   {
@@ -94,7 +35,7 @@ namespace strait
       using Library = Fftw<Number>;
       Library::forget_wisdom();
       const int nx = layout.grid().nx, ny = layout.grid().ny;
-      auto     *in = fftw(column.data()), *out = fftw(spectrum.data());
+      auto     *in = as_fftw(column.data()), *out = as_fftw(spectrum.data());
       row_forward.reset(Library::plan_row_forward(nx, row.data(), out, FFTW_ESTIMATE));
       row_backward.reset(Library::plan_row_backward(nx, out, row.data(), FFTW_ESTIMATE));
       column_forward.reset(
@@ -178,7 +119,7 @@ namespace strait
     // Messages of equal size to and from all ranks: block_width columns, of each the
     // rows of one rank.
     std::vector<Complex> of_rows, of_columns;
-    Plan<Number>         row_forward, row_backward, column_forward, column_backward;
+    FftwPlan<Number>     row_forward, row_backward, column_forward, column_backward;
   };
 
   template <class Number>
@@ -226,7 +167,7 @@ namespace strait
     std::copy_n(in + row * nx, nx, parts->row.data());
     Fftw<Number>::execute_row_forward(parts->row_forward.get(),
                                       parts->row.data(),
-                                      fftw(parts->modes_of_row(row)));
+                                      as_fftw(parts->modes_of_row(row)));
   }
 
   template <class Number>
@@ -238,7 +179,7 @@ namespace strait
     const bool        direct = parts->may_receive_a_row(to);
     Number           *result = direct ? to : parts->row.data();
     Fftw<Number>::execute_row_backward(parts->row_backward.get(),
-                                       fftw(parts->modes_of_row(row)),
+                                       as_fftw(parts->modes_of_row(row)),
                                        result);
     if (!direct)
       std::copy_n(result, nx, to);
@@ -297,8 +238,8 @@ namespace strait
         std::copy_n(parts->messages() + place, n, &parts->column[y]);
       });
     Fftw<Number>::execute_column(parts->column_forward.get(),
-                                 fftw(parts->column.data()),
-                                 fftw(spectrum));
+                                 as_fftw(parts->column.data()),
+                                 as_fftw(spectrum));
     return spectrum;
   }
 
@@ -307,8 +248,8 @@ namespace strait
   BasicFourierTransform<Number>::backward_column(const int k)
   {
     Fftw<Number>::execute_column(parts->column_backward.get(),
-                                 fftw(spectrum),
-                                 fftw(parts->column.data()));
+                                 as_fftw(spectrum),
+                                 as_fftw(parts->column.data()));
     parts->for_each_part_of_column(
       k, [&](const int y, const std::size_t place, const int n) {
         std::copy_n(&parts->column[y], n, parts->messages() + place);

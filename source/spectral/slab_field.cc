@@ -5,147 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace strait
 {
-  SlabLayout::SlabLayout(const PeriodicGrid     &grid,
-                         MPI_Comm                communicator,
-                         std::vector<ZoomWindow> windows)
-    : periodic_grid(grid)
-    , comm(communicator)
-    , zoom_windows(std::move(windows))
-  {
-    MPI_Comm_rank(comm, &my_rank);
-    int n_ranks = 1;
-    MPI_Comm_size(comm, &n_ranks);
-
-    const int n_most = (grid.ny + n_ranks - 1) / n_ranks;
-    for (int r = 0; r <= n_ranks; ++r)
-      row_starts.push_back(std::min(r * n_most, grid.ny));
-
-    starts_of_windows.push_back(n_local_points());
-    if (zoom_windows.empty())
-      own_ranges.push_back({0, n_local_points(), 1.});
-    else
-      for (int row = 0; row < n_rows(); ++row)
-        add_ranges_of_row(-1,
-                          first_row() + row,
-                          static_cast<std::size_t>(row) * grid.nx,
-                          1.);
-    for (std::size_t w = 0; w < zoom_windows.size(); ++w)
-      {
-        const ZoomWindow &window = zoom_windows[w];
-        const std::size_t begin  = starts_of_windows.back();
-        const double      area   = std::pow(9., -window.level) / n_ranks;
-        for (int row = 0; row < window.n_rows(); ++row)
-          add_ranges_of_row(static_cast<int>(w),
-                            row,
-                            begin + static_cast<std::size_t>(row) * window.n_columns(),
-                            area);
-        starts_of_windows.push_back(begin + static_cast<std::size_t>(window.n_rows()) *
-                                              window.n_columns());
-      }
-  }
-
-  void
-  SlabLayout::add_ranges_of_row(const int         window,
-                                const int         row,
-                                const std::size_t begin,
-                                const double      area)
-  {
-    const int n  = window < 0 ? periodic_grid.nx : zoom_windows[window].n_columns();
-    int       ix = 0;
-    while (ix < n)
-      {
-        while (ix < n && covered_by(window, ix, row) >= 0)
-          ++ix;
-        const int first = ix;
-        while (ix < n && covered_by(window, ix, row) < 0)
-          ++ix;
-        if (ix > first)
-          own_ranges.push_back({begin + first, begin + ix, area});
-      }
-  }
-
-  int
-  SlabLayout::covered_by(const int parent, const int ix, const int iy) const
-  {
-    for (std::size_t w = 0; w < zoom_windows.size(); ++w)
-      {
-        const ZoomWindow &window = zoom_windows[w];
-        if (window.parent != parent)
-          continue;
-        int a = ix - window.x, b = iy - window.y;
-        if (parent < 0)
-          {
-            a = (a + periodic_grid.nx) % periodic_grid.nx;
-            b = (b + periodic_grid.ny) % periodic_grid.ny;
-          }
-        if (a >= 0 && a < window.nx && b >= 0 && b < window.ny)
-          return static_cast<int>(w);
-      }
-    return -1;
-  }
-
-  int
-  SlabLayout::seam(const int w, const int axis) const
-  {
-    const ZoomWindow &window = zoom_windows[w];
-    const int         first  = axis == 0 ? window.x : window.y;
-    const int         n      = axis == 0 ? window.nx : window.ny;
-    int               covered;
-    if (window.parent >= 0)
-      {
-        const int of_parent = seam(window.parent, axis);
-        covered             = of_parent < 0 ? -1 : of_parent - first;
-      }
-    else
-      {
-        const int n_grid = axis == 0 ? periodic_grid.nx : periodic_grid.ny;
-        covered          = (n_grid - first % n_grid) % n_grid;
-      }
-    return covered >= 0 && covered < n ? 3 * covered + 1 : -1;
-  }
-
-  std::array<double, 2>
-  SlabLayout::spacing(const int w) const
-  {
-    const double factor = w < 0 ? 1. : std::pow(3., -zoom_windows[w].level);
-    return {periodic_grid.dx() * factor, periodic_grid.dy() * factor};
-  }
-
-  std::array<double, 2>
-  SlabLayout::position(const int w, const int ix, const int iy) const
-  {
-    const auto [dx, dy] = spacing(w);
-    if (w < 0)
-      return {ix * dx, iy * dy};
-    const ZoomWindow &window = zoom_windows[w];
-    const auto [x, y]        = position(window.parent, window.x, window.y);
-    return {x + (ix - 1) * dx, y + (iy - 1) * dy};
-  }
-
-  int
-  SlabLayout::owner_of_row(const int row) const
-  {
-    const auto next = std::upper_bound(row_starts.begin(), row_starts.end(), row);
-    return static_cast<int>(next - row_starts.begin()) - 1;
-  }
-
-  SlabLayoutPtr
-  make_layout(const PeriodicGrid &grid, MPI_Comm communicator)
-  {
-    return std::make_shared<const SlabLayout>(grid, communicator);
-  }
-
-  SlabLayoutPtr
-  with_windows(const SlabLayout &layout, std::vector<ZoomWindow> windows)
-  {
-    return std::make_shared<const SlabLayout>(layout.grid(),
-                                              layout.communicator(),
-                                              std::move(windows));
-  }
-
   namespace
   {
     /** Mean over the box of what @p function makes of the values. Collective. */
@@ -283,6 +146,48 @@ namespace strait
   fetch_rows(const SlabLayout &, const double *, int, const std::vector<int> &);
   template std::vector<float>
   fetch_rows(const SlabLayout &, const float *, int, const std::vector<int> &);
+
+  void
+  add_rows(const SlabLayout          &layout,
+           const std::vector<int>    &rows,
+           const std::vector<double> &values,
+           double                    *local_rows)
+  {
+    const int           n_ranks = layout.n_ranks(), nx = layout.grid().nx;
+    std::vector<int>    sent(n_ranks), received(n_ranks), from(n_ranks), to(n_ranks);
+    std::vector<double> outgoing; // each row behind its number
+    for (int rank = 0; rank < n_ranks; ++rank)
+      {
+        to[rank] = static_cast<int>(outgoing.size());
+        for (std::size_t k = 0; k < rows.size(); ++k)
+          if (const int row = rows[k] % layout.grid().ny;
+              layout.owner_of_row(row) == rank)
+            {
+              outgoing.push_back(row);
+              outgoing.insert(outgoing.end(), &values[k * nx], &values[k * nx] + nx);
+            }
+        sent[rank] = static_cast<int>(outgoing.size()) - to[rank];
+      }
+    MPI_Comm comm = layout.communicator();
+    MPI_Alltoall(sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, comm);
+    std::partial_sum(received.begin(), received.end() - 1, from.begin() + 1);
+    std::vector<double> incoming(from.back() + received.back());
+    MPI_Alltoallv(outgoing.data(),
+                  sent.data(),
+                  to.data(),
+                  MPI_DOUBLE,
+                  incoming.data(),
+                  received.data(),
+                  from.data(),
+                  MPI_DOUBLE,
+                  comm);
+    for (std::size_t at = 0; at < incoming.size(); at += nx + 1)
+      {
+        const auto row = static_cast<std::size_t>(incoming[at]) - layout.first_row();
+        for (int i = 0; i < nx; ++i)
+          local_rows[row * nx + i] += incoming[at + 1 + i];
+      }
+  }
 
   std::vector<double>
   gather_on_root(const SlabField &field)

@@ -4,7 +4,6 @@
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/file_surface.h>
 #include <strait/surface/map_processing.h>
-#include <strait/surface/scene_text.h>
 
 #include <cmath>
 #include <complex>

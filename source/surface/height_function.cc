@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
 #include <strait/surface/height_function.h>
-#include <strait/surface/scene_text.h>
 
 #include <muParser.h>
 

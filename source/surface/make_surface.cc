@@ -5,7 +5,6 @@
 #include <strait/surface/file_surface.h>
 #include <strait/surface/height_function.h>
 #include <strait/surface/make_surface.h>
-#include <strait/surface/scene_text.h>
 #include <strait/surface/self_affine_surface.h>
 
 #include <cmath>
@@ -47,22 +46,22 @@ namespace strait
       std::string    expression;
     };
 
-    /** Valleys for peaks: −h of another surface. */
-    class InvertedSurface : public Surface
+    /** What is made of the heights of another surface. */
+    class ChangedSurface : public Surface
     {
     public:
-      explicit InvertedSurface(std::unique_ptr<const Surface> surface)
+      using Change = SlabField (*)(const Surface &, const SlabLayoutPtr &);
+
+      ChangedSurface(std::unique_ptr<const Surface> surface, const Change change_)
         : original(std::move(surface))
+        , change(change_)
       {
       }
 
       SlabField
       heights(const SlabLayoutPtr &layout) const override
       {
-        SlabField field = original->heights(layout);
-        for (double &height : field)
-          height = -height;
-        return field;
+        return change(*original, layout);
       }
 
       Remarks
@@ -73,7 +72,18 @@ namespace strait
 
     private:
       std::unique_ptr<const Surface> original;
+      Change                         change;
     };
+
+    /** Valleys for peaks: −h. */
+    SlabField
+    inverted(const Surface &original, const SlabLayoutPtr &layout)
+    {
+      SlabField field = original.heights(layout);
+      for (double &height : field)
+        height = -height;
+      return field;
+    }
 
     /**
      * The columns of @p field that have the numbers of this rank's rows in
@@ -115,46 +125,26 @@ namespace strait
     }
 
     /**
-     * Another surface turned by 90° about the origin, counter-clockwise:
-     * h(x, y) = h_original(y, −x). The original lives in the box ly × lx.
+     * Turned by 90° about the origin, counter-clockwise: h(x, y) = h_original(y, −x). The
+     * original lives in the box ly × lx.
      */
-    class RotatedSurface : public Surface
+    SlabField
+    rotated(const Surface &original, const SlabLayoutPtr &layout)
     {
-    public:
-      explicit RotatedSurface(std::unique_ptr<const Surface> surface)
-        : original(std::move(surface))
-      {
-      }
-
-      SlabField
-      heights(const SlabLayoutPtr &layout) const override
-      {
-        const PeriodicGrid &grid   = layout->grid();
-        const SlabField     before = original->heights(
-          make_layout({grid.ny, grid.nx, grid.ly, grid.lx}, layout->communicator()));
-        const std::vector<double> columns = fetch_columns(before, *layout);
-        const int                 n_rows  = layout->n_rows();
-
-        SlabField after(layout);
-        for (int row = 0; row < n_rows; ++row)
-          for (int ix = 0; ix < grid.nx; ++ix)
-            {
-              const int iy_before = (grid.nx - ix) % grid.nx; // −x in the periodic box
-              after(ix, row) =
-                columns[static_cast<std::size_t>(iy_before) * n_rows + row];
-            }
-        return after;
-      }
-
-      Remarks
-      remarks() const override
-      {
-        return original->remarks();
-      }
-
-    private:
-      std::unique_ptr<const Surface> original;
-    };
+      const PeriodicGrid &grid   = layout->grid();
+      const SlabField     before = original.heights(
+        make_layout({grid.ny, grid.nx, grid.ly, grid.lx}, layout->communicator()));
+      const std::vector<double> columns = fetch_columns(before, *layout);
+      const int                 n_rows  = layout->n_rows();
+      SlabField                 after(layout);
+      for (int row = 0; row < n_rows; ++row)
+        for (int ix = 0; ix < grid.nx; ++ix)
+          {
+            const int iy_before = (grid.nx - ix) % grid.nx; // −x in the periodic box
+            after(ix, row) = columns[static_cast<std::size_t>(iy_before) * n_rows + row];
+          }
+      return after;
+    }
 
     /**
      * Two rough bodies face to face: the second one, seen from its own side, is
@@ -233,9 +223,9 @@ namespace strait
 
     std::unique_ptr<const Surface> surface = make_original(before_rotation, communicator);
     if (parameters.invert)
-      surface = std::make_unique<InvertedSurface>(std::move(surface));
+      surface = std::make_unique<ChangedSurface>(std::move(surface), inverted);
     if (parameters.rotate)
-      surface = std::make_unique<RotatedSurface>(std::move(surface));
+      surface = std::make_unique<ChangedSurface>(std::move(surface), rotated);
     return surface;
   }
 } // namespace strait

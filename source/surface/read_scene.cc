@@ -2,7 +2,6 @@
 #include <strait/base/collective.h>
 #include <strait/surface/map_processing.h>
 #include <strait/surface/read_scene.h>
-#include <strait/surface/scene_text.h>
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
 #include <strait/surface/resolution.h>
-#include <strait/surface/scene_text.h>
 
 #include <algorithm>
 #include <cmath>

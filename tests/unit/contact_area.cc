@@ -32,4 +32,17 @@ namespace
     EXPECT_EQ(contact_area(SlabField(layout, 1.)).fraction, 1.);
     EXPECT_EQ(contact_area(SlabField(layout, 1.)).corrected_fraction, 1.);
   }
+
+  TEST(ContactArea, LatticePerimeterOfADisc)
+  {
+    // The lattice perimeter of a large disc is 4/π times its own.
+    const double      radius = 100.25;
+    const SlabField   p      = sampled({256, 256, 256., 256.}, [=](double x, double y) {
+      return std::hypot(x - 128, y - 128) <= radius ? 1. : 0.;
+    });
+    const ContactArea area   = contact_area(p);
+    // Points in a disc: Gauss's circle problem.
+    EXPECT_NEAR(area.fraction * 65536 / (M_PI * radius * radius), 1., 1e-3);
+    EXPECT_NEAR((area.fraction - area.corrected_fraction) * 65536, .118 * 8 * radius, 1.);
+  }
 } // namespace

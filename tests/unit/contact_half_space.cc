@@ -33,7 +33,7 @@ namespace
           product += p[i] * u[i] / static_cast<double>(grid.n_points());
         EXPECT_LT(largest_difference(u, expected), 1e-14 * max_value(expected) * 10);
         EXPECT_NEAR(work, sum(MPI_COMM_WORLD, product), 1e-13 * work);
-        EXPECT_EQ(half_space.n_fft_pairs(), 1);
+        EXPECT_EQ(half_space.n_pairs(), 1);
       }
   }
 

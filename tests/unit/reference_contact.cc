@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/reference/hertz.h>
-#include <strait/reference/wavy_contact.h>
-
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "reference/hertz.h"
+#include "reference/wavy_contact.h"
 
 namespace
 {
@@ -131,26 +131,5 @@ namespace
   {
     EXPECT_NEAR(square_saddle::full_pressure(0.5, 2., 3.), 1.5 * pi, 1e-14);
     EXPECT_NEAR(square_saddle::curvature_radius(0.5, 2.), 0.035823 * 8, 5e-6);
-  }
-
-  TEST(WavyContact, CorrectedAreaOfADiscConverges)
-  {
-    // The lattice perimeter of a large disc is 4/π times its own.
-    const double radius = 100.25;
-    int          area = 0, perimeter = 0;
-    const auto   inside = [radius](const int x, const int y) {
-      return x * x + y * y <= radius * radius;
-    };
-    for (int y = -102; y <= 102; ++y)
-      for (int x = -102; x <= 102; ++x)
-        {
-          area += inside(x, y) ? 1 : 0;
-          perimeter += inside(x, y) != inside(x + 1, y) ? 1 : 0;
-          perimeter += inside(x, y) != inside(x, y + 1) ? 1 : 0;
-        }
-    EXPECT_NEAR(perimeter, 8 * radius, 8);
-    EXPECT_NEAR(corrected_contact_area(area, perimeter, 1.),
-                area - 0.118 * perimeter,
-                0.1);
   }
 } // namespace

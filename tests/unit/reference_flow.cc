@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/reference/manufactured_flow.h>
-#include <strait/reference/plate_flow.h>
-
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "reference/manufactured_flow.h"
+#include "reference/plate_flow.h"
 
 namespace
 {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A parabola in a box of 16 contact radii, in which its periodic images are felt
 // at the level of (a/L)³ = 2.4e-4.
-#include <strait/reference/hertz.h>
-
 #include <gtest/gtest.h>
 
 #include "../unit/contact_tools.h"
+#include "reference/hertz.h"
 
 namespace
 {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The isolated constriction h = 2 + cos 2πx + cos 2πy.
-#include <strait/reference/wavy_contact.h>
-
 #include <gtest/gtest.h>
 
 #include "../unit/contact_tools.h"
+#include "reference/wavy_contact.h"
 
 namespace
 {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The wave h = cos 2πx, on a grid that is thin in y.
-#include <strait/reference/wavy_contact.h>
-
 #include <gtest/gtest.h>
 
 #include "../unit/contact_tools.h"
+#include "reference/wavy_contact.h"
 
 namespace
 {

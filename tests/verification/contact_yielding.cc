@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Contact that flows at the hardness: a sphere, a rough surface, and what they remember.
 #include <strait/base/exceptions.h>
-#include <strait/reference/hertz.h>
 #include <strait/surface/self_affine_surface.h>
 
 #include <gtest/gtest.h>
 
 #include "../unit/contact_tools.h"
+#include "reference/hertz.h"
 
 namespace
 {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Leak rates of gaps whose effective conductivity is known in closed form.
-#include <strait/reference/plate_flow.h>
-
 #include <gtest/gtest.h>
 
 #include "flow_fixture.h"
+#include "reference/plate_flow.h"
 
 namespace strait
 {

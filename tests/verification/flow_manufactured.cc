@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Orders of convergence of the pressure with a manufactured source.
-#include <strait/reference/manufactured_flow.h>
-
 #include <deal.II/base/function_lib.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/vector_tools.h>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "flow_fixture.h"
+#include "reference/manufactured_flow.h"
 
 namespace strait
 {

@@ -3,7 +3,6 @@
 // the middle of the box.
 #include <strait/base/scene.h>
 #include <strait/contact/contact_solver.h>
-#include <strait/reference/pressed_wall.h>
 #include <strait/seal/make_seal.h>
 
 #include <gtest/gtest.h>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "reference/pressed_wall.h"
 #include "run_fixture.h"
 
 namespace strait

@@ -2,13 +2,12 @@
 // Fluid flows along the valleys of a wave that it presses apart (Shvarts and Yastrebov,
 // Tribol. Int. 126, 2018): in a long channel each section is Westergaard's contact under
 // what the fluid's pressure there leaves of the load.
-#include <strait/reference/wavy_contact.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 
+#include "reference/wavy_contact.h"
 #include "run_fixture.h"
 
 namespace strait

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Fluid that a contact cuts off from its reservoirs keeps its mass.
-#include <strait/reference/trapped_wave.h>
-#include <strait/reference/wavy_contact.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
+#include "reference/trapped_wave.h"
+#include "reference/wavy_contact.h"
 #include "run_fixture.h"
 
 namespace strait

@@ -95,6 +95,13 @@ namespace strait
 
     void bind(ParameterSection section);
 
+    /** Whether loads are prescribed, rather than mean gaps. */
+    bool
+    loads() const
+    {
+      return control == ContactControl::load;
+    }
+
     /** Whether the contact flows. */
     bool
     yields() const

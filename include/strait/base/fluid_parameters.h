@@ -2,12 +2,15 @@
 #ifndef strait_base_fluid_parameters_h
 #define strait_base_fluid_parameters_h
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 namespace strait
 {
   class ParameterSection;
+  struct LeakRateUnit;
   struct UnitParameters;
 
   /** How the next fluid pressure is guessed from those before. */
@@ -134,6 +137,18 @@ namespace strait
       return .5 * (inlet_pressure + outlet_pressure);
     }
 
+    /**
+     * The largest pressure of the fluid above that outside of the seal [pressure]: of a
+     * liquid, whose pressures count from there, the larger one of the two reservoirs; of
+     * a gas, whose pressures are absolute, the difference of the two.
+     */
+    double
+    excess_pressure() const
+    {
+      return is_gas ? std::abs(inlet_pressure - outlet_pressure)
+                    : std::max(inlet_pressure, outlet_pressure);
+    }
+
     void bind(ParameterSection section);
 
     /**
@@ -147,6 +162,16 @@ namespace strait
   private:
     void check_rarefaction() const;
   };
+
+  /**
+   * What a leak rate in the scene's units is in @p unit. A throughput is that rate
+   * times the mean of the two pressures: exact for an ideal gas at one temperature
+   * in viscous flow, because ∫ K p dp = K (p_in² − p_out²)/2.
+   */
+  double in_trade_unit(double                 leak_rate,
+                       const LeakRateUnit    &unit,
+                       const UnitParameters  &units,
+                       const FluidParameters &fluid);
 } // namespace strait
 
 #endif

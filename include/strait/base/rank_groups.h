@@ -21,27 +21,6 @@ namespace strait
     RankGroups(const RankGroups &)            = delete;
     RankGroups &operator=(const RankGroups &) = delete;
 
-    /** How many groups there are. */
-    int
-    number() const
-    {
-      return n_groups;
-    }
-
-    /** The group of this rank. */
-    int
-    mine() const
-    {
-      return my_group;
-    }
-
-    /** Of this rank's group. */
-    MPI_Comm
-    communicator() const
-    {
-      return comm;
-    }
-
     /** The first rank of group @p group. */
     int
     root_of(const int group) const
@@ -49,11 +28,12 @@ namespace strait
       return group * n_each;
     }
 
+    int      number = 1;             // of groups
+    int      mine   = 0;             // the group of this rank
+    MPI_Comm comm   = MPI_COMM_NULL; // of this rank's group
+
   private:
-    int      n_each   = 1;
-    int      n_groups = 1;
-    int      my_group = 0;
-    MPI_Comm comm     = MPI_COMM_NULL;
+    int n_each = 1;
   };
 } // namespace strait
 

@@ -105,6 +105,16 @@ namespace strait
     /** Throws InputError where the values contradict each other. */
     void check() const;
   };
+
+  /** @p value with nine significant digits, as one would write it in a scene. */
+  std::string scene_number(double value);
+
+  /**
+   * "along_x, along_y", the values that a scene must give for a surface as it
+   * is before the rotation that @p parameters ask for.
+   */
+  std::string
+  scene_pair(const SurfaceParameters &parameters, double along_x, double along_y);
 } // namespace strait
 
 #endif

@@ -87,6 +87,17 @@ namespace strait
   /** A number with all its digits, as it is written to tables. */
   std::string full_precision(double value);
 
+  /** What makes values of columns of members of @p part, itself a member of a row or a
+   *  function of it, or of functions of that. */
+  template <typename Part>
+  auto
+  values_of(Part part)
+  {
+    return [part](auto member) {
+      return [=](const auto &row) { return std::invoke(member, std::invoke(part, row)); };
+    };
+  }
+
   /** A table whose columns take their entries from a @p Row. */
   template <typename Row>
   class Table : public TableFile

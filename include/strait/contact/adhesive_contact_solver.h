@@ -53,7 +53,6 @@ namespace strait
     }
 
   private:
-    bool                          loads() const;
     std::unique_ptr<GapOptimiser> make_optimiser(double target, RelaxationObserver);
     void                          check(double target, const ContactState *from) const;
     SlabField                     first_gap(double target) const;

@@ -60,7 +60,6 @@ namespace strait
     /** What is to carry the load @p target or to keep the mean gap @p target: the
      *  load without the fluid's share, and the mean gap itself. */
     double            share_of_solid(double target) const;
-    bool              loads() const;
     ContactConstraint constraint_for(double target) const;
     ContactTolerance  tolerance_for(double target) const;
     void              check(double target) const;

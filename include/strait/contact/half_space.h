@@ -39,8 +39,10 @@ namespace strait
    * points away from the substrate.
    */
   template <class Number>
-  class BasicHalfSpace
+  class BasicHalfSpace : private BasicFourierTransform<Number>
   {
+    using Transform = BasicFourierTransform<Number>;
+
   public:
     /** @p contact_modulus is E* > 0. Collective. */
     BasicHalfSpace(const SlabLayoutPtr &layout, double contact_modulus);
@@ -63,48 +65,15 @@ namespace strait
                  const std::function<void(int)>         &before,
                  const std::function<void(int, double)> &after);
 
-    /** Room for one value a local grid point, valid until the next apply(). */
-    Number *
-    scratch()
-    {
-      return transform.scratch();
-    }
-
-    /** Free what lies in scratch(), until that is needed again. */
-    void
-    release()
-    {
-      transform.release();
-    }
-
-    long
-    n_fft_pairs() const
-    {
-      return transform.n_pairs();
-    }
-
-    double
-    contact_modulus() const
-    {
-      return modulus;
-    }
-
-    const SlabLayout &
-    layout() const
-    {
-      return transform.layout();
-    }
-
-    /** Bytes on this rank. */
-    std::size_t
-    memory_consumption() const
-    {
-      return transform.memory_consumption();
-    }
+    // Of the transform: room for one value a local grid point that lasts until the next
+    // apply(), to free that, how many FFT pairs there were, and bytes on this rank.
+    using Transform::memory_consumption;
+    using Transform::n_pairs;
+    using Transform::release;
+    using Transform::scratch;
 
   private:
-    BasicFourierTransform<Number> transform;
-    double                        modulus;
+    double modulus;
   };
 
   /** In double precision. */

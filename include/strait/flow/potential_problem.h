@@ -46,14 +46,12 @@ namespace strait
     using Source   = std::function<double(const dealii::Point<2> &)>;
     using Iterator = dealii::DoFHandler<2>::active_cell_iterator;
 
-    /** With the conductivity or the resistivity, as it fits the kind. */
-    PotentialProblem(Kind kind, FlowMesh &mesh, const MomentSet &set);
-
-    /** With another coefficient. */
-    PotentialProblem(Kind                  kind,
-                     FlowMesh             &mesh,
-                     const MomentSet      &set,
-                     GapField::Coefficient coefficient);
+    /** With the conductivity or the resistivity, as it fits the kind, unless another
+     *  @p coefficient is given. */
+    PotentialProblem(Kind                                 kind,
+                     FlowMesh                            &mesh,
+                     const MomentSet                     &set,
+                     std::optional<GapField::Coefficient> coefficient = {});
 
     /** Number the unknowns of the current mesh, unless that was done, and make room
      *  for the matrix. The solution on the same mesh, or that interpolated from the mesh
@@ -183,7 +181,7 @@ namespace strait
 
   private:
     void number_unknowns();
-    void take_solution_of_coarser_mesh();
+    void complete_solution();
     void make_constraints();
 
     /** Whether a constant may be added to the potential. */

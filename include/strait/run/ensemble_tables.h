@@ -6,6 +6,7 @@
 #include <strait/base/table.h>
 
 #include <string>
+#include <vector>
 
 /** The tables of realisations and of the seal that they are patches of. */
 namespace strait
@@ -53,6 +54,11 @@ namespace strait
 
   /** ensemble_summary.csv: means and scatter over these. */
   Table<ScatterRow> ensemble_summary_table(const Scene &scene);
+
+  /** Its rows: mean and standard deviation of what @p scene looks for, over
+   *  @p realisations. */
+  std::vector<ScatterRow> scatter_of(const std::vector<RealisationRow> &realisations,
+                                     const Scene                       &scene);
 
   /** seal.csv: leak rate of the whole seal. */
   Table<SealRow> seal_table(const Scene &scene);

@@ -40,30 +40,8 @@ namespace strait
       return left;
     }
 
-    /** Whether the searches that precede the steps are done. */
-    bool
-    has_searched() const
-    {
-      return searched;
-    }
-    void
-    note_searched()
-    {
-      searched = true;
-    }
-
-    /** Of the adhesion in the run that is resumed; 0 if it is not known yet. */
-    double
-    surface_energy() const
-    {
-      return adhesion_energy;
-    }
-    /** Note what the run uses, for later parts of it. */
-    void
-    note_surface_energy(const double energy)
-    {
-      adhesion_energy = energy;
-    }
+    bool   has_searched   = false; // the searches that precede the steps are done
+    double surface_energy = 0.;    // of the adhesion; 0 if it is not known yet
 
     /** Note the surface. Throws InputError if it is not that of the run that is
      *  resumed. Collective. */
@@ -73,7 +51,7 @@ namespace strait
     void restore(LoadSweep &sweep, OutputDirectory &output, Log &log);
 
     /** Collective. Throws ComputationError if the disk is full. */
-    void save(LoadSweep &sweep, OutputDirectory &output, Log &log) const;
+    void save(LoadSweep &sweep, OutputDirectory &output, Log &log);
 
     /** Replace the checkpoint by a mark that all is done. Collective. */
     void save_end(const RunSummary &summary) const;
@@ -85,10 +63,9 @@ namespace strait
     MPI_Comm                      comm;
     std::string                   path;
     std::unique_ptr<StateArchive> archive; // of the run that is resumed
-    bool                          finished = false, searched = false;
+    bool                          finished = false;
     RunSummary                    left;
     std::vector<double>           surface; // smallest, largest and rms height
-    double                        adhesion_energy = 0.;
   };
 } // namespace strait
 

@@ -3,11 +3,14 @@
 #define strait_run_step_h
 
 #include <strait/base/text.h>
+#include <strait/percolation/bottleneck.h>
 #include <strait/run/theory_prediction.h>
 #include <strait/seal/seal_state.h>
 #include <strait/seal/step_flow.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -96,6 +99,16 @@ namespace strait
         if (!check.holds())
           words.push_back(check.word);
       return words.empty() ? "ok" : join(words, "+");
+    }
+
+    /** Where the path of least resistance is narrowest; not numbers if there is none. */
+    std::array<double, 2>
+    place_of_bottleneck() const
+    {
+      const std::vector<FlowPath> &paths = flow->channel.paths;
+      if (paths.empty())
+        return {std::nan(""), std::nan("")};
+      return position_of(state.gap().layout(), paths.front().bottleneck);
     }
 
     /** Whether all solvers reached what was asked of them. */

@@ -18,13 +18,6 @@ namespace strait
 
   /** All checks of a step, with their numbers, for run.json. */
   Json validity_record(const Step &step);
-
-  /**
-   * The largest pressure of the fluid above that outside of the seal [pressure]: of a
-   * liquid, whose pressures count from there, the larger one of the two reservoirs; of a
-   * gas, whose pressures are absolute, the difference of the two.
-   */
-  double excess_pressure(const FluidParameters &fluid);
 } // namespace strait
 
 #endif

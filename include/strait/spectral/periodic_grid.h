@@ -2,6 +2,7 @@
 #ifndef strait_spectral_periodic_grid_h
 #define strait_spectral_periodic_grid_h
 
+#include <cmath>
 #include <cstdint>
 
 namespace strait
@@ -28,6 +29,13 @@ namespace strait
     dy() const
     {
       return ly / ny;
+    }
+
+    /** √(lx ly), the side of a square of this area. */
+    double
+    mean_side() const
+    {
+      return std::sqrt(lx * ly);
     }
 
     std::int64_t

@@ -2,192 +2,13 @@
 #ifndef strait_spectral_slab_field_h
 #define strait_spectral_slab_field_h
 
-#include <strait/spectral/periodic_grid.h>
-#include <strait/spectral/zoom_window.h>
+#include <strait/spectral/slab_layout.h>
 
-#include <mpi.h>
-
-#include <array>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace strait
 {
-  /**
-   * How the rows (constant y) of a periodic grid are dealt out to the ranks:
-   * contiguous blocks that ascend with the rank, all of the same number of rows but
-   * the last ones, which have fewer or none. There may be windows of finer points as
-   * well, which all ranks hold.
-   */
-  class SlabLayout
-  {
-  public:
-    /** Windows come after their parents. */
-    SlabLayout(const PeriodicGrid     &grid,
-               MPI_Comm                communicator,
-               std::vector<ZoomWindow> windows = {});
-
-    const PeriodicGrid &
-    grid() const
-    {
-      return periodic_grid;
-    }
-
-    MPI_Comm
-    communicator() const
-    {
-      return comm;
-    }
-
-    int
-    rank() const
-    {
-      return my_rank;
-    }
-
-    int
-    n_ranks() const
-    {
-      return static_cast<int>(row_starts.size()) - 1;
-    }
-
-    /** First row of this rank, and how many it has. */
-    int
-    first_row() const
-    {
-      return row_starts[my_rank];
-    }
-
-    int
-    n_rows() const
-    {
-      return row_starts[my_rank + 1] - row_starts[my_rank];
-    }
-
-    /** First row of @p rank; of the number of ranks, the number of rows. */
-    int
-    first_row_of(const int rank) const
-    {
-      return row_starts[rank];
-    }
-
-    /** Number of grid points of this rank, without windows. */
-    std::size_t
-    n_local_points() const
-    {
-      return static_cast<std::size_t>(n_rows()) * periodic_grid.nx;
-    }
-
-    /** The windows of finer points, each after its parent. */
-    const std::vector<ZoomWindow> &
-    windows() const
-    {
-      return zoom_windows;
-    }
-
-    /** Number of values of a field on this rank: those at its grid points, then those of
-     *  each window, row by row. */
-    std::size_t
-    n_values() const
-    {
-      return starts_of_windows.back();
-    }
-
-    /** Position of the first value of window @p w among those of this rank; for the
-     *  number of windows, n_values(). */
-    std::size_t
-    start_of_window(const int w) const
-    {
-      return starts_of_windows[w];
-    }
-
-    /** Spacing of the points of window @p w, −1 for the grid, in x and y. */
-    std::array<double, 2> spacing(int w) const;
-
-    /** Where point (@p ix, @p iy) of window @p w, −1 for the grid, lies; within the box
-     *  unless the window crosses the seam. */
-    std::array<double, 2> position(int w, int ix, int iy) const;
-
-    /** Call visit(k_parent, k_window) with the positions of the values of both for each
-     *  point of this rank that window @p w covers. */
-    template <class Visit>
-    void for_each_covered(int w, const Visit &visit) const;
-
-    /** The window that covers point (@p ix, @p iy) of window (or grid) @p parent, or −1.
-     */
-    int covered_by(int parent, int ix, int iy) const;
-
-    /** The column (@p axis 0) or row (1) of window @p w on the first one of the grid,
-     * where the seam is; −1 if it covers no point there. */
-    int seam(int w, int axis) const;
-
-    /** A range of values at points that no finer ones cover: begin <= k < end. */
-    struct Range
-    {
-      std::size_t begin;
-      std::size_t end;
-      double      area; // that a point stands for here, over that of a grid point
-    };
-
-    /**
-     * The ranges that together stand for the whole box, once over all ranks: of a window,
-     * which all ranks hold, each stands for its share of the area.
-     */
-    const std::vector<Range> &
-    ranges() const
-    {
-      return own_ranges;
-    }
-
-    /** The rank that owns row @p row, 0 <= row < ny. */
-    int owner_of_row(int row) const;
-
-  private:
-    void add_ranges_of_row(int window, int row, std::size_t begin, double area);
-
-    PeriodicGrid             periodic_grid;
-    MPI_Comm                 comm;
-    int                      my_rank = 0;
-    std::vector<int>         row_starts;
-    std::vector<ZoomWindow>  zoom_windows;
-    std::vector<std::size_t> starts_of_windows;
-    std::vector<Range>       own_ranges;
-  };
-
-  template <class Visit>
-  void
-  SlabLayout::for_each_covered(const int w, const Visit &visit) const
-  {
-    const ZoomWindow &window  = zoom_windows[w];
-    const bool        on_grid = window.parent < 0;
-    const int         nx = periodic_grid.nx, ny = periodic_grid.ny;
-    const int         n_parent = on_grid ? nx : zoom_windows[window.parent].n_columns();
-    for (int b = 0; b < window.ny; ++b)
-      {
-        const int row = on_grid ? (window.y + b + ny) % ny - first_row() : window.y + b;
-        if (on_grid && (row < 0 || row >= n_rows()))
-          continue;
-        const std::size_t parent_row = (on_grid ? 0 : starts_of_windows[window.parent]) +
-                                       static_cast<std::size_t>(row) * n_parent;
-        const std::size_t window_row =
-          starts_of_windows[w] +
-          static_cast<std::size_t>(3 * b + 1) * window.n_columns() + 1;
-        for (int a = 0; a < window.nx; ++a)
-          visit(parent_row + (on_grid ? (window.x + a + nx) % nx : window.x + a),
-                window_row + 3 * a);
-      }
-  }
-
-  /** Layouts are shared by the fields that use them. */
-  using SlabLayoutPtr = std::shared_ptr<const SlabLayout>;
-
-  /** The layout of @p grid on the ranks of @p communicator. */
-  SlabLayoutPtr make_layout(const PeriodicGrid &grid, MPI_Comm communicator);
-
-  /** The layout of the grid of @p layout with @p windows in place of its own. */
-  SlabLayoutPtr with_windows(const SlabLayout &layout, std::vector<ZoomWindow> windows);
-
   /**
    * One real number per grid point, in slabs: this rank holds its rows one
    * after the other, x fastest, without padding. The values of the layout's windows
@@ -327,6 +148,13 @@ namespace strait
                                  const Number           *local_rows,
                                  int                     row_length,
                                  const std::vector<int> &rows);
+
+  /** The adjoint: add row k of @p values to the row rows[k], which is not negative, of
+   * the rank that owns it, one rank after the other. Collective. */
+  void add_rows(const SlabLayout          &layout,
+                const std::vector<int>    &rows,
+                const std::vector<double> &values,
+                double                    *local_rows);
 
   /** Collective: the whole grid of a field on rank 0 (empty elsewhere), row by row. */
   std::vector<double> gather_on_root(const SlabField &field);

@@ -47,6 +47,14 @@ namespace strait
     /** A yes or no. */
     void value(bool &flag);
 
+    /** Several of all these, one after the other. */
+    template <typename... Values>
+    void
+    values(Values &...several)
+    {
+      (value(several), ...);
+    }
+
     /** A field on the grid of @p layout, which may be empty(), with its windows. */
     void field(SlabField &values, const SlabLayoutPtr &layout);
 

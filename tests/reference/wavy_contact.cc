@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/reference/wavy_contact.h>
+#include "wavy_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,11 +98,4 @@ namespace strait::reference
       return wavelength * wavelength / (2 * std::sqrt(2.) * pi * pi * amplitude);
     }
   } // namespace square_saddle
-
-  double
-  corrected_contact_area(const double area, const double perimeter, const double spacing)
-  {
-    const double beta = (pi - 1 + std::log(2.)) / 24;
-    return area - beta * perimeter * spacing;
-  }
 } // namespace strait::reference

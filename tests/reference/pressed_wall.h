@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_reference_pressed_wall_h
-#define strait_reference_pressed_wall_h
+#ifndef strait_tests_reference_pressed_wall_h
+#define strait_tests_reference_pressed_wall_h
 
 namespace strait
 {

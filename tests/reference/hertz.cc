@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/reference/hertz.h>
+#include "hertz.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/reference/pressed_wall.h>
+#include "pressed_wall.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/reference/plate_flow.h>
+#include "plate_flow.h"
 
 #include <cmath>
 

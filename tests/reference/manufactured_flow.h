@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_reference_manufactured_flow_h
-#define strait_reference_manufactured_flow_h
+#ifndef strait_tests_reference_manufactured_flow_h
+#define strait_tests_reference_manufactured_flow_h
 
 #include <array>
 

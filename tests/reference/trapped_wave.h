@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_reference_trapped_wave_h
-#define strait_reference_trapped_wave_h
+#ifndef strait_tests_reference_trapped_wave_h
+#define strait_tests_reference_trapped_wave_h
 
 namespace strait::reference
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_reference_wavy_contact_h
-#define strait_reference_wavy_contact_h
+#ifndef strait_tests_reference_wavy_contact_h
+#define strait_tests_reference_wavy_contact_h
 
 namespace strait::reference
 {
@@ -57,21 +57,7 @@ namespace strait::reference
 
     /** Rc of 1/Rc² = ½ Σ (qx⁴ + qy⁴) |h~|²: λ²/(2√2 π² Δ). */
     double curvature_radius(double amplitude, double wavelength);
-
-    /**
-     * Load over p* at which the last channel closes; computed, with an error
-     * of 2e-5.
-     */
-    inline constexpr double critical_load = 0.228605;
   } // namespace square_saddle
-
-  /**
-   * The contact area of the continuum from that of a grid, A − 0.118 S a, where
-   * S is the length of the contact line on the lattice (that is, the number of
-   * neighbouring pairs of points of which one is in contact, times a) and a the
-   * grid spacing: (π − 1 + ln 2)/24 = 0.118 (Yastrebov, Anciaux, Molinari 2017).
-   */
-  double corrected_contact_area(double area, double perimeter, double spacing);
 } // namespace strait::reference
 
 #endif
