@@ -118,8 +118,9 @@ namespace strait
     bool
     has_checkpoint(const Scene &scene, MPI_Comm comm)
     {
+      std::error_code   none; // what cannot be looked at is none
       const std::string path = scene.output.directory + "/checkpoint";
-      return maximum(comm, std::filesystem::exists(path) ? 1. : 0.) > 0;
+      return maximum(comm, std::filesystem::exists(path, none) ? 1. : 0.) > 0;
     }
 
     /** What is to be told of a realisation that was run. */

@@ -253,8 +253,9 @@ namespace strait
       .add(of_fluid(&FluidState::load),
            "fluid_load [pressure]: mean fluid pressure over the nominal area, part of "
            "`pressure`")
-      .add(of_fluid(&FluidState::rounds),
-           "feedback_iterations [1]: rounds of contact and flow")
+      .add(
+        of_fluid(&FluidState::rounds),
+        "feedback_iterations [1]: rounds of contact and flow, in all parts of a halved step")
       .when({"with `Trapped fluid` other than `drained`",
              scene.fluid.feedback.enabled &&
                scene.fluid.feedback.trapped_fluid != TrappedFluidLaw::drained})
