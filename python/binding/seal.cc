@@ -115,8 +115,8 @@ namespace strait::python
     {
       // Loads are searched on request, and what is left over by the solver must never
       // decide.
-      scene.programme.find_threshold = scene.contact.enabled && scene.fluid.enabled &&
-                                       scene.contact.control == ContactControl::load;
+      scene.programme.find_threshold =
+        scene.contact.enabled && scene.fluid.enabled && scene.contact.loads();
       {
         const Computing computing;
         SlabField       heights;

@@ -33,8 +33,7 @@ namespace strait
   bool
   FluidOnWall::is_limited_by_load() const
   {
-    return scene.contact.control == ContactControl::load &&
-           !scene.contact.adhesion.enabled;
+    return scene.contact.loads() && !scene.contact.adhesion.enabled;
   }
 
   SlabField
