@@ -50,7 +50,11 @@ namespace strait
     const int        nx = layout->grid().nx, n_rows = layout->n_rows();
     const RowsAround rows(flow_gap);
 
+    // Strong springs make a point stiff: scaled to their own stiffness all are alike.
+    const double own = 2. * (weight_x + weight_y);
     spring.resize(layout->n_local_points());
+    softness.resize(spring.size());
+    waves.resize(spring.size());
     for (int row = 0, k = 0; row < n_rows; ++row)
       for (int ix = 0; ix < nx; ++ix, ++k)
         {
@@ -61,9 +65,10 @@ namespace strait
           // A point is open with half of the largest gap beside it.
           const double ratio =
             largest > 0 ? 2. * std::max(flow_gap[k], 0.) / largest : 0.;
-          spring[k] = ratio < 1 && !is_on_seam(ix, row)
-                        ? (weight_x + weight_y) * ratio * ratio / (1. - ratio)
-                        : std::numeric_limits<double>::infinity();
+          spring[k]   = ratio < 1 && !is_on_seam(ix, row)
+                          ? (weight_x + weight_y) * ratio * ratio / (1. - ratio)
+                          : std::numeric_limits<double>::infinity();
+          softness[k] = static_cast<float>(1. / std::sqrt(1. + spring[k] / own));
         }
   }
 
@@ -171,24 +176,19 @@ namespace strait
   void
   HarmonicExtension::precondition(const SlabField &r, SlabField &z)
   {
-    // Strong springs make a point stiff: scaled to their own stiffness all are alike.
-    const double own   = 2. * (weight_x + weight_y);
-    const auto   scale = [&](const std::size_t k) {
-      return 1. / std::sqrt(1. + spring[k] / own);
-    };
-    for (std::size_t k = 0; k < z.size(); ++k)
-      z[k] = scale(k) * r[k];
+    for (std::size_t k = 0; k < waves.size(); ++k)
+      waves[k] = softness[k] * static_cast<float>(r[k]);
     // The pressure is held all around a contact, which is hardly wider than a tenth of
     // the box: longer waves are no less stiff than that one. Half and double of it
     // precondition waves worse that are as long as the contacts, or as short, and change
     // the number of iterations only.
     constexpr double periods = 10.;
     const double     least = periods * periods * std::min(stiffness_x[1], stiffness_y[1]);
-    transform.multiply(z.data(), z.data(), [&](const int kx, const int ky) {
+    transform.multiply(waves.data(), waves.data(), [&](const int kx, const int ky) {
       return 1. / (least + stiffness_x[std::abs(kx)] + stiffness_y[std::abs(ky)]);
     });
     for (std::size_t k = 0; k < z.size(); ++k)
-      z[k] *= scale(k);
+      z[k] = softness[k] * waves[k];
   }
 
   double
@@ -204,6 +204,7 @@ namespace strait
   HarmonicExtension::memory_consumption() const
   {
     return transform.memory_consumption() + spring.capacity() * sizeof(double) +
+           (softness.capacity() + waves.capacity()) * sizeof(float) +
            6 * layout->n_local_points() * sizeof(double);
   }
 } // namespace strait

@@ -28,17 +28,6 @@ namespace strait
                         direction);
       return {barrier.point, 1., static_cast<double>(barrier.reach)};
     }
-
-    /** The throat that most of the pressure drops at. */
-    ThroatOnPath
-    narrowest(const std::vector<ThroatOnPath> &throats)
-    {
-      return *std::max_element(throats.begin(),
-                               throats.end(),
-                               [](const ThroatOnPath &a, const ThroatOnPath &b) {
-                                 return a.fraction < b.fraction;
-                               });
-    }
   } // namespace
 
   SealState
@@ -81,8 +70,6 @@ namespace strait
     std::vector<ThroatOnPath> narrow = throats(channel);
     if (!channel.percolates())
       narrow = {weakest_barrier(state, direction)}; // which may open on finer points
-    else if (aim == Aim::verdict && !narrow.empty())
-      narrow = {narrowest(narrow)}; // what decides
     std::vector<ZoomWindow> windows = place_windows(layout, narrow, zoom);
     if (windows == layout.windows() && !std::exchange(is_trimmed, true) &&
         channel.percolates())

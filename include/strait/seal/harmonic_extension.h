@@ -22,7 +22,7 @@ namespace strait
    * where the point counts as open.
    *
    * Conjugate gradients, preconditioned with the inverse Laplacian of the whole box,
-   * screened: 20 to 40 FFT pairs.
+   * screened, in single precision: 20 to 40 FFT pairs.
    */
   class HarmonicExtension
   {
@@ -66,9 +66,12 @@ namespace strait
     FlowDirection       direction;
     double              weight_x, weight_y;       // dy/dx and dx/dy
     std::vector<double> stiffness_x, stiffness_y; // of each wave number
-    FourierTransform    transform;
     // κ dx dy; infinite where the pressure is known.
     std::vector<double> spring;
+
+    BasicFourierTransform<float> transform;
+    std::vector<float>           softness; // that makes all points alike; 0 where known
+    std::vector<float>           waves;    // what is transformed
   };
 } // namespace strait
 
