@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace strait
@@ -37,6 +38,16 @@ namespace strait
       }
     };
 
+    /** The place of a point on the lattice @p n_levels before that of @p place. */
+    Place
+    coarser(Place place, const int n_levels)
+    {
+      for (int level = 0; level < n_levels; ++level)
+        for (long &coordinate : place)
+          coordinate = (coordinate + 1) / 3;
+      return place;
+    }
+
     /** Windows in places that do not depend on their parents. */
     class Placement
     {
@@ -49,10 +60,11 @@ namespace strait
             Place first = {window.x, window.y};
             if (window.parent >= 0)
               for (int d = 0; d < 2; ++d)
-                first[d] += placed[window.parent].refined().first[d];
-            placed.push_back(
-              {window.level, first, {window.nx, window.ny}, is_used[placed.size()]});
+                first[d] += present[window.parent].refined().first[d];
+            present.push_back(
+              {window.level, first, {window.nx, window.ny}, is_used[present.size()]});
           }
+        placed = present;
       }
 
       /** The place of a grid point, on the lattice of its level. */
@@ -61,23 +73,34 @@ namespace strait
       {
         if (point.window < 0)
           return {point.ix, point.iy};
-        const Place first = placed[point.window].refined().first;
+        const Place first = present[point.window].refined().first;
         return {first[0] + point.ix, first[1] + point.iy};
       }
 
-      /** Points of its level from @p point to the rim of its window. */
+      /** The level of the coarsest window whose rim is too near to @p point, for
+       *  @p points of its level are to lie between, and a margin around each window in
+       *  its parent; 0 if there is none. */
       int
-      points_to_rim(const GridPoint &point) const
+      narrow_level(GridPoint point, double points) const
       {
-        const ZoomWindow &window = layout.windows()[point.window];
-        return std::min({point.ix,
-                         point.iy,
-                         window.n_columns() - 1 - point.ix,
-                         window.n_rows() - 1 - point.iy});
+        int level = 0;
+        while (point.window >= 0)
+          {
+            const ZoomWindow &window = layout.windows()[point.window];
+            const int         to_rim = std::min({point.ix,
+                                                 point.iy,
+                                                 window.n_columns() - 1 - point.ix,
+                                                 window.n_rows() - 1 - point.iy});
+            if (to_rim < points)
+              level = window.level;
+            point  = {window.x + point.ix / 3, window.y + point.iy / 3, window.parent};
+            points = points / 3. + ZoomWindow::margin;
+          }
+        return level;
       }
 
       /** A window of @p level around @p centre, on the lattice of the level before.
-       *  Returns whether there is room for it. */
+       *  Returns whether there is room for it and it was not there. */
       bool
       open(const int level, const Place &centre)
       {
@@ -96,11 +119,9 @@ namespace strait
       std::vector<ZoomWindow>
       windows()
       {
-        std::stable_sort(placed.begin(),
-                         placed.end(),
-                         [](const Placed &a, const Placed &b) {
-                           return a.level < b.level;
-                         });
+        std::sort(placed.begin(), placed.end(), [](const Placed &a, const Placed &b) {
+          return std::tie(a.level, a.first) < std::tie(b.level, b.first);
+        });
         // The rim of its parent may push a window onto another one.
         std::vector<Placed> settled;
         for (Placed window : placed)
@@ -186,7 +207,8 @@ namespace strait
       }
 
       /** Add @p window to @p others, joined with those that it touches, or in their place
-       *  where that is too large and they are not used. Returns whether there is room. */
+       *  where that is too large and they are not used. Returns whether there is room for
+       *  it and one of them did not cover it before. */
       bool
       add(Placed window, std::vector<Placed> &others) const
       {
@@ -199,6 +221,12 @@ namespace strait
              apart.erase(other))
           if (!join(window, *other) && other->is_used)
             return false;
+        const auto is_same = [&](const Placed &other) {
+          return near(other) && other.is_used && other.n == window.n &&
+                 offset(other, window, 0) == 0 && offset(other, window, 1) == 0;
+        };
+        if (std::any_of(others.begin(), others.end(), is_same))
+          return false;
         others = std::move(apart);
         others.push_back(window);
         return true;
@@ -239,6 +267,7 @@ namespace strait
       }
 
       const SlabLayout   &layout;
+      std::vector<Placed> present; // the windows of the layout
       std::vector<Placed> placed;
     };
 
@@ -315,22 +344,21 @@ namespace strait
       {
         const double     wanted = points_wanted(throat, zoom);
         const GridPoint &point  = throat.point;
+        if (throat.points >= 3. * wanted)
+          continue;
         const int   level = point.window < 0 ? 0 : layout.windows()[point.window].level;
-        const Place here  = placement.place_of(point);
-        if (throat.points < wanted && level < zoom.maximum_levels)
+        const bool  is_coarse = throat.points < wanted && level < zoom.maximum_levels;
+        const int   margin    = is_coarse ? ZoomWindow::margin : 0;
+        const Place here      = placement.place_of(point);
+        const int   narrow    = placement.narrow_level(point, throat.points + margin);
+        if (narrow > 0 && placement.open(narrow, coarser(here, level + 1 - narrow)))
+          is_enough = false;
+        else if (is_coarse && placement.open(level + 1, here))
           {
-            if (!placement.open(level + 1, here))
-              continue;
             is_enough = false;
             // Of the next level as well: it is known well enough where it will lie.
             if (3. * throat.points < wanted && level + 1 < zoom.maximum_levels)
               placement.open(level + 2, {3 * here[0], 3 * here[1]});
-          }
-        else if (level > 0 && throat.points < 3. * wanted &&
-                 placement.points_to_rim(point) < throat.points)
-          {
-            is_enough =
-              !placement.open(level, {(here[0] + 1) / 3, (here[1] + 1) / 3}) && is_enough;
           }
       }
     return is_enough ? layout.windows() : placement.windows();

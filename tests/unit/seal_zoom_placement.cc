@@ -188,14 +188,23 @@ namespace
     EXPECT_TRUE(covers(windows[0], 60, 110, n));
     EXPECT_TRUE(covers(windows[0], 60, 20, n));
     EXPECT_LE(windows[0].ny, n - 2);
-    // Wherever in it a throat is, it gets a window.
-    for (const int iy : {5, 40, 200, windows[0].n_rows() - 40, windows[0].n_rows() - 6})
+    // Wherever in it a throat is, it gets a window, if need be once the rim is elsewhere.
+    const int n_rows = windows[0].n_rows();
+    for (const int row : {1, 5, 40, 200, n_rows - 40, n_rows - 6, n_rows - 2})
       {
-        const Windows nested =
-          place_windows(*box_with(windows, n), {throat(150, iy, 0)}, zoom);
-        expect_sound(nested);
-        ASSERT_EQ(nested.size(), 2U) << iy;
-        EXPECT_TRUE(covers(nested[1], 150, iy)) << iy;
+        Windows nested = windows;
+        int     iy     = row;
+        for (const bool is_near_rim : {true, false})
+          if (nested.size() == 1U && (!is_near_rim || row < 7 || row > n_rows - 8))
+            {
+              const int y_before = nested[0].y;
+              nested = place_windows(*box_with(nested, n), {throat(150, iy, 0)}, zoom);
+              expect_sound(nested);
+              if (is_near_rim)
+                iy = (iy + 3 * (y_before - nested[0].y + n)) % (3 * n);
+            }
+        ASSERT_EQ(nested.size(), 2U) << row;
+        EXPECT_TRUE(covers(nested[1], 150, iy)) << row;
       }
     const Windows wide = {{-1, 1, 22, 42, 126, 111}};
     EXPECT_EQ(place_windows(*box_with(wide, n), {throat(49, 178, 0)}, zoom).size(), 2U);
@@ -232,6 +241,40 @@ namespace
     // In the middle it stays, as it does where it has points enough on the parent.
     EXPECT_TRUE(placed({throat(73, 72, 0, 14.)}, windows) == windows);
     EXPECT_TRUE(placed({throat(138, 72, 0, 40.)}, windows) == windows);
+  }
+
+  // Next to the rim, where no finer window fits, or that of a parent.
+  TEST(ZoomPlacement, MakesRoomForFinerWindows)
+  {
+    const Windows windows = placed({throat(100, 60)});
+    const Windows wider   = placed({throat(142, 72, 0)}, windows);
+    ASSERT_EQ(wider.size(), 1U);
+    EXPECT_TRUE(covers(wider[0], 140, 60));
+    const int     ix     = 3 * (123 - wider[0].x) + 1;
+    const int     iy     = 3 * (60 - wider[0].y) + 1;
+    const Windows nested = placed({throat(ix, iy, 0)}, wider);
+    ASSERT_EQ(nested.size(), 2U);
+    EXPECT_TRUE(covers(nested[1], ix + 20, iy));
+
+    const Windows two  = {{-1, 1, 60, 20, 80, 80}, {0, 2, 4, 80, 80, 80}};
+    const Windows more = placed({throat(2, 100, 1)}, two);
+    expect_sound(more);
+    ASSERT_GE(more.size(), 2U);
+    EXPECT_TRUE(covers(more[0], 45, 46));
+  }
+
+  // Windows that are joined do not change what the others are numbered by.
+  TEST(ZoomPlacement, FindsThroatsAfterWindowsWereJoined)
+  {
+    const Windows before = {{-1, 1, 20, 20, 48, 48}, {-1, 1, 160, 160, 48, 48}};
+    const Windows after =
+      placed({throat(90, 44, -1, 5., .9), throat(73, 73, 1, 5.)}, before);
+    expect_sound(after);
+    ASSERT_EQ(after.size(), 3U);
+    const SlabLayoutPtr layout = box_with(after);
+    const auto          middle = layout->position(2, 72, 72);
+    EXPECT_NEAR(middle[0], 184. / 256, 1. / 256);
+    EXPECT_NEAR(middle[1], 184. / 256, 1. / 256);
   }
 
   // One that its parent's rim pushes aside comes to lie on another that it did not touch.
