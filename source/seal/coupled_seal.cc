@@ -245,6 +245,7 @@ namespace strait
         fluid.trapped             = on_wall.trapped();
         fluid.converged           = last_result.converged;
         fluid.undecided           = last_result.undecided;
+        fluid.open_share          = last_result.open_share;
         fluid.load                = mean(feedback.pressure());
         state.contact->iterations = n_iterations;
         state.contact->fft_pairs  = fft_pairs;
@@ -331,7 +332,10 @@ namespace strait
     result.lower *= std::max(0., 1. - fluid.mesh_error);
     result.upper *= 1. + fluid.mesh_error;
     if (fluid.undecided)
-      result.lower = 0; // it is closed at times
+      {
+        result.lower = 0; // it is closed at times
+        result.rate *= fluid.open_share;
+      }
     else if (result.status == "ok" && result.relative_width() > target_accuracy)
       {
         result.status = "flow-accuracy";

@@ -32,6 +32,7 @@ namespace strait
         archive.value(state.fluid->mesh_error);
         archive.value(state.fluid->converged);
         archive.value(state.fluid->undecided);
+        archive.value(state.fluid->open_share);
         archive.value(state.fluid->lifted_off);
       }
     archive.value(state.trend.is_known);

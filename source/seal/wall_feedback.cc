@@ -60,8 +60,17 @@ namespace strait
         from[i] -= field[i];
     }
 
-    /** Replace @p a by its mixture with @p b that is smallest. */
-    void
+    /** @p from + @p factor · @p change. */
+    SlabField
+    moved(SlabField from, const double factor, const SlabField &change)
+    {
+      for (std::size_t i = 0; i < from.size(); ++i)
+        from[i] += factor * change[i];
+      return from;
+    }
+
+    /** Replace @p a by its mixture with @p b that is smallest. Returns the share of b. */
+    double
     mix_towards_zero(SlabField &a, const SlabField &b)
     {
       double along = 0, apart = 0;
@@ -76,6 +85,7 @@ namespace strait
       const double share  = apart > 0 ? std::clamp(along / apart, 0., 1.) : 0.;
       for (std::size_t i = 0; i < a.size(); ++i)
         a[i] += share * (b[i] - a[i]);
+      return share;
     }
   } // namespace
 
@@ -141,7 +151,7 @@ namespace strait
         (now.percolates ? open_side : closed_side) = assumed;
         if (changes_of_verdict <= changes_allowed)
           propose(now.fluid_pressure, result.iterations, goal);
-        else if (enclose(round, goal, result))
+        else if (slide(round, goal, result))
           return result;
         else
           {
@@ -215,56 +225,83 @@ namespace strait
     return false;
   }
 
-  /** Returns false if the iteration is to go on from what is assumed then. */
-  bool
-  WallFeedback::enclose(const Round        &round,
-                        const FeedbackGoal &goal,
-                        FeedbackResult     &result)
-  {
-    while (difference(open_side, closed_side) > goal.tolerance)
-      {
-        if (result.iterations >= parameters.maximum_iterations)
-          return true;
-        for (std::size_t i = 0; i < assumed.size(); ++i)
-          assumed[i] = .5 * (open_side[i] + closed_side[i]);
-        const FeedbackRound now = round(assumed);
-        ++result.iterations;
-        result.change = difference(now.fluid_pressure, assumed);
-        if (result.change <= goal.tolerance)
-          {
-            result.converged = true;
-            return true;
-          }
-        (now.percolates ? open_side : closed_side) = assumed;
-      }
-    return is_undecided(round, goal, result);
-  }
-
   /**
-   * At the jump, where @c open_side and @c closed_side are one within the tolerance, the
-   * fluid changes as a mixture of what follows from either: the one that changes least
-   * (Filippov's, for differential equations). If it changes nothing there is no state;
-   * else it says where to go on, along the jump or away from it.
+   * Between a pressure that leaves the channel open and one that closes it. Where these
+   * are one within the tolerance the fluid changes as a mixture of what follows from
+   * either: the one that changes least (Filippov's, for differential equations). Go that
+   * way along the jump, until the mixture changes nothing and there is no state, or until
+   * it leads away: then returns false, and the iteration is to go on from what is
+   * assumed.
    */
   bool
-  WallFeedback::is_undecided(const Round        &round,
-                             const FeedbackGoal &goal,
-                             FeedbackResult     &result)
+  WallFeedback::slide(const Round        &round,
+                      const FeedbackGoal &goal,
+                      FeedbackResult     &result)
   {
-    assumed             = closed_side;
-    SlabField on_closed = round(assumed).fluid_pressure;
-    assumed             = open_side;
-    SlabField on_open   = round(assumed).fluid_pressure;
-    result.iterations += 2;
-    subtract(on_open, open_side);
-    subtract(on_closed, closed_side);
-    mix_towards_zero(on_open, on_closed);
-    result.change    = size(on_open);
-    result.undecided = result.change <= goal.tolerance;
-    if (!result.undecided)
-      for (std::size_t i = 0; i < assumed.size(); ++i)
-        assumed[i] += on_open[i];
-    return result.undecided;
+    SlabField  on_open, on_closed; // changes on either side
+    const auto may_ask = [&]() {
+      return !result.converged && result.iterations < parameters.maximum_iterations;
+    };
+    const auto is_open = [&](SlabField side) {
+      assumed           = std::move(side);
+      FeedbackRound now = round(assumed);
+      ++result.iterations;
+      subtract(now.fluid_pressure, assumed);
+      result.change                              = size(now.fluid_pressure);
+      result.converged                           = result.change <= goal.tolerance;
+      (now.percolates ? open_side : closed_side) = assumed;
+      (now.percolates ? on_open : on_closed)     = std::move(now.fluid_pressure);
+      return now.percolates;
+    };
+    while (may_ask())
+      {
+        if (difference(open_side, closed_side) > goal.tolerance)
+          {
+            SlabField apart = closed_side;
+            subtract(apart, open_side);
+            is_open(moved(open_side, .5, apart));
+            continue;
+          }
+        if (on_closed.empty() || on_open.empty())
+          {
+            is_open(on_closed.empty() ? closed_side : open_side);
+            continue;
+          }
+        SlabField    change = on_open;
+        const double share  = mix_towards_zero(change, on_closed);
+        result.change       = size(change);
+        result.undecided    = result.change <= goal.tolerance;
+        result.open_share   = result.undecided ? 1. - share : 1.;
+        if (result.undecided)
+          {
+            is_open(open_side);
+            result.converged = false;
+            return true;
+          }
+        if (share == 0. || share == 1.)
+          {
+            assumed = moved(share == 0. ? open_side : closed_side, 1., change);
+            return false;
+          }
+        const SlabField open   = moved(open_side, 1., change);
+        const bool      opens  = is_open(moved(closed_side, 1., change));
+        const bool      closes = may_ask() && !is_open(open);
+        if (opens != closes && may_ask())
+          {
+            // Both are on one side. What follows from there leads to the other one.
+            const SlabField side = opens ? open_side : closed_side;
+            const SlabField way  = opens ? on_open : on_closed;
+            double          part = goal.tolerance / size(way);
+            while (may_ask() && part < 1. && is_open(moved(side, part, way)) == opens)
+              part *= 2;
+            if (part >= 1.)
+              {
+                assumed = moved(side, 1., way);
+                return false;
+              }
+          }
+      }
+    return true;
   }
 
   double

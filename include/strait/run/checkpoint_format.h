@@ -15,7 +15,7 @@ namespace strait::checkpoint_format
   constexpr char signature[17] = "strait checkpnt\n";
 
   /** Follows the signature: tells the byte order, and whether the items have changed. */
-  constexpr std::uint64_t version = 10;
+  constexpr std::uint64_t version = 11;
 
   /** Bytes of a block of the checksum, and of a message at most. */
   constexpr std::size_t block = 1 << 20;

@@ -42,9 +42,11 @@ namespace strait
     /**
      * The fluid of the open channel closes it and that of the closed one opens it, and no
      * state between agrees with itself within the tolerance: it opens and closes at
-     * this load.
+     * this load, or its throat lets @c open_share of the open channel's flow through, in
+     * which case the fluid's pressure is that between.
      */
-    bool undecided = false;
+    bool   undecided  = false;
+    double open_share = 1.;
 
     /** Whether these changes are as small as that. */
     bool
@@ -68,9 +70,9 @@ namespace strait
    * Where the verdict on percolation changes, the map has jumped: the iteration goes on
    * more cautiously from where it is, and after a few such changes it halves the distance
    * between a pressure that leaves the channel open and one that closes it, until they
-   * agree within the tolerance. There it goes on along the jump, or away from it; where
-   * the two sides only lead to each other there is no state, and the last round is one
-   * that leaves the channel open.
+   * agree within the tolerance. From there both go along the jump, or one away from it;
+   * where the two sides only lead to each other there is no state, and the last round is
+   * one that leaves the channel open.
    *
    * The map also jumps, or is too steep for the grid, where a gap that is ajar lets the
    * fluid through and closes once it has: a throttle that regulates itself. Where the
@@ -114,13 +116,11 @@ namespace strait
       double    leak_change = 0; // likewise, relative
     };
 
-    void propose(const SlabField &image, int round, const FeedbackGoal &goal);
-    bool stays_in_place(const FeedbackRound &now,
-                        const FeedbackGoal  &goal,
-                        FeedbackResult      &result);
-    bool enclose(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
-    bool
-    is_undecided(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
+    void   propose(const SlabField &image, int round, const FeedbackGoal &goal);
+    bool   stays_in_place(const FeedbackRound &now,
+                          const FeedbackGoal  &goal,
+                          FeedbackResult      &result);
+    bool   slide(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
     double difference(const SlabField &a, const SlabField &b) const;
     double size(const SlabField &change) const;
 
