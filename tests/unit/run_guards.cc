@@ -140,6 +140,12 @@ namespace
     Scene scene = scene_of("", {"Contact/Grid points=1024, 512"});
     // 64 bytes a point were measured.
     EXPECT_NEAR(memory_of_grid(scene) / (1024 * 512), 64., 8.);
+    // 240 with the pressures of a fluid that presses on the walls.
+    const Scene pressed = scene_of("",
+                                   {"Contact/Grid points=1024, 512",
+                                    "Fluid/Wall feedback/Enabled=true",
+                                    "Fluid/Inlet pressure=0.02"});
+    EXPECT_NEAR(memory_of_grid(pressed) / (1024 * 512), 250., 20.);
     // The patches of a seal that is wider than one.
     const Scene seal = scene_of("",
                                 {"Contact/Grid points=1024, 512",
