@@ -130,6 +130,12 @@ namespace strait
   }
 
   void
+  FixedPoint::relax(const double new_relaxation)
+  {
+    share = new_relaxation;
+  }
+
+  void
   FixedPoint::damp(const double factor)
   {
     most_damping = std::min(1., factor * most_damping);

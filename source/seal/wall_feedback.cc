@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace strait
@@ -105,9 +104,9 @@ namespace strait
                       const double        largest_pressure,
                       const FeedbackGoal &goal)
   {
-    FeedbackResult      result;
-    int                 changes_of_verdict = 0;
-    std::optional<bool> percolated; // in the round before
+    FeedbackResult result;
+    int            changes_of_verdict = 0;
+    bool           is_first = true, percolated = false;
     if (goal.goes_on && !last_image.empty())
       {
         propose(last_image, 0, goal);
@@ -120,6 +119,7 @@ namespace strait
       }
     last_image = SlabField();
     walk       = Walk();
+    fixed_point.relax(parameters.relaxation);
     while (result.iterations < parameters.maximum_iterations)
       {
         FeedbackRound now = round(assumed);
@@ -129,7 +129,7 @@ namespace strait
         result.change = difference(now.fluid_pressure, assumed);
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
-        const bool flips  = percolated && *percolated != now.percolates;
+        const bool flips  = !is_first && percolated != now.percolates;
         const bool agrees = result.agrees_within(goal);
         if (agrees || (!flips && stays_in_place(now, goal, result)))
           {
@@ -141,9 +141,11 @@ namespace strait
         if (flips)
           {
             fixed_point.restart();
+            fixed_point.relax(.5 * fixed_point.relaxation());
             walk = Walk();
             ++changes_of_verdict;
           }
+        is_first                                   = false;
         percolated                                 = now.percolates;
         last_leak_rate                             = now.leak_rate;
         (now.percolates ? open_side : closed_side) = assumed;
@@ -154,9 +156,10 @@ namespace strait
         else
           {
             changes_of_verdict = 0;
-            percolated.reset();
-            walk = Walk();
+            is_first           = true;
+            walk               = Walk();
             fixed_point.restart();
+            fixed_point.relax(parameters.relaxation);
           }
       }
     return result;

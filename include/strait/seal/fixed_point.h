@@ -49,9 +49,18 @@ namespace strait
      *  before say about directions still holds. */
     void move_on();
 
+    /** Take only this share of each residual from now on. */
+    void relax(double new_relaxation);
+
     /** Until it moves on, plain relaxation takes at most @p factor times as much of that
      *  as before, and never more than all. */
     void damp(double factor);
+
+    double
+    relaxation() const
+    {
+      return share;
+    }
 
     /** Bytes on this rank. */
     std::size_t memory_consumption() const;
@@ -70,7 +79,7 @@ namespace strait
 
     Product                 product;
     int                     history;
-    const double            share;
+    double                  share;
     std::vector<Difference> differences; // the latest last
     std::vector<float>      last_residual;
     std::vector<double>     last_x;

@@ -67,8 +67,8 @@ namespace strait
    * all are plain. (Such alternation: Banerjee, Suryanarayana, Pask, Chem. Phys. Lett.
    * 647, 2016.)
    *
-   * Where the verdict on percolation changes, the map has jumped: the iteration begins
-   * anew from where it is, and after a few such changes it halves the distance
+   * Where the verdict on percolation changes, the map has jumped: the iteration goes on
+   * more cautiously from where it is, and after a few such changes it halves the distance
    * between a pressure that leaves the channel open and one that closes it, until they
    * agree within the tolerance. From there both go along the jump, or one away from it;
    * where the two sides only lead to each other there is no state, and the last round is
