@@ -70,14 +70,11 @@ namespace strait
     void
     report(MPI_Comm comm, const Failure &failure)
     {
-      int rank = 0, n_ranks = 1;
-      MPI_Comm_rank(comm, &rank);
-      MPI_Comm_size(comm, &n_ranks);
-      const bool together = n_ranks == 1 || all_ranks_failed(comm);
-      if (!together || rank == 0)
+      const bool together = n_ranks_in(comm) == 1 || all_ranks_failed(comm);
+      if (!together || rank_in(comm) == 0)
         std::cerr << "strait: " << (failure.status == 1 ? "error: " : "")
                   << failure.message
-                  << (together ? "" : " (on rank " + std::to_string(rank) + ")")
+                  << (together ? "" : " (on rank " + std::to_string(rank_in(comm)) + ")")
                   << std::endl;
       if (!together)
         MPI_Abort(comm, failure.status);
@@ -110,10 +107,8 @@ namespace strait
   void
   run_on_root(MPI_Comm comm, const std::function<void()> &action)
   {
-    int rank = 0;
-    MPI_Comm_rank(comm, &rank);
     Failure failure;
-    if (rank == 0)
+    if (rank_in(comm) == 0)
       try
         {
           action();
@@ -134,10 +129,9 @@ namespace strait
   void
   throw_if_any(MPI_Comm comm, const std::string &error)
   {
-    int rank = 0, n_ranks = 1;
-    MPI_Comm_rank(comm, &rank);
-    MPI_Comm_size(comm, &n_ranks);
-    const int first = reduce(comm, error.empty() ? n_ranks : rank, MPI_INT, MPI_MIN);
+    const int n_ranks = n_ranks_in(comm);
+    const int first =
+      reduce(comm, error.empty() ? n_ranks : rank_in(comm), MPI_INT, MPI_MIN);
     if (first < n_ranks)
       throw InputError(broadcast(comm, error, first));
   }

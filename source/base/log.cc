@@ -94,12 +94,10 @@ namespace strait
     : comm(comm)
     , stream(stream)
     , screen(screen)
+    , on_root(rank_in(comm) == 0)
     , width(columns - 1)
     , last_progress(std::chrono::steady_clock::now())
   {
-    int rank = 0;
-    MPI_Comm_rank(comm, &rank);
-    on_root = rank == 0;
   }
 
   Log::~Log()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
 #include <strait/base/signals.h>
 
 #include <unistd.h>
@@ -46,9 +47,7 @@ namespace strait
   void
   catch_signals()
   {
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    speaks = rank == 0 ? 1 : 0;
+    speaks = rank_in(MPI_COMM_WORLD) == 0 ? 1 : 0;
     caught = 0;
     for (const int number : {SIGTERM, SIGINT, SIGUSR1})
       {
@@ -72,17 +71,7 @@ namespace strait
   std::string
   name_of_stop_signal()
   {
-    switch (caught)
-      {
-        case SIGTERM:
-          return "SIGTERM";
-        case SIGINT:
-          return "SIGINT";
-        case SIGUSR1:
-          return "SIGUSR1";
-        default:
-          return "a signal";
-      }
+    return caught == 0 ? "a signal" : std::string("SIG") + sigabbrev_np(caught);
   }
 
   void

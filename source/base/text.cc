@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 
+#include <boost/algorithm/string.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -22,35 +24,23 @@ namespace strait
   std::string
   trim(const std::string &text)
   {
-    const char *const blank = " \t\r\n";
-    const auto        first = text.find_first_not_of(blank);
-    if (first == std::string::npos)
-      return {};
-    return text.substr(first, text.find_last_not_of(blank) - first + 1);
+    return boost::trim_copy_if(text, boost::is_any_of(" \t\r\n"));
   }
 
   std::vector<std::string>
   split(const std::string &text, const char separator)
   {
     std::vector<std::string> parts;
-    std::size_t              start = 0;
-    while (true)
-      {
-        const std::size_t end = text.find(separator, start);
-        parts.push_back(trim(text.substr(start, end - start)));
-        if (end == std::string::npos)
-          return parts;
-        start = end + 1;
-      }
+    boost::split(parts, text, [separator](const char c) { return c == separator; });
+    for (std::string &part : parts)
+      part = trim(part);
+    return parts;
   }
 
   std::string
   join(const std::vector<std::string> &parts, const std::string &separator)
   {
-    std::string joined;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      joined += (i > 0 ? separator : "") + parts[i];
-    return joined;
+    return boost::join(parts, separator);
   }
 
   std::string

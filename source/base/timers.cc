@@ -7,38 +7,29 @@
 
 namespace strait
 {
-  Timers::Scope::Scope(Timers &timers, const std::size_t part, const std::size_t parent)
+  Timers::Scope::Scope(Timers &timers, Node &part)
     : timers(timers)
     , part(part)
-    , parent(parent)
   {
   }
 
   Timers::Scope::~Scope()
   {
-    timers.nodes[part].seconds += seconds_since(start);
-    timers.innermost = parent;
-  }
-
-  Timers::Timers()
-    : nodes(1, Node{"total", 0, {}})
-  {
+    part.seconds += seconds_since(start);
+    timers.innermost = part.whole;
   }
 
   Timers::Scope
   Timers::scope(const std::string &name)
   {
-    const std::size_t parent = innermost;
-    for (const std::size_t child : nodes[parent].children)
-      if (nodes[child].name == name)
-        {
-          innermost = child;
-          return {*this, child, parent};
-        }
-    innermost = nodes.size();
-    nodes.push_back(Node{name, parent, {}});
-    nodes[parent].children.push_back(innermost);
-    return {*this, innermost, parent};
+    std::list<Node> &parts = innermost->parts;
+    auto part = std::find_if(parts.begin(), parts.end(), [&name](const Node &node) {
+      return node.name == name;
+    });
+    if (part == parts.end())
+      part = parts.insert(part, {name, innermost});
+    innermost = &*part;
+    return {*this, *part};
   }
 
   double
@@ -51,7 +42,7 @@ namespace strait
   Timers::table() const
   {
     std::vector<Part> rows;
-    append(rows, 0, 0, total());
+    append(rows, total_time, "", 0, total());
     return rows;
   }
 
@@ -70,32 +61,25 @@ namespace strait
     return out.str();
   }
 
-  std::string
-  Timers::path(const std::size_t node) const
-  {
-    if (node == 0)
-      return nodes[0].name;
-    const std::size_t parent = nodes[node].parent;
-    return (parent == 0 ? "" : path(parent) + "/") + nodes[node].name;
-  }
-
   void
   Timers::append(std::vector<Part> &rows,
-                 const std::size_t  node,
+                 const Node        &node,
+                 const std::string &path_of_whole,
                  const int          depth,
-                 const double       seconds) const
+                 const double       seconds)
   {
-    rows.push_back({path(node), depth, seconds});
-    if (nodes[node].children.empty())
+    const std::string path = path_of_whole + node.name;
+    rows.push_back({path, depth, seconds});
+    if (node.parts.empty())
       return;
-    double rest = seconds;
-    for (const std::size_t child : nodes[node].children)
+    const std::string path_here = depth == 0 ? "" : path + "/";
+    double            rest      = seconds;
+    for (const Node &part : node.parts)
       {
-        append(rows, child, depth + 1, nodes[child].seconds);
-        rest -= nodes[child].seconds;
+        append(rows, part, path_here, depth + 1, part.seconds);
+        rest -= part.seconds;
       }
-    const std::string prefix = node == 0 ? "" : path(node) + "/";
-    // A part that is still being timed has less on its clock than its children.
-    rows.push_back({prefix + "other", depth + 1, std::max(rest, 0.)});
+    // A part that is still being timed has less on its clock than its own parts.
+    rows.push_back({path_here + "other", depth + 1, std::max(rest, 0.)});
   }
 } // namespace strait

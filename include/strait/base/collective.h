@@ -12,6 +12,24 @@
 
 namespace strait
 {
+  /** The number of this rank in @p comm. */
+  inline int
+  rank_in(MPI_Comm comm)
+  {
+    int rank = 0;
+    MPI_Comm_rank(comm, &rank);
+    return rank;
+  }
+
+  /** How many ranks @p comm has. */
+  inline int
+  n_ranks_in(MPI_Comm comm)
+  {
+    int n_ranks = 1;
+    MPI_Comm_size(comm, &n_ranks);
+    return n_ranks;
+  }
+
   /**
    * Run @p program and turn what it throws into an exit status and one sentence
    * on standard error: 2 for an InputError, 3 for an Interruption, 1 for anything else.
@@ -61,9 +79,8 @@ namespace strait
   gather_all(MPI_Comm comm, const std::vector<Item> &mine)
   {
     static_assert(std::is_trivially_copyable<Item>::value, "is sent as bytes");
-    constexpr int size    = sizeof(Item);
-    int           n_ranks = 1;
-    MPI_Comm_size(comm, &n_ranks);
+    constexpr int    size    = sizeof(Item);
+    const int        n_ranks = n_ranks_in(comm);
     std::vector<int> counts(n_ranks), starts(n_ranks + 1, 0);
     const int        n = static_cast<int>(mine.size()) * size;
     MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);

@@ -3,6 +3,7 @@
 #define strait_base_timers_h
 
 #include <chrono>
+#include <list>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace strait
    */
   class Timers
   {
+    struct Node;
+
   public:
     using Clock = std::chrono::steady_clock;
 
@@ -28,11 +31,10 @@ namespace strait
 
     private:
       friend class Timers;
-      Scope(Timers &timers, std::size_t part, std::size_t parent);
+      Scope(Timers &timers, Node &part);
 
       Timers           &timers;
-      std::size_t       part;
-      std::size_t       parent;
+      Node             &part;
       Clock::time_point start = Clock::now();
     };
 
@@ -44,7 +46,9 @@ namespace strait
       double      seconds;
     };
 
-    Timers();
+    Timers()                          = default;
+    Timers(const Timers &)            = delete;
+    Timers &operator=(const Timers &) = delete;
 
     /** Time @p name as a part of the innermost part that is being timed. */
     [[nodiscard]] Scope scope(const std::string &name);
@@ -71,19 +75,21 @@ namespace strait
   private:
     struct Node
     {
-      std::string              name;
-      std::size_t              parent;
-      std::vector<std::size_t> children;
-      double                   seconds = 0.;
+      std::string     name;
+      Node           *whole; // that this is a part of
+      std::list<Node> parts   = {};
+      double          seconds = 0.;
     };
 
-    std::string path(std::size_t node) const;
-    void
-    append(std::vector<Part> &rows, std::size_t node, int depth, double seconds) const;
+    static void append(std::vector<Part> &rows,
+                       const Node        &node,
+                       const std::string &path_of_whole,
+                       int                depth,
+                       double             seconds);
 
-    Clock::time_point start = Clock::now();
-    std::vector<Node> nodes; // the first is the whole
-    std::size_t       innermost = 0;
+    Clock::time_point start      = Clock::now();
+    Node              total_time = {"total", nullptr};
+    Node             *innermost  = &total_time;
   };
 } // namespace strait
 
