@@ -15,7 +15,7 @@ main(int argc, char **argv)
   strait::SurfaceParameters surface; // as in a scene without a section Surface
   surface.short_cut_off_wavelength = 1. / 16;
   const auto layout  = strait::make_layout({128, 128, 1., 1.}, MPI_COMM_WORLD);
-  const auto heights = strait::make_surface(surface, MPI_COMM_WORLD)->heights(layout);
+  const auto heights = strait::make_surface(surface, layout);
 
   strait::ContactSolver contact(strait::ContactParameters(), heights);
   strait::ContactState  state;

@@ -66,7 +66,7 @@ namespace strait::python
       {
         const Computing     computing;
         const SlabLayoutPtr layout = make_layout(grid_of(source.scene), communicator);
-        field = make_surface(source.scene.surface, communicator)->heights(layout);
+        field                      = make_surface(source.scene.surface, layout);
       }
       return as_array(std::move(field));
     }

@@ -4,6 +4,7 @@
 #include <strait/run/load_sweep.h>
 #include <strait/seal/make_seal.h>
 #include <strait/surface/make_surface.h>
+#include <strait/surface/map_processing.h>
 #include <strait/surface/resolution.h>
 #include <strait/surface/statistics.h>
 
@@ -124,9 +125,9 @@ namespace strait::python
           heights = as_field(layout, *array, "heights");
         else
           {
-            const auto surface = make_surface(scene.surface, communicator);
-            heights            = surface->heights(layout);
-            for (const std::string &warning : surface->remarks().warnings)
+            Remarks remarks;
+            heights = make_surface(scene.surface, layout, &remarks);
+            for (const std::string &warning : remarks.warnings)
               log.warn(warning);
           }
         slope   = statistics(heights).rms_slope;

@@ -14,6 +14,7 @@
 #include <strait/run/surface_output.h>
 #include <strait/run/theory_run.h>
 #include <strait/surface/make_surface.h>
+#include <strait/surface/map_processing.h>
 #include <strait/surface/resolution.h>
 #include <strait/surface/statistics.h>
 
@@ -73,12 +74,12 @@ namespace strait
         log.line(format("contact modulus E* = %.6g", scene.contact.effective_modulus) +
                  (scene.units.pressure.empty() ? "" : " " + scene.units.pressure));
       log.stage("surface");
-      const auto surface = make_surface(scene.surface, comm);
-      SlabField  heights = surface->heights(make_layout(grid, comm));
+      Remarks   remarks;
+      SlabField heights = make_surface(scene.surface, make_layout(grid, comm), &remarks);
       log.stage("");
-      for (const std::string &note : surface->remarks().notes)
+      for (const std::string &note : remarks.notes)
         log.line(note);
-      for (const std::string &warning : surface->remarks().warnings)
+      for (const std::string &warning : remarks.warnings)
         log.warn(warning);
       report_surface(scene, heights, log);
       return heights;

@@ -28,7 +28,7 @@ namespace strait
       for (const std::string &warning : check_resolution(scene.surface, grid_of(scene)))
         log.warn(warning);
       const SlabField heights =
-        make_surface(scene.surface, comm)->heights(make_layout(grid_of(scene), comm));
+        make_surface(scene.surface, make_layout(grid_of(scene), comm));
       return {scene, &heights};
     }
 

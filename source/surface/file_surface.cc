@@ -3,8 +3,9 @@
 #include <strait/base/text.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/file_surface.h>
-#include <strait/surface/map_processing.h>
+#include <strait/surface/statistics.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdlib>
@@ -27,6 +28,36 @@ namespace strait
               scene_pair(parameters, stated[0], stated[1]) +
               " in the scene's unit of length (metres unless Units/Length "
               "says otherwise).");
+    }
+
+    /** Resample a processed map, or make sure that its grid is @p grid already. */
+    void
+    bring_to_grid(HeightMap               &map,
+                  const SurfaceParameters &parameters,
+                  const PeriodicGrid      &grid,
+                  const std::string       &file,
+                  Remarks                 &remarks)
+    {
+      const WaveBand band{parameters.map.shortest_wavelength,
+                          parameters.map.longest_wavelength};
+      const bool     is_same = grid.nx == map.nx && grid.ny == map.ny;
+      if (!is_same && !parameters.map.resample)
+        reject_height_map(file,
+                          "has, processed, " + std::to_string(map.nx) + " x " +
+                            std::to_string(map.ny) +
+                            " points, and the grid must have as many: set "
+                            "Surface/Resample = true or Contact/Grid points = " +
+                            scene_pair(parameters, map.nx, map.ny) + ".");
+      if (is_same && band.shortest == 0. && band.longest == 0.)
+        return;
+      Resampled result =
+        fourier_resample(map.values, {map.nx, map.ny, grid.lx, grid.ly}, grid, band);
+      remarks.notes.push_back(
+        format("on the grid the map keeps %.4g %% of its rms height and %.4g %% of "
+               "its rms slope",
+               100 * result.kept_height,
+               100 * result.kept_slope));
+      map.values = std::move(result.values);
     }
 
     using Complex = std::complex<double>;
@@ -75,12 +106,14 @@ namespace strait
       std::vector<Complex> modes;
     };
 
-    /** Sums of |h~|² and q²|h~|². */
-    struct Power
+    /** A whole grid as a field of this rank alone. */
+    SlabField
+    on_one_rank(const PeriodicGrid &grid, const std::vector<double> &values)
     {
-      double height = 0.;
-      double slope  = 0.;
-    };
+      SlabField field(make_layout(grid, MPI_COMM_SELF));
+      std::copy(values.begin(), values.end(), field.begin());
+      return field;
+    }
   } // namespace
 
   Resampled
@@ -100,28 +133,7 @@ namespace strait
       band.shortest > 0 ? two_pi / band.shortest * (1 + rounding) : HUGE_VAL;
     const double q_least = band.longest > 0 ? two_pi / band.longest * (1 - rounding) : 0.;
 
-    const Spectrum spectrum(values, source);
-    const auto     power_of = [&](const PeriodicGrid &grid, const bool banded) {
-      Power power;
-      for (int ky = -grid.ny / 2; ky <= grid.ny / 2; ++ky)
-        for (int kx = 0; kx <= grid.nx / 2; ++kx)
-          {
-            const double q = wave_number(kx, ky);
-            if (q == 0. || (banded && (q > q_most || q < q_least)))
-              continue;
-            // Both ends of an even grid are visited and count half each.
-            const double weight = (kx == 0 ? 0.5 : 1.) * (2 * kx == grid.nx ? 0.5 : 1.) *
-                                  (2 * std::abs(ky) == grid.ny ? 0.5 : 1.);
-            const double share =
-              weight * std::norm(spectrum.on_grid(kx, ky, grid.nx, grid.ny));
-            power.height += share;
-            power.slope += q * q * share;
-          }
-      return power;
-    };
-    const Power before = power_of(source, false);
-    const Power after  = power_of(target, true);
-
+    const Spectrum   spectrum(values, source);
     FourierTransform transform(make_layout(target, MPI_COMM_SELF));
     Resampled        result;
     result.values.resize(static_cast<std::size_t>(target.n_points()));
@@ -137,71 +149,31 @@ namespace strait
                              return 0.;
                            return spectrum.on_grid(kx, ky, target.nx, target.ny);
                          });
-    if (before.height > 0)
+    const SurfaceStatistics before = statistics(on_one_rank(source, values));
+    const SurfaceStatistics after  = statistics(on_one_rank(target, result.values));
+    if (before.rms_height > 0)
       {
-        result.kept_height = std::sqrt(after.height / before.height);
-        result.kept_slope  = std::sqrt(after.slope / before.slope);
+        result.kept_height = after.rms_height / before.rms_height;
+        result.kept_slope  = after.rms_slope / before.rms_slope;
       }
     return result;
   }
 
-  FileSurface::FileSurface(const SurfaceParameters &parameters,
-                           const std::string       &file_,
-                           MPI_Comm                 communicator)
-    : scene(parameters)
-    , file(file_)
-  {
-    run_on_root(communicator, [&]() {
-      map = read_height_map(file);
-      cut_window(map, scene, file);
-      process_map(map, scene.map, file, of_map);
-      if (map.size)
-        check_size(scene, *map.size, file);
-    });
-    MPI_Bcast(&map.nx, 1, MPI_INT, 0, communicator);
-    MPI_Bcast(&map.ny, 1, MPI_INT, 0, communicator);
-  }
-
   SlabField
-  FileSurface::heights(const SlabLayoutPtr &layout) const
+  heights_of_map(const SurfaceParameters &parameters,
+                 const std::string       &file,
+                 const SlabLayoutPtr     &layout,
+                 Remarks                 &remarks)
   {
-    const PeriodicGrid &grid = layout->grid();
-    if (!scene.map.resample && (grid.nx != map.nx || grid.ny != map.ny))
-      reject_height_map(file,
-                        "has, processed, " + std::to_string(map.nx) + " x " +
-                          std::to_string(map.ny) +
-                          " points, and the grid must have as many: set "
-                          "Surface/Resample = true or Contact/Grid points = " +
-                          scene_pair(scene, map.nx, map.ny) + ".");
-    std::vector<double> values;
-    run_on_root(layout->communicator(), [&]() { values = values_on(grid); });
-    return scatter_from_root(layout, values);
-  }
-
-  std::vector<double>
-  FileSurface::values_on(const PeriodicGrid &grid) const
-  {
-    const WaveBand band{scene.map.shortest_wavelength, scene.map.longest_wavelength};
-    const bool     is_same = grid.nx == map.nx && grid.ny == map.ny;
-    of_grid.clear();
-    if (is_same && band.shortest == 0. && band.longest == 0.)
-      return map.values;
-    Resampled result =
-      fourier_resample(map.values, {map.nx, map.ny, grid.lx, grid.ly}, grid, band);
-    of_grid = format(
-      "on the grid the map keeps %.4g %% of its rms height and %.4g %% of "
-      "its rms slope",
-      100 * result.kept_height,
-      100 * result.kept_slope);
-    return std::move(result.values);
-  }
-
-  Remarks
-  FileSurface::remarks() const
-  {
-    Remarks all = of_map;
-    if (!of_grid.empty())
-      all.notes.push_back(of_grid);
-    return all;
+    HeightMap map;
+    run_on_root(layout->communicator(), [&]() {
+      map = read_height_map(file);
+      cut_window(map, parameters, file);
+      process_map(map, parameters.map, file, remarks);
+      if (map.size)
+        check_size(parameters, *map.size, file);
+      bring_to_grid(map, parameters, layout->grid(), file, remarks);
+    });
+    return scatter_from_root(layout, map.values);
   }
 } // namespace strait

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
 #include <strait/surface/map_processing.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace strait
 {
@@ -12,10 +14,7 @@ namespace strait
     double
     dot(const Vector &a, const Vector &b)
     {
-      double sum = 0;
-      for (std::size_t i = 0; i < a.size(); ++i)
-        sum += a[i] * b[i];
-      return sum;
+      return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
     }
 
     /** The equations of the missing points: Σ over neighbours (u − u_neighbour) = 0. */
@@ -80,50 +79,79 @@ namespace strait
         }
       return result;
     }
+
+    /**
+     * Replace NaN by the solution of the discrete Laplace equation with the valid points
+     * as boundary values, and no flux through the edges of the map. At least one point
+     * must be valid.
+     */
+    void
+    fill_harmonically(HeightMap &map)
+    {
+      // Heights count from the mean, so that the tolerance is one of the roughness.
+      double            mean      = 0;
+      const std::size_t n_missing = map.n_missing();
+      for (const double value : map.values)
+        if (!std::isnan(value))
+          mean += value / static_cast<double>(map.values.size() - n_missing);
+      for (double &value : map.values)
+        value -= mean;
+
+      const Equations equations(map);
+      // Of the residual of zero. Half of it takes less than an iteration more, and double
+      // of it saves as much: either is far below the digits of a measured height.
+      constexpr double tolerance = 1e-10;
+      Vector           u(n_missing, 0.), residual = equations.rhs, direction(n_missing);
+      const double     scale   = std::sqrt(dot(residual, residual));
+      double           product = 0;
+      // Conjugate gradients, preconditioned by the diagonal.
+      const auto is_solved = [&]() {
+        return std::sqrt(dot(residual, residual)) <= tolerance * scale;
+      };
+      for (std::size_t k = 0; k < 10 * n_missing + 100 && !is_solved(); ++k)
+        {
+          Vector z(residual);
+          for (std::size_t i = 0; i < n_missing; ++i)
+            z[i] /= equations.diagonal[i];
+          const double next = dot(z, residual);
+          for (std::size_t i = 0; i < n_missing; ++i)
+            direction[i] = z[i] + (k > 0 ? next / product : 0.) * direction[i];
+          product            = next;
+          const Vector image = equations.apply(direction);
+          const double step  = product / dot(direction, image);
+          for (std::size_t i = 0; i < n_missing; ++i)
+            {
+              u[i] += step * direction[i];
+              residual[i] -= step * image[i];
+            }
+        }
+      for (std::size_t i = 0; i < n_missing; ++i)
+        map.values[equations.points[i]] = u[i];
+      for (double &value : map.values)
+        value += mean;
+    }
   } // namespace
 
   void
-  fill_harmonically(HeightMap &map)
+  fill_missing_points(HeightMap         &map,
+                      const double       largest_share,
+                      const std::string &file,
+                      Remarks           &remarks)
   {
-    // Heights count from the mean, so that the tolerance is one of the roughness.
-    double            mean      = 0;
     const std::size_t n_missing = map.n_missing();
-    for (const double value : map.values)
-      if (!std::isnan(value))
-        mean += value / static_cast<double>(map.values.size() - n_missing);
-    for (double &value : map.values)
-      value -= mean;
-
-    const Equations equations(map);
-    // Of the residual of zero. Half of it takes less than an iteration more, and double
-    // of it saves as much: either is far below the digits of a measured height.
-    constexpr double tolerance = 1e-10;
-    Vector           u(n_missing, 0.), residual = equations.rhs, direction(n_missing);
-    const double     scale   = std::sqrt(dot(residual, residual));
-    double           product = 0;
-    // Conjugate gradients, preconditioned by the diagonal.
-    for (std::size_t k = 0; k < 10 * n_missing + 100; ++k)
-      {
-        if (std::sqrt(dot(residual, residual)) <= tolerance * scale)
-          break;
-        Vector z(residual);
-        for (std::size_t i = 0; i < n_missing; ++i)
-          z[i] /= equations.diagonal[i];
-        const double next = dot(z, residual);
-        for (std::size_t i = 0; i < n_missing; ++i)
-          direction[i] = z[i] + (k > 0 ? next / product : 0.) * direction[i];
-        product            = next;
-        const Vector image = equations.apply(direction);
-        const double step  = product / dot(direction, image);
-        for (std::size_t i = 0; i < n_missing; ++i)
-          {
-            u[i] += step * direction[i];
-            residual[i] -= step * image[i];
-          }
-      }
-    for (std::size_t i = 0; i < n_missing; ++i)
-      map.values[equations.points[i]] = u[i];
-    for (double &value : map.values)
-      value += mean;
+    if (n_missing == 0)
+      return;
+    const double share =
+      static_cast<double>(n_missing) / static_cast<double>(map.values.size());
+    if (share > largest_share)
+      reject_height_map(
+        file,
+        format("lacks %zu of its points, a share of %.3g: fill them in, or set "
+               "Surface/Largest missing share to that or more.",
+               n_missing,
+               share));
+    fill_harmonically(map);
+    remarks.notes.push_back(
+      format("%zu missing points (%.3g %%) filled harmonically", n_missing, 100 * share));
   }
 } // namespace strait

@@ -43,37 +43,9 @@ namespace strait
       };
     }
 
-    /** The expression bound to its variables; neither copied nor shared. */
-    class Expression
+    /** An expression and the variables that it is bound to. */
+    struct Expression
     {
-    public:
-      /** Throws mu::Parser::exception_type if the expression has no meaning. */
-      Expression(const std::string &expression, const std::array<double, 2> &size)
-      {
-        parser.DefineVar("x", &x);
-        parser.DefineVar("y", &y);
-        parser.DefineConst("lx", size[0]);
-        parser.DefineConst("ly", size[1]);
-        parser.DefineConst("pi", std::acos(-1.));
-        parser.SetExpr(expression);
-        parser.Eval(); // muParser compiles at the first evaluation
-      }
-
-      double
-      operator()(const double at_x, const double at_y)
-      {
-        x = at_x;
-        y = at_y;
-        return parser.Eval();
-      }
-
-      int
-      n_values() const
-      {
-        return parser.GetNumResults();
-      }
-
-    private:
       double     x = 0.;
       double     y = 0.;
       mu::Parser parser;
@@ -88,13 +60,24 @@ namespace strait
           "and y, or choose another Surface/Kind.");
       try
         {
-          const auto expression = std::make_shared<Expression>(text, size);
-          if (expression->n_values() != 1)
+          const auto  expression = std::make_shared<Expression>();
+          mu::Parser &parser     = expression->parser;
+          parser.DefineVar("x", &expression->x);
+          parser.DefineVar("y", &expression->y);
+          parser.DefineConst("lx", size[0]);
+          parser.DefineConst("ly", size[1]);
+          parser.DefineConst("pi", std::acos(-1.));
+          parser.SetExpr(text);
+          parser.Eval(); // muParser compiles at the first evaluation
+          if (parser.GetNumResults() != 1)
             throw InputError(
               "Surface/Expression \"" + text +
               "\" has several values, separated by commas: give one height.");
-          return
-            [expression](const double x, const double y) { return (*expression)(x, y); };
+          return [expression](const double x, const double y) {
+            expression->x = x;
+            expression->y = y;
+            return expression->parser.Eval();
+          };
         }
       catch (const mu::Parser::exception_type &error)
         {

@@ -144,38 +144,6 @@ namespace strait
   }
 
   void
-  detrend(HeightMap &map, const Detrend what)
-  {
-    if (what == Detrend::none)
-      return;
-    const int n_terms = what == Detrend::mean ? 1 : what == Detrend::tilt ? 3 : 6;
-    subtract_polynomial(map, n_terms);
-  }
-
-  void
-  fill_missing_points(HeightMap         &map,
-                      const double       largest_share,
-                      const std::string &file,
-                      Remarks           &remarks)
-  {
-    const std::size_t n_missing = map.n_missing();
-    if (n_missing == 0)
-      return;
-    const double share =
-      static_cast<double>(n_missing) / static_cast<double>(map.values.size());
-    if (share > largest_share)
-      reject_height_map(
-        file,
-        format("lacks %zu of its points, a share of %.3g: fill them in, or set "
-               "Surface/Largest missing share to that or more.",
-               n_missing,
-               share));
-    fill_harmonically(map);
-    remarks.notes.push_back(
-      format("%zu missing points (%.3g %%) filled harmonically", n_missing, 100 * share));
-  }
-
-  void
   make_periodic(HeightMap           &map,
                 const MapParameters &parameters,
                 const std::string   &file,

@@ -4,70 +4,35 @@
 #include <strait/surface/read_scene.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace strait
 {
   namespace
   {
-    bool
-    is_entry(const SceneEntry &entry, const std::string &section, const std::string &name)
-    {
-      return entry.section == std::vector<std::string>{section} && entry.name == name;
-    }
-
-    /** Whether a scene leaves a parameter to the map: it is not there, or empty at last.
-     */
-    bool
-    is_left_open(const std::vector<SceneEntry> &entries,
-                 const std::string             &section,
-                 const std::string             &name)
-    {
-      const auto last =
-        std::find_if(entries.rbegin(), entries.rend(), [&](const auto &entry) {
-          return is_entry(entry, section, name);
-        });
-      return last == entries.rend() || last->value.empty();
-    }
-
-    std::vector<SceneEntry>
-    without(std::vector<SceneEntry> entries,
-            const std::string      &section,
-            const std::string      &name)
-    {
-      const auto is_named = [&](const SceneEntry &entry) {
-        return is_entry(entry, section, name);
-      };
-      entries.erase(std::remove_if(entries.begin(), entries.end(), is_named),
-                    entries.end());
-      return entries;
-    }
-
-    /** What a scene may leave to its map, as the values of parameters. */
-    struct Frame
-    {
-      std::string size, grid_points, unit; // empty: the map does not say
-    };
-
-    Frame
+    /** The frame that a map gives its scene, as values of parameters by their names;
+     * empty where the map does not say. Collective. */
+    std::map<std::string, std::string>
     frame_of_map(const SurfaceParameters &surface)
     {
-      Frame frame;
+      std::string size, grid_points, unit;
       run_on_root(MPI_COMM_WORLD, [&]() {
         HeightMap map = read_height_map(surface.map.file);
         cut_window(map, surface, surface.map.file);
         convert_to_scene_units(map, surface.map, surface.map.file);
         // Nothing else that is done to a map changes its frame.
-        const int n       = surface.map.make_periodic == MakePeriodic::mirror ? 2 : 1;
-        frame.grid_points = scene_pair(surface, n * map.nx, n * map.ny);
+        const int n = surface.map.make_periodic == MakePeriodic::mirror ? 2 : 1;
+        grid_points = scene_pair(surface, n * map.nx, n * map.ny);
         if (map.size)
-          frame.size = scene_pair(surface, n * (*map.size)[0], n * (*map.size)[1]);
+          size = scene_pair(surface, n * (*map.size)[0], n * (*map.size)[1]);
         // Lengths of a map with units are converted to metres.
         if (map.lateral_unit.metres && surface.map.lateral_unit.empty())
-          frame.unit = "m";
+          unit = "m";
       });
-      return {broadcast(MPI_COMM_WORLD, frame.size),
-              broadcast(MPI_COMM_WORLD, frame.grid_points),
-              broadcast(MPI_COMM_WORLD, frame.unit)};
+      return {{"Size", broadcast(MPI_COMM_WORLD, size)},
+              {"Grid points", broadcast(MPI_COMM_WORLD, grid_points)},
+              {"Length", broadcast(MPI_COMM_WORLD, unit)}};
     }
   } // namespace
 
@@ -75,32 +40,37 @@ namespace strait
   read_scene(const std::string &path, const Overrides &overrides)
   {
     const std::vector<SceneEntry> entries = read_entries(path, overrides);
-    struct Open
-    {
-      const char *section, *name;
-      std::string Frame::*of_map;
-    };
-    std::vector<Open>       open;
-    std::vector<SceneEntry> completed = entries;
-    for (const Open &one : {Open{"Surface", "Size", &Frame::size},
-                            Open{"Contact", "Grid points", &Frame::grid_points},
-                            Open{"Units", "Length", &Frame::unit}})
-      if (is_left_open(entries, one.section, one.name))
-        {
-          open.push_back(one);
-          completed = without(completed, one.section, one.name);
-        }
+    // What is left to the map: it is not there, or empty at last.
+    std::vector<SceneEntry> open, completed = entries;
+    for (const auto &[section, name] : {std::pair{"Surface", "Size"},
+                                        std::pair{"Contact", "Grid points"},
+                                        std::pair{"Units", "Length"}})
+      {
+        const SceneEntry empty{{section}, name, "", "", ""};
+        const auto       is_named = [&empty](const SceneEntry &entry) {
+          return entry.section == empty.section && entry.name == empty.name;
+        };
+        const auto last = std::find_if(entries.rbegin(), entries.rend(), is_named);
+        if (last != entries.rend() && !last->value.empty())
+          continue;
+        open.push_back(empty);
+        completed.erase(std::remove_if(completed.begin(), completed.end(), is_named),
+                        completed.end());
+      }
     const SurfaceParameters surface = parse_scene(completed).surface;
     if (open.empty() || surface.kind != SurfaceKind::file || surface.map.file.empty())
       return make_scene(entries);
 
-    const Frame frame = frame_of_map(surface);
-    for (const Open &one : open)
-      if (!(frame.*one.of_map).empty())
-        completed.push_back(
-          {{one.section}, one.name, frame.*one.of_map, surface.map.file, ""});
-      else if (one.of_map == &Frame::size)
-        reject_height_map(surface.map.file, "states no size: set Surface/Size.");
+    const auto frame = frame_of_map(surface);
+    for (SceneEntry &entry : open)
+      {
+        entry.value = frame.at(entry.name);
+        entry.place = surface.map.file;
+        if (!entry.value.empty())
+          completed.push_back(entry);
+        else if (entry.name == "Size")
+          reject_height_map(surface.map.file, "states no size: set Surface/Size.");
+      }
     return make_scene(completed);
   }
 } // namespace strait

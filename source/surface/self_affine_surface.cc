@@ -83,17 +83,13 @@ namespace strait
   SelfAffineSpectrum::band_sum(const Normalisation normalisation,
                                MPI_Comm            communicator) const
   {
-    int rank = 0, n_ranks = 1;
-    MPI_Comm_rank(communicator, &rank);
-    MPI_Comm_size(communicator, &n_ranks);
-
     // Lines of constant kx are dealt out to the ranks and added up in the same
     // order everywhere, so that the sum does not depend on their number. One
     // quadrant stands for all four.
     const int           largest_kx = static_cast<int>(size[0] * cut_off) + 1;
     const int           largest_ky = static_cast<int>(size[1] * cut_off) + 1;
     std::vector<double> lines(largest_kx + 1, 0.);
-    for (int kx = rank; kx <= largest_kx; kx += n_ranks)
+    for (int kx = rank_in(communicator); kx <= largest_kx; kx += n_ranks_in(communicator))
       for (int ky = 0; ky <= largest_ky; ++ky)
         {
           const double q_squared =

@@ -63,8 +63,8 @@ namespace
   void
   run(const bool is_rough, const int n, const double tabor, const double tolerance)
   {
-    const SlabField heights = make_surface(surface_of(is_rough), MPI_COMM_WORLD)
-                                ->heights(make_layout({n, n, 1., 1.}, MPI_COMM_WORLD));
+    const SlabField heights =
+      make_surface(surface_of(is_rough), make_layout({n, n, 1., 1.}, MPI_COMM_WORLD));
     ContactParameters contact;
     contact.tolerance                  = tolerance;
     contact.maximum_iterations         = 5000;

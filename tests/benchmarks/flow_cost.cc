@@ -291,8 +291,7 @@ main(int argc, char **argv)
       ContactParameters contact;
       contact.grid_points    = {{n, n}};
       const auto      layout = make_layout({n, n, 1., 1.}, MPI_COMM_WORLD);
-      ContactSolver   solver(contact,
-                           make_surface(what.surface, MPI_COMM_WORLD)->heights(layout));
+      ContactSolver   solver(contact, make_surface(what.surface, layout));
       const SlabField gap = solver.solve(what.pressure).gap;
 
       FluidParameters fluid;

@@ -335,7 +335,7 @@ main(int argc, char **argv)
   surface.short_cut_off_wavelength = 8. / n;
   ContactParameters contact;
   contact.grid_points = {{n, n}};
-  ContactSolver solver(contact, make_surface(surface, MPI_COMM_WORLD)->heights(layout));
+  ContactSolver solver(contact, make_surface(surface, layout));
   for (const double pressure : {.05, .15, .218})
     {
       char name[32];

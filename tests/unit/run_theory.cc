@@ -113,9 +113,9 @@ namespace
     Scene scene              = theory_scene();
     scene.surface.amplitudes = Amplitudes::fixed;
     const TheoryPrediction model(scene, nullptr);
-    scene.theory.spectrum   = TheorySpectrum::surface;
-    const SlabField heights = make_surface(scene.surface, MPI_COMM_WORLD)
-                                ->heights(make_layout({64, 64, 1., 1.}, MPI_COMM_WORLD));
+    scene.theory.spectrum = TheorySpectrum::surface;
+    const SlabField heights =
+      make_surface(scene.surface, make_layout({64, 64, 1., 1.}, MPI_COMM_WORLD));
     const TheoryPrediction measured(scene, &heights);
     const TheoryResult     a = model.predict(.05, 0., nullptr, nullptr);
     const TheoryResult     b = measured.predict(.05, 0., nullptr, nullptr);

@@ -32,10 +32,9 @@ namespace
   SurfaceStatistics
   statistics_of(const SurfaceParameters &parameters, const int n)
   {
-    return statistics(
-      make_surface(parameters, MPI_COMM_WORLD)
-        ->heights(
-          make_layout({n, n, parameters.size[0], parameters.size[1]}, MPI_COMM_WORLD)));
+    return statistics(make_surface(
+      parameters,
+      make_layout({n, n, parameters.size[0], parameters.size[1]}, MPI_COMM_WORLD)));
   }
 
   TEST(SelfAffineSurface, IsTheSameOnEveryGrid)
@@ -178,10 +177,10 @@ namespace
     SurfaceParameters parameters        = example();
     parameters.roll_off_wavelength      = 3.;
     parameters.short_cut_off_wavelength = 2.;
-    EXPECT_TRUE(mentions(input_error([&]() { make_surface(parameters, MPI_COMM_WORLD); }),
+    EXPECT_TRUE(mentions(input_error([&]() { whole_surface(parameters, 4, 4); }),
                          "Short cut-off wavelength"));
     parameters.short_cut_off_wavelength = 1e-9;
-    EXPECT_TRUE(mentions(input_error([&]() { make_surface(parameters, MPI_COMM_WORLD); }),
+    EXPECT_TRUE(mentions(input_error([&]() { whole_surface(parameters, 4, 4); }),
                          "Short cut-off wavelength"));
   }
 } // namespace

@@ -32,8 +32,7 @@ namespace
   SlabField
   heights_of(const SurfaceParameters &parameters, const int n = 256)
   {
-    return make_surface(parameters, MPI_COMM_WORLD)
-      ->heights(make_layout({n, n, 2., 2.}, MPI_COMM_WORLD));
+    return make_surface(parameters, make_layout({n, n, 2., 2.}, MPI_COMM_WORLD));
   }
 
   TEST(RadialSpectrum, IntegratesToTheVariance)

@@ -19,10 +19,9 @@ namespace
   SurfaceStatistics
   statistics_of(const SurfaceParameters &parameters, const int nx, const int ny)
   {
-    return statistics(
-      make_surface(parameters, MPI_COMM_WORLD)
-        ->heights(
-          make_layout({nx, ny, parameters.size[0], parameters.size[1]}, MPI_COMM_WORLD)));
+    return statistics(make_surface(
+      parameters,
+      make_layout({nx, ny, parameters.size[0], parameters.size[1]}, MPI_COMM_WORLD)));
   }
 
   TEST(SurfaceStatistics, OfTheSquareSaddle)

@@ -20,13 +20,12 @@ namespace strait::test
   inline std::vector<double>
   whole_surface(const SurfaceParameters &parameters, const int nx, const int ny)
   {
-    const auto          surface = make_surface(parameters, MPI_COMM_WORLD);
     const SlabLayoutPtr layout =
       make_layout({nx, ny, parameters.size[0], parameters.size[1]}, MPI_COMM_WORLD);
     std::vector<int> rows(ny);
     for (int row = 0; row < ny; ++row)
       rows[row] = row;
-    return fetch_rows(surface->heights(layout), rows);
+    return fetch_rows(make_surface(parameters, layout), rows);
   }
 
   /** The message of the InputError that @p action throws, else a test failure. */

@@ -95,11 +95,10 @@ namespace
 
   TEST(RadialSpectrum, MeasuredKeepsHeightAndSlope)
   {
-    const auto surface = make_surface(rough(.8), MPI_COMM_WORLD);
     for (const auto &[nx, ny] : {std::pair{72, 66}})
       {
         const SlabField heights =
-          surface->heights(make_layout({nx, ny, 1., 1.}, MPI_COMM_WORLD));
+          make_surface(rough(.8), make_layout({nx, ny, 1., 1.}, MPI_COMM_WORLD));
         const RadialSpectrum spectrum = measured_spectrum(heights);
         const auto           known    = statistics(heights);
         EXPECT_NEAR(std::sqrt(spectrum.height_square()) / known.rms_height, 1., 1e-12);
@@ -119,9 +118,8 @@ namespace
     parameters.amplitudes               = Amplitudes::fixed;
     parameters.short_cut_off_wavelength = 1. / 64;
     const RadialSpectrum model          = model_spectrum(parameters);
-    const RadialSpectrum measured =
-      measured_spectrum(make_surface(parameters, MPI_COMM_WORLD)
-                          ->heights(make_layout({256, 256, 1., 1.}, MPI_COMM_WORLD)));
+    const RadialSpectrum measured       = measured_spectrum(
+      make_surface(parameters, make_layout({256, 256, 1., 1.}, MPI_COMM_WORLD)));
     for (const double q : {60., 100., 200., 300.})
       {
         EXPECT_NEAR(measured.slope_square_below(q), model.slope_square_below(q), .02);

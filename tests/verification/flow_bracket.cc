@@ -83,8 +83,7 @@ namespace strait
       ContactParameters contact;
       contact.grid_points  = {{n, n}};
       const auto    layout = make_layout({n, n, 1., 1.}, MPI_COMM_WORLD);
-      ContactSolver solver(contact,
-                           make_surface(surface, MPI_COMM_WORLD)->heights(layout));
+      ContactSolver solver(contact, make_surface(surface, layout));
       return solver.solve(pressure).gap;
     }
 

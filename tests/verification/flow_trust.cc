@@ -30,8 +30,7 @@ namespace strait
         contact.grid_points = {{n, n}};
         contact.tolerance   = 1e-13;
         const auto layout   = make_layout({n, n, 1., 1.}, MPI_COMM_WORLD);
-        solver              = std::make_unique<ContactSolver>(
-          contact, make_surface(surface, MPI_COMM_WORLD)->heights(layout));
+        solver = std::make_unique<ContactSolver>(contact, make_surface(surface, layout));
         double sealed = 2.;
         open_load     = .01;
         while (sealed / open_load - 1 > 1e-9)

@@ -40,8 +40,7 @@ namespace
       contact,
       law,
       AdhesiveStart::without_adhesion,
-      make_surface(surface, MPI_COMM_WORLD)
-        ->heights(make_layout({n, n, box, box}, MPI_COMM_WORLD))));
+      make_surface(surface, make_layout({n, n, box, box}, MPI_COMM_WORLD))));
 
     const double unit = pi * surface_energy / (box * box);
     const auto   go   = [&](const double load, const SealState *from) {

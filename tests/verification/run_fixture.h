@@ -37,7 +37,7 @@ namespace strait
   inline SlabField
   heights_of(const Scene &scene, const MPI_Comm comm = MPI_COMM_WORLD)
   {
-    return make_surface(scene.surface, comm)->heights(make_layout(grid_of(scene), comm));
+    return make_surface(scene.surface, make_layout(grid_of(scene), comm));
   }
 
   /** The sweep of a scene, which must outlive it, without a sound. */

@@ -3,8 +3,8 @@
 #define strait_surface_file_surface_h
 
 #include <strait/base/surface_parameters.h>
-#include <strait/surface/readers/height_map.h>
-#include <strait/surface/surface.h>
+#include <strait/spectral/slab_field.h>
+#include <strait/surface/map_processing.h>
 
 namespace strait
 {
@@ -35,38 +35,16 @@ namespace strait
                              const WaveBand            &band);
 
   /**
-   * A measured map from a file, processed as the scene says: row 0 of the file is
-   * y = 0. Unless the scene resamples it, the grid must have as many points as the
-   * map. Rank 0 reads, processes and keeps it.
+   * A measured map from @p file on the grid of @p layout, processed as the scene says:
+   * row 0 of the file is y = 0. Rank 0 reads and processes it, and adds to @p remarks.
+   * Collective. Throws InputError for a bad file, where the file states a size that
+   * differs from the scene's by more than a thousandth, and unless the scene resamples
+   * where the grid is not that of the map.
    */
-  class FileSurface : public Surface
-  {
-  public:
-    /**
-     * Collective. Throws InputError for a bad file, and where the file states a
-     * size that differs from the scene's by more than a thousandth.
-     */
-    FileSurface(const SurfaceParameters &parameters,
-                const std::string       &file,
-                MPI_Comm                 communicator);
-
-    /**
-     * Throws InputError if the grid of @p layout is not that of the map and the scene
-     * does not resample.
-     */
-    SlabField heights(const SlabLayoutPtr &layout) const override;
-
-    Remarks remarks() const override;
-
-  private:
-    std::vector<double> values_on(const PeriodicGrid &grid) const;
-
-    SurfaceParameters   scene;
-    std::string         file;
-    HeightMap           map; // without values except on rank 0
-    Remarks             of_map;
-    mutable std::string of_grid; // what became of it on the last grid
-  };
+  SlabField heights_of_map(const SurfaceParameters &parameters,
+                           const std::string       &file,
+                           const SlabLayoutPtr     &layout,
+                           Remarks                 &remarks);
 } // namespace strait
 
 #endif

@@ -4,10 +4,19 @@
 
 #include <strait/base/surface_parameters.h>
 #include <strait/surface/readers/height_map.h>
-#include <strait/surface/surface.h>
+
+#include <string>
+#include <vector>
 
 namespace strait
 {
+  /** What is to be said of a map: one sentence each. */
+  struct Remarks
+  {
+    std::vector<std::string> notes;
+    std::vector<std::string> warnings;
+  };
+
   /**
    * Give heights and size in the scene's unit of length. What the scene says of
    * the file's units prevails over what the file says; a file without any unit is
@@ -17,19 +26,6 @@ namespace strait
   void convert_to_scene_units(HeightMap           &map,
                               const MapParameters &parameters,
                               const std::string   &file);
-
-  /**
-   * Subtract from the valid points of @p map the polynomial that fits them best:
-   * the first @p n_terms of 1, x, y, x², xy, y².
-   */
-  void subtract_polynomial(HeightMap &map, int n_terms);
-
-  /**
-   * Replace NaN by the solution of the discrete Laplace equation with the valid
-   * points as boundary values, and no flux through the edges of the map, by elimination.
-   * At least one point must be valid.
-   */
-  void fill_harmonically(HeightMap &map);
 
   /** Subtract mean, plane or paraboloid of least squares over the valid points. */
   void detrend(HeightMap &map, Detrend what);

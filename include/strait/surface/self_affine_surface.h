@@ -3,7 +3,7 @@
 #define strait_surface_self_affine_surface_h
 
 #include <strait/base/surface_parameters.h>
-#include <strait/surface/surface.h>
+#include <strait/spectral/slab_field.h>
 
 #include <array>
 #include <complex>
@@ -49,13 +49,14 @@ namespace strait
    * grid cannot carry (2|kx| ≥ nx or 2|ky| ≥ ny) are left out there; see
    * check_resolution().
    */
-  class SelfAffineSurface : public Surface
+  class SelfAffineSurface
   {
   public:
     /** Collective. Throws InputError as SelfAffineSpectrum does. */
     SelfAffineSurface(const SurfaceParameters &parameters, MPI_Comm communicator);
 
-    SlabField heights(const SlabLayoutPtr &layout) const override;
+    /** At the points of the grid of @p layout. Collective. */
+    SlabField heights(const SlabLayoutPtr &layout) const;
 
     /** h~ of the wave vector (2π kx/lx, 2π ky/ly); h~(−q) is its conjugate. */
     std::complex<double> mode(int kx, int ky) const;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/surface/readers/height_map.h>
 
+#include <boost/endian/conversion.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -19,31 +20,21 @@ namespace strait
     // What the library of NetCDF writes where nothing was.
     constexpr double usual_fill = 9.969209968386869e36;
 
-    std::uint64_t
-    big_endian(const char *bytes, const int n_bytes)
+    template <typename Number>
+    Number
+    big_endian(const char *bytes)
     {
-      std::uint64_t value = 0;
-      for (int i = 0; i < n_bytes; ++i)
-        value = value << 8 | static_cast<unsigned char>(bytes[i]);
-      return value;
+      return boost::endian::
+        endian_load<Number, sizeof(Number), boost::endian::order::big>(
+          reinterpret_cast<const unsigned char *>(bytes));
     }
 
     double
     decode(const char *bytes, const std::uint64_t type)
     {
-      if (type == type_double)
-        {
-          const std::uint64_t bits = big_endian(bytes, 8);
-          double              value;
-          std::memcpy(&value, &bits, sizeof(value));
-          return value;
-        }
-      const auto bits = static_cast<std::uint32_t>(big_endian(bytes, 4));
-      if (type == type_int)
-        return static_cast<std::int32_t>(bits);
-      float value;
-      std::memcpy(&value, &bits, sizeof(value));
-      return value;
+      return type == type_double ? big_endian<double>(bytes)
+             : type == type_int  ? big_endian<std::int32_t>(bytes)
+                                 : big_endian<float>(bytes);
     }
 
     std::uint64_t
@@ -144,7 +135,9 @@ namespace strait
       std::uint64_t
       number(const int n_bytes)
       {
-        return big_endian(take(static_cast<std::uint64_t>(n_bytes)).data(), n_bytes);
+        const std::string bytes = take(static_cast<std::uint64_t>(n_bytes));
+        return n_bytes == 4 ? big_endian<std::uint32_t>(bytes.data())
+                            : big_endian<std::uint64_t>(bytes.data());
       }
 
       std::string

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/surface/readers/height_map.h>
 
+#include <boost/endian/conversion.hpp>
+
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -14,44 +15,36 @@ namespace strait
     /** What the dictionary at the start of the file says. */
     struct NpyHeader
     {
-      char           type          = 'f'; // f: floating point, i: integer
-      int            item_size     = 0;   // bytes
+      std::string    type;              // "f8": of floating point with 8 bytes, "i2"
+      int            item_size     = 0; // bytes
       bool           fortran_order = false;
       std::uint64_t  n_rows        = 0;
       std::uint64_t  n_columns     = 0;
       std::uintmax_t data_begin    = 0; // bytes from the start of the file
     };
 
-    std::uint64_t
-    little_endian(const char *bytes, const int n_bytes)
+    template <typename Number>
+    Number
+    little_endian(const char *bytes)
     {
-      std::uint64_t value = 0;
-      for (int i = n_bytes - 1; i >= 0; --i)
-        value = value << 8 | static_cast<unsigned char>(bytes[i]);
-      return value;
+      return boost::endian::
+        endian_load<Number, sizeof(Number), boost::endian::order::little>(
+          reinterpret_cast<const unsigned char *>(bytes));
     }
 
     /** A number of the type that the header names. */
     double
     decode(const NpyHeader &header, const char *bytes)
     {
-      const std::uint64_t bits = little_endian(bytes, header.item_size);
-      if (header.type == 'f' && header.item_size == 8)
-        {
-          double value;
-          std::memcpy(&value, &bits, sizeof(value));
-          return value;
-        }
-      if (header.type == 'f')
-        {
-          const auto short_bits = static_cast<std::uint32_t>(bits);
-          float      value;
-          std::memcpy(&value, &short_bits, sizeof(value));
-          return value;
-        }
-      // Shifted up and down again, so that the sign is that of the short number.
-      const int shift = 64 - 8 * header.item_size;
-      return static_cast<double>(static_cast<std::int64_t>(bits << shift) >> shift);
+      if (header.type == "f8")
+        return little_endian<double>(bytes);
+      if (header.type == "f4")
+        return little_endian<float>(bytes);
+      if (header.type == "i2")
+        return little_endian<std::int16_t>(bytes);
+      if (header.type == "i4")
+        return little_endian<std::int32_t>(bytes);
+      return static_cast<double>(little_endian<std::int64_t>(bytes));
     }
 
     /** The text of the dictionary; sets header.data_begin. */
@@ -65,7 +58,8 @@ namespace strait
       if (!stream || version < 1 || version > 3)
         reject_height_map(file, "is a .npy file of an unknown version: save it again.");
       stream.read(start + 8, length_bytes);
-      const std::uint64_t length = little_endian(start + 8, length_bytes);
+      const std::uint64_t length = version == 1 ? little_endian<std::uint16_t>(start + 8)
+                                                : little_endian<std::uint32_t>(start + 8);
       header.data_begin          = 8 + length_bytes + length;
       if (!stream || header.data_begin > std::filesystem::file_size(file))
         reject_height_map(file, "ends within its header: copy or save it again.");
@@ -95,8 +89,8 @@ namespace strait
                           "has the data type '" + type_name +
                             "', and only <f4, <f8, <i2, <i4 and <i8 are supported: "
                             "convert it with astype('<f8').");
-      header.type      = type_name[1];
-      header.item_size = type_name[2] - '0';
+      header.type      = type_name.substr(1);
+      header.item_size = header.type[1] - '0';
 
       static const std::regex shape("'shape': *\\( *([0-9]+) *, *([0-9]+) *,? *\\)");
       if (!std::regex_search(dictionary, match, shape))

@@ -19,44 +19,41 @@ namespace strait
       return {{1., x, y, x * x, x * y, y * y}};
     }
 
-    /** Gauss–Jordan with pivots; terms that the points do not determine are zero. */
+    /** Gauss–Jordan of a matrix of products of terms, which needs no pivots; terms that
+     *  the points do not determine are zero. */
     Terms
     solve(std::array<Terms, most_terms> a, Terms b, const int n)
     {
-      std::array<int, most_terms>  row_of{};
-      std::array<bool, most_terms> used{};
-      row_of.fill(-1);
-      for (int column = 0; column < n; ++column)
+      std::array<bool, most_terms> is_determined{};
+      for (int k = 0; k < n; ++k)
         {
-          int pivot = -1;
+          is_determined[k] = a[k][k] > 1e-12 * a[0][0];
           for (int row = 0; row < n; ++row)
-            if (!used[row] &&
-                (pivot < 0 || std::abs(a[row][column]) > std::abs(a[pivot][column])))
-              pivot = row;
-          if (pivot < 0 || std::abs(a[pivot][column]) < 1e-12 * a[0][0])
-            continue;
-          used[pivot]    = true;
-          row_of[column] = pivot;
-          for (int row = 0; row < n; ++row)
-            if (row != pivot)
+            if (is_determined[k] && row != k)
               {
-                const double factor = a[row][column] / a[pivot][column];
-                for (int k = 0; k < n; ++k)
-                  a[row][k] -= factor * a[pivot][k];
-                b[row] -= factor * b[pivot];
+                const double factor = a[row][k] / a[k][k];
+                for (int column = 0; column < n; ++column)
+                  a[row][column] -= factor * a[k][column];
+                b[row] -= factor * b[k];
               }
         }
       Terms result{};
-      for (int column = 0; column < n; ++column)
-        if (row_of[column] >= 0)
-          result[column] = b[row_of[column]] / a[row_of[column]][column];
+      for (int k = 0; k < n; ++k)
+        if (is_determined[k])
+          result[k] = b[k] / a[k][k];
       return result;
     }
   } // namespace
 
   void
-  subtract_polynomial(HeightMap &map, const int n_terms)
+  detrend(HeightMap &map, const Detrend what)
   {
+    if (what == Detrend::none)
+      return;
+    // The first of 1, x, y, x², xy, y².
+    const int                     n_terms = what == Detrend::mean   ? 1
+                                            : what == Detrend::tilt ? 3
+                                                                    : most_terms;
     std::array<Terms, most_terms> matrix{};
     Terms                         rhs{};
     for (std::size_t k = 0; k < map.values.size(); ++k)
