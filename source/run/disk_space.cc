@@ -15,8 +15,12 @@
 namespace strait
 {
   void
-  require_space(const std::string &path, const std::uintmax_t bytes, MPI_Comm comm)
+  require_space(const std::string &path, const std::uintmax_t of_fields, MPI_Comm comm)
   {
+    // More than a file of ours holds beside its fields. Half of it might be too little,
+    // double of it refuses a disk that is fuller than it need be.
+    constexpr std::uintmax_t overhead = 1 << 16;
+    const std::uintmax_t     bytes    = of_fields + overhead;
     run_on_root(comm, [&]() {
       const std::string probe = path + ".new";
       const int         file  = open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);

@@ -24,27 +24,15 @@ namespace strait
     is_result(const std::string &name)
     {
       static const std::regex number("-[0-9]+\\.");
+      static const std::regex other_file(
+        "(fields|flow|picture)-[0-9]+(-level-[0-9]+)?\\.(h5|xmf|vtu|pvtu|png)|flow\\.pvd|"
+        "(leakage|gaps|ensemble|seal|spectrum)\\.png|report\\.html|"
+        "surface(-indented)?\\.nc|run\\.json|checkpoint(\\.new)?|log\\.txt|"
+        "parameters\\.prm");
       for (const TableInfo &table : all_tables({}))
         if (std::regex_replace(name, number, "-STEP.") == table.file)
           return true;
-      for (const char *exact : {"flow.pvd",
-                                "leakage.png",
-                                "gaps.png",
-                                "ensemble.png",
-                                "seal.png",
-                                "report.html",
-                                "surface.nc",
-                                "spectrum.png",
-                                "run.json",
-                                "checkpoint",
-                                "checkpoint.new",
-                                "log.txt",
-                                "parameters.prm"})
-        if (name == exact)
-          return true;
-      static const std::regex numbered_file(
-        "(fields|flow|picture)-[0-9]+\\.(h5|xmf|vtu|pvtu|png)");
-      return std::regex_match(name, numbered_file);
+      return std::regex_match(name, other_file);
     }
 
     /** The files that an earlier run left in a folder; none if there is no folder. */

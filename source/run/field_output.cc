@@ -171,10 +171,8 @@ namespace strait
                const std::vector<double> &values,
                MPI_Comm                   comm)
     {
-      int rank = 0;
-      MPI_Comm_rank(comm, &rank);
       auto dataset = group.create_dataset<double>(name, {values.size()});
-      if (rank == 0)
+      if (rank_in(comm) == 0)
         dataset.write_hyperslab(values, {0}, {values.size()});
       else
         dataset.write_none<double>();
@@ -188,8 +186,8 @@ namespace strait
     const PeriodicGrid &grid   = layout.grid();
     const std::string name = directory + "/fields-" + std::to_string(step.number) + ".h5";
     require_space(name,
-                  hdf5_overhead + static_cast<std::uintmax_t>(grid.n_points()) *
-                                    (3 * sizeof(double) + sizeof(int)),
+                  static_cast<std::uintmax_t>(grid.n_points()) *
+                    (3 * sizeof(double) + sizeof(int)),
                   layout.communicator());
     dealii::HDF5::File       file(name,
                             dealii::HDF5::File::FileAccessMode::create,

@@ -7,7 +7,7 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 
 namespace strait
 {
@@ -24,8 +24,9 @@ namespace strait
           if (std::filesystem::exists(directory + "/" + name))
             steps.emplace_back(step, name);
         }
-      std::ofstream series(directory + "/flow.pvd");
+      std::ostringstream series;
       dealii::DataOutBase::write_pvd_record(series, steps);
+      write_text(directory + "/flow.pvd", series.str());
     }
   } // namespace
 
@@ -76,11 +77,10 @@ namespace strait
     out.write_vtu_in_parallel(name + ".vtu", comm);
     require_end(name + ".vtu", "</VTKFile>", comm);
     run_on_root(comm, [&]() {
-      std::ofstream record(name + ".pvtu");
+      std::ostringstream record;
       out.write_pvtu_record(record, {"flow-" + std::to_string(step.number) + ".vtu"});
-      record.close();
+      write_text(name + ".pvtu", record.str());
       list_flow_fields(directory, step.number);
     });
-    require_end(name + ".pvtu", "</VTKFile>", comm);
   }
 } // namespace strait

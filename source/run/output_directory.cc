@@ -8,7 +8,6 @@
 #include <strait/run/error_budget.h>
 #include <strait/run/field_output.h>
 #include <strait/run/output_directory.h>
-#include <strait/run/picture_data.h>
 #include <strait/run/scripts.h>
 #include <strait/run/validity.h>
 

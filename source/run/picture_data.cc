@@ -4,15 +4,14 @@
 #include <strait/flow/seal_mesh.h>
 #include <strait/flow/solution_on_grid.h>
 #include <strait/run/disk_space.h>
-#include <strait/run/picture_data.h>
+#include <strait/run/field_output.h>
 
 #include <deal.II/base/hdf5.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <utility>
+#include <map>
 
 namespace strait
 {
@@ -79,37 +78,35 @@ namespace strait
       return result;
     }
 
-    struct PictureFields
-    {
-      std::vector<float> gap, open, contact_pressure, fluid_pressure, current;
-    };
-
-    /** Collective; the result is complete on rank 0. */
-    PictureFields
+    /** The fields of a picture by their names. Collective; complete on rank 0. */
+    std::map<std::string, std::vector<float>>
     collect(const Step &step, const Raster &raster)
     {
       constexpr float   none   = std::numeric_limits<float>::quiet_NaN();
       const SlabLayout &layout = step.state.gap().layout();
-      PictureFields     fields;
-      fields.gap  = thin_out(layout, step.state.gap().data(), raster);
-      fields.open = thin_out(layout, openness(step).data(), raster);
+      const auto        open   = thin_out(layout, openness(step).data(), raster);
+
+      std::map<std::string, std::vector<float>> fields;
+      fields["gap"]  = thin_out(layout, step.state.gap().data(), raster);
+      fields["open"] = open;
       if (step.state.contact)
-        fields.contact_pressure =
+        fields["pressure"] =
           thin_out(layout, step.state.contact->pressure.data(), raster);
       if (!step.flow || !step.flow->solution)
         return fields;
 
       const FlowAtPoints flow =
         flow_at_points(*step.flow->solution, rows_of_grid(layout.grid(), raster.stride));
-      const double leak = std::abs(step.flow->leakage.rate);
-      for (std::size_t k = 0; k < fields.gap.size(); ++k)
+      const double        leak           = std::abs(step.flow->leakage.rate);
+      std::vector<float> &fluid_pressure = fields["fluid_pressure"];
+      std::vector<float> &current        = fields["current"];
+      for (std::size_t k = 0; k < open.size(); ++k)
         {
-          const bool leaks = fields.open[k] == 2.F;
-          fields.fluid_pressure.push_back(
+          const bool leaks = open[k] == 2.F;
+          fluid_pressure.push_back(
             leaks ? static_cast<float>(step.flow->solution->pressure_at(flow.pressure[k]))
                   : none);
-          fields.current.push_back(leaks ? static_cast<float>(leak * flow.current[k])
-                                         : none);
+          current.push_back(leaks ? static_cast<float>(leak * flow.current[k]) : none);
         }
       return fields;
     }
@@ -117,15 +114,13 @@ namespace strait
     void
     write_dataset(dealii::HDF5::File       &file,
                   const std::string        &name,
-                  const Raster             &raster,
+                  const std::size_t         n_columns,
                   const std::vector<float> &values)
     {
-      if (values.empty())
-        return;
       file
         .create_dataset<float>(name,
-                               {static_cast<hsize_t>(raster.ny),
-                                static_cast<hsize_t>(raster.nx)})
+                               {static_cast<hsize_t>(values.size() / n_columns),
+                                static_cast<hsize_t>(n_columns)})
         .write(values);
     }
 
@@ -142,9 +137,7 @@ namespace strait
         for (const double value :
              {e.x0, e.y0, e.x1, e.y1, static_cast<double>(static_cast<int>(e.kind))})
           values.push_back(static_cast<float>(value));
-      constexpr hsize_t n_columns = 5;
-      file.create_dataset<float>("outline", {values.size() / n_columns, n_columns})
-        .write(values);
+      write_dataset(file, "outline", 5, values);
     }
 
     void
@@ -191,15 +184,11 @@ namespace strait
       const ZoomWindow         &window = layout.windows()[w];
       const std::vector<double> open   = openness(step);
       const auto                write  = [&](const char *name, const auto &field) {
-        const auto *begin = field.data() + layout.start_of_window(w);
-        file
-          .create_dataset<float>(name,
-                                 {static_cast<hsize_t>(window.n_rows()),
-                                  static_cast<hsize_t>(window.n_columns())})
-          .write(std::vector<float>(begin,
-                                    begin + static_cast<std::ptrdiff_t>(
-                                              layout.start_of_window(w + 1) -
-                                              layout.start_of_window(w))));
+        write_dataset(file,
+                      name,
+                      window.n_columns(),
+                      std::vector<float>(field.data() + layout.start_of_window(w),
+                                         field.data() + layout.start_of_window(w + 1)));
       };
       write("window_gap", gap);
       write("window_open", open);
@@ -217,24 +206,16 @@ namespace strait
                      const Step            &step,
                      const FluidParameters &fluid)
   {
-    const Raster        raster(step.state.gap().grid());
-    const PictureFields fields = collect(step, raster);
-    MPI_Comm            comm   = step.state.gap().layout().communicator();
-    const std::string   path =
+    const Raster      raster(step.state.gap().grid());
+    const auto        fields = collect(step, raster);
+    MPI_Comm          comm   = step.state.gap().layout().communicator();
+    const std::string path =
       directory + "/picture-" + std::to_string(step.number) + ".h5";
-    const std::pair<const char *, const std::vector<float> *> datasets[] = {
-      {"gap", &fields.gap},
-      {"open", &fields.open},
-      {"pressure", &fields.contact_pressure},
-      {"fluid_pressure", &fields.fluid_pressure},
-      {"current", &fields.current}};
-    require_space(path,
-                  hdf5_overhead + std::size(datasets) * raster.n_points() * sizeof(float),
-                  comm);
+    require_space(path, fields.size() * raster.n_points() * sizeof(float), comm);
     run_on_root(comm, [&]() {
       dealii::HDF5::File file(path, dealii::HDF5::File::FileAccessMode::create);
-      for (const auto &[name, values] : datasets)
-        write_dataset(file, name, raster, *values);
+      for (const auto &[name, values] : fields)
+        write_dataset(file, name, raster.nx, values);
       write_outline(file, step);
       write_window(file, step);
       write_attributes(file, step, fluid);

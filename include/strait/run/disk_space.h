@@ -9,14 +9,10 @@
 
 namespace strait
 {
-  /** More than an HDF5 file of ours holds beside its fields, in bytes. Half of it might
-   * be too little, double of it refuses a disk that is fuller than it need be. */
-  constexpr std::uintmax_t hdf5_overhead = 1 << 16;
-
   /**
-   * Make sure that a file of @p bytes can be written at @p path: the HDF5 library does
-   * not survive a disk that is full. Collective. Throws ComputationError on all ranks
-   * if it cannot.
+   * Make sure that a file with @p bytes of fields can be written at @p path: the HDF5
+   * library does not survive a disk that is full. Collective. Throws ComputationError on
+   * all ranks if it cannot.
    */
   void require_space(const std::string &path, std::uintmax_t bytes, MPI_Comm comm);
 

@@ -28,6 +28,15 @@ namespace strait
   void write_flow_fields(const std::string &directory, const Step &step);
 
   /**
+   * Write picture-STEP.h5 to @p directory, from which the plotting script draws
+   * picture-STEP.png: the fields at grid points, thinned to at most 1024 along a
+   * side. Collective.
+   */
+  void write_picture_data(const std::string     &directory,
+                          const Step            &step,
+                          const FluidParameters &fluid);
+
+  /**
    * Add the group gap_distribution to fields-STEP.h5 in @p directory, or begin that file
    * where nothing was simulated: the edges of the bins, and the shares of the nominal
    * area in them, persson and simulated; attributes persson_contact_area and
