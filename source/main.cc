@@ -36,7 +36,7 @@ namespace
   {
     using namespace strait;
     const CommandLine command = parse_command_line(argc, argv);
-    const bool on_root = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    const bool        on_root = rank_in(MPI_COMM_WORLD) == 0;
     if (command.asks_for_text())
       {
         if (on_root && command.help)

@@ -23,7 +23,9 @@ WITHOUT_DEAL_II = ["base", "spectral", "surface", "contact", "percolation",
 SHARED_HEADERS = ("base/fluid_parameters.h", "base/scene.h",
                   "surface/readers/height_map.h", "surface/map_processing.h",
                   "contact/contact_solver.h",
-                  "contact/optimisers.h", "percolation/clusters.h", "run/field_output.h")
+                  "contact/optimisers.h", "percolation/clusters.h", "run/checkpoint.h",
+                  "run/field_output.h", "run/load_sweep.h", "run/result_tables.h",
+                  "run/simulation.h", "run/validity.h")
 LICENCE = "// SPDX-License-Identifier: GPL-2.0-or-later"
 INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>")
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
+#include <strait/run/checkpoint.h>
 #include <strait/run/checkpoint_format.h>
-#include <strait/run/checkpoint_reader.h>
 
-#include <algorithm>
-#include <cstring>
 #include <filesystem>
 
 namespace strait
@@ -15,7 +13,7 @@ namespace strait
   CheckpointReader::CheckpointReader(const std::string &path_, MPI_Comm comm_)
     : path(path_)
     , comm(comm_)
-    , on_root(is_root(comm))
+    , on_root(rank_in(comm) == 0)
   {
     run_on_root(comm, [this]() {
       file = std::fopen(path.c_str(), "rb");
@@ -43,36 +41,25 @@ namespace strait
   void
   CheckpointReader::check_whole_file()
   {
-    constexpr std::size_t head = sizeof signature - 1 + sizeof version;
-    std::error_code       failure;
-    const auto            size = std::filesystem::file_size(path, failure);
-    if (failure || size < head + sizeof(Trailer))
+    std::error_code failure;
+    const auto      size = std::filesystem::file_size(path, failure);
+    if (failure || size < signature_size + sizeof(std::uint64_t))
       refuse();
-    const std::size_t          length   = size - sizeof(Trailer);
-    std::uint64_t              checksum = 0;
-    std::vector<unsigned char> data(std::min(block, length));
-    for (std::size_t left = length; left > 0;)
+    const std::size_t          length   = size - sizeof(std::uint64_t);
+    std::uint64_t              checksum = 0, expected = 0;
+    std::vector<unsigned char> data(block);
+    for (std::size_t at = 0; at < length; at += block)
       {
-        const std::size_t n = std::min(block, left);
-        if (std::fread(data.data(), 1, n, file) != n)
+        const std::size_t n = std::min(block, length - at);
+        if (std::fread(data.data(), 1, n, file) != n ||
+            (at == 0 && std::memcmp(data.data(), signature, signature_size) != 0))
           refuse();
         checksum = continued_checksum(checksum, data.data(), n);
-        if (left == length)
-          {
-            std::uint64_t found = 0;
-            std::memcpy(&found, data.data() + sizeof signature - 1, sizeof found);
-            if (std::memcmp(data.data(), signature, sizeof signature - 1) != 0 ||
-                found != version)
-              refuse();
-          }
-        left -= n;
       }
-    Trailer trailer;
-    if (std::fread(&trailer, sizeof trailer, 1, file) != 1 || trailer.length != length ||
-        trailer.checksum != checksum ||
-        std::fseek(file, static_cast<long>(head), SEEK_SET) != 0)
+    if (std::fread(&expected, sizeof expected, 1, file) != 1 || expected != checksum ||
+        std::fseek(file, static_cast<long>(signature_size), SEEK_SET) != 0)
       refuse();
-    remaining = length - head;
+    remaining = length - signature_size;
   }
 
   void
@@ -133,41 +120,32 @@ namespace strait
                          const std::size_t point_size,
                          const SlabLayout &layout)
   {
+    const std::size_t row_size = layout.grid().nx * point_size;
+    const int         n_bytes  = static_cast<int>(row_size);
     run_on_root(comm, [&]() {
-      if (take_head('f') !=
-          static_cast<std::uint64_t>(layout.grid().n_points()) * point_size)
+      if (take_head('f') != layout.grid().ny * row_size)
         refuse();
+      remaining -= layout.grid().ny * row_size;
     });
     // The file was read before; should it fail now, the others must not wait.
-    std::string failure;
-    const auto  try_to_take = [&](void *data, const std::size_t size) {
-      try
-        {
-          take(data, size);
-        }
-      catch (const InputError &error)
-        {
-          failure = error.what();
-        }
+    bool       is_complete = true;
+    const auto own         = [&](const int row) {
+      return static_cast<unsigned char *>(local) + row * row_size;
     };
-    const std::size_t mine = bytes_of(layout, layout.rank(), point_size);
-    if (on_root)
-      {
-        try_to_take(local, mine);
-        std::vector<unsigned char> data(block);
-        for (int rank = 1; rank < layout.n_ranks(); ++rank)
-          for (std::size_t left = bytes_of(layout, rank, point_size); left > 0;)
-            {
-              const std::size_t size = std::min(block, left);
-              try_to_take(data.data(), size);
-              MPI_Send(data.data(), static_cast<int>(size), MPI_BYTE, rank, 0, comm);
-              left -= size;
-            }
-      }
-    else
-      in_pieces(local, mine, [&](unsigned char *data, const std::size_t size) {
-        MPI_Recv(data, static_cast<int>(size), MPI_BYTE, 0, 0, comm, MPI_STATUS_IGNORE);
-      });
-    throw_if_any(comm, failure);
+    std::vector<unsigned char> passed_on(row_size);
+    for_all_rows(layout, [&](const int rank, const int row) {
+      if (on_root)
+        is_complete =
+          std::fread(rank > 0 ? passed_on.data() : own(row), row_size, 1, file) == 1 &&
+          is_complete;
+      if (on_root && rank > 0)
+        MPI_Send(passed_on.data(), n_bytes, MPI_BYTE, rank, 0, comm);
+      if (!on_root && rank == layout.rank())
+        MPI_Recv(own(row), n_bytes, MPI_BYTE, 0, 0, comm, MPI_STATUS_IGNORE);
+    });
+    run_on_root(comm, [&]() {
+      if (!is_complete)
+        refuse();
+    });
   }
 } // namespace strait

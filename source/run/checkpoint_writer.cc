@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
+#include <strait/run/checkpoint.h>
 #include <strait/run/checkpoint_format.h>
-#include <strait/run/checkpoint_writer.h>
 
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 namespace strait
@@ -40,15 +38,14 @@ namespace strait
   CheckpointWriter::CheckpointWriter(const std::string &path_, MPI_Comm comm_)
     : path(path_)
     , comm(comm_)
-    , on_root(is_root(comm))
+    , on_root(rank_in(comm) == 0)
   {
     if (!on_root)
       return;
     file = open(name_beside(path).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     if (file < 0)
       error = errno;
-    put(signature, sizeof signature - 1);
-    put(&version, sizeof version);
+    put(signature, signature_size);
   }
 
   CheckpointWriter::~CheckpointWriter()
@@ -82,31 +79,21 @@ namespace strait
                          const std::size_t point_size,
                          const SlabLayout &layout)
   {
-    const std::size_t mine = bytes_of(layout, layout.rank(), point_size);
-    if (!on_root)
-      {
-        in_pieces(local, mine, [&](unsigned char *data, const std::size_t size) {
-          MPI_Send(data, static_cast<int>(size), MPI_BYTE, 0, 0, comm);
-        });
-        return;
-      }
-    put_item('f', nullptr, layout.grid().n_points() * point_size);
-    put(local, mine);
-    std::vector<unsigned char> received(block);
-    for (int rank = 1; rank < layout.n_ranks(); ++rank)
-      for (std::size_t left = bytes_of(layout, rank, point_size); left > 0;)
-        {
-          const std::size_t size = std::min(block, left);
-          MPI_Recv(received.data(),
-                   static_cast<int>(size),
-                   MPI_BYTE,
-                   rank,
-                   0,
-                   comm,
-                   MPI_STATUS_IGNORE);
-          put(received.data(), size);
-          left -= size;
-        }
+    const std::size_t row_size = layout.grid().nx * point_size;
+    const int         n_bytes  = static_cast<int>(row_size);
+    put_item('f', nullptr, layout.grid().ny * row_size);
+    const auto own = [&](const int row) {
+      return static_cast<unsigned char *>(local) + row * row_size;
+    };
+    std::vector<unsigned char> received(row_size);
+    for_all_rows(layout, [&](const int rank, const int row) {
+      if (!on_root && rank == layout.rank())
+        MPI_Send(own(row), n_bytes, MPI_BYTE, 0, 0, comm);
+      if (on_root && rank > 0)
+        MPI_Recv(received.data(), n_bytes, MPI_BYTE, rank, 0, comm, MPI_STATUS_IGNORE);
+      if (on_root)
+        put(rank > 0 ? received.data() : own(row), row_size);
+    });
   }
 
   /** Without @p data only the head; they follow. */
@@ -140,7 +127,6 @@ namespace strait
   CheckpointWriter::flush()
   {
     checksum = continued_checksum(checksum, buffer.data(), buffer.size());
-    length += buffer.size();
     for (std::size_t at = 0; at < buffer.size() && error == 0;)
       {
         const ssize_t n = write(file, buffer.data() + at, buffer.size() - at);
@@ -157,8 +143,8 @@ namespace strait
   {
     run_on_root(comm, [this]() {
       flush();
-      const Trailer trailer{length, checksum};
-      put(&trailer, sizeof trailer);
+      const std::uint64_t of_all = checksum;
+      put(&of_all, sizeof of_all);
       flush();
       if (error == 0 && fsync(file) != 0)
         error = errno;

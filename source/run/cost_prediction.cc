@@ -9,12 +9,6 @@ namespace strait
 {
   namespace
   {
-    CostPrediction::Range
-    operator*(const CostPrediction::Range &a, const CostPrediction::Range &b)
-    {
-      return {a.lowest * b.lowest, a.highest * b.highest};
-    }
-
     /** Two digits are more than is known. */
     double
     rounded(const double count)
@@ -73,17 +67,17 @@ namespace strait
   {
     const auto n      = static_cast<double>(n_steps());
     Range      solves = {n, n};
-    // Contacts between rounds differ little.
-    const Range coupled_pairs = {40., 900.}, probes = {7., 16.};
     if (scene.programme.find_threshold)
+      solves = {n + 7., n + 16.};
+    Range pairs = pairs_per_contact();
+    if (scene.fluid.feedback.enabled)
       {
-        solves.lowest += probes.lowest;
-        solves.highest += probes.highest;
+        // Contacts between rounds differ little. What the fluid does to the wall depends
+        // on the slip length.
+        const auto slips = static_cast<double>(n_slips());
+        pairs            = {40. * slips, 900. * slips};
       }
-    // What the fluid does to the wall depends on the slip length.
-    const auto slips = static_cast<double>(n_slips());
-    return scene.fluid.feedback.enabled ? solves * Range{slips, slips} * coupled_pairs
-                                        : solves * pairs_per_contact();
+    return {solves.lowest * pairs.lowest, solves.highest * pairs.highest};
   }
 
   CostPrediction::Range

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
-#include <strait/base/rank_groups.h>
 #include <strait/base/signals.h>
 #include <strait/base/text.h>
 #include <strait/run/disk_space.h>
 #include <strait/run/earlier_results.h>
 #include <strait/run/ensemble.h>
 #include <strait/run/ensemble_tables.h>
-#include <strait/run/output_directory.h>
 #include <strait/run/run_state.h>
 #include <strait/run/scripts.h>
 #include <strait/run/simulation.h>
@@ -17,13 +15,49 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <utility>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace strait
 {
   namespace
   {
+    /** The ranks of MPI_COMM_WORLD in groups that work beside each other. */
+    class RankGroups
+    {
+    public:
+      /** Groups of @p ranks_each ranks; empty: one of all ranks. Throws InputError if it
+       * does not divide the number of ranks. Collective. */
+      explicit RankGroups(const std::vector<int> &ranks_each)
+      {
+        const int my_rank = rank_in(MPI_COMM_WORLD);
+        const int n_ranks = n_ranks_in(MPI_COMM_WORLD);
+        n_each            = ranks_each.empty() ? n_ranks : ranks_each.front();
+        if (n_ranks % n_each != 0)
+          throw InputError(format(
+            "Realisations/Ranks each = %d does not divide the number of ranks, %d.",
+            n_each,
+            n_ranks));
+        number = n_ranks / n_each;
+        mine   = my_rank / n_each;
+        MPI_Comm_split(MPI_COMM_WORLD, mine, my_rank, &comm);
+      }
+
+      ~RankGroups()
+      {
+        MPI_Comm_free(&comm);
+      }
+
+      RankGroups(const RankGroups &)            = delete;
+      RankGroups &operator=(const RankGroups &) = delete;
+
+      int      n_each = 1;             // ranks of a group
+      int      number = 1;             // of groups
+      int      mine   = 0;             // the group of this rank
+      MPI_Comm comm   = MPI_COMM_NULL; // of this rank's group
+    };
+
     struct Realisation
     {
       unsigned long long seed;
@@ -91,29 +125,6 @@ namespace strait
       return read_scene(path, overrides);
     }
 
-    RealisationRow
-    row_of(const RunSummary &run, const std::string &status)
-    {
-      Transition threshold;
-      threshold.lower = threshold.upper = threshold.contact_area = std::nan("");
-      if (!run.thresholds.empty())
-        threshold = run.thresholds.front();
-      const double load = threshold.middle();
-      return {0,
-              0,
-              "",
-              threshold.lower,
-              threshold.upper,
-              threshold.contact_area,
-              (1 - run.crossover) * load,
-              std::isnan(load) ? load : run.crossover,
-              (1 - run.theory_crossover) * load,
-              run.exponent.n_points < 2 ? std::nan("") : run.exponent.exponent,
-              run.exponent.n_points < 2 ? std::nan("") : run.exponent.error,
-              status,
-              run.validity};
-    }
-
     /** The same on all ranks of @p comm. */
     bool
     has_checkpoint(const Scene &scene, MPI_Comm comm)
@@ -126,30 +137,23 @@ namespace strait
     /** What is to be told of a realisation that was run. */
     struct Outcome
     {
-      RealisationRow row;
-      std::string    warning; // why it failed
-      bool           converged = false;
-      bool           stopped   = false;
+      RunSummary  run;
+      std::string warning; // why it failed
     };
 
     /** Tell all ranks what @p root knows. Collective. */
     void
     share(Outcome &outcome, const int root)
     {
-      RealisationRow &row = outcome.row;
-      for (double *value : {&row.lower,
-                            &row.upper,
-                            &row.contact_area,
-                            &row.crossover_load,
-                            &row.crossover_reduced_load,
-                            &row.theory_crossover_load,
-                            &row.exponent,
-                            &row.exponent_error})
-        MPI_Bcast(value, 1, MPI_DOUBLE, root, MPI_COMM_WORLD);
-      for (bool *value : {&outcome.converged, &outcome.stopped})
-        MPI_Bcast(value, 1, MPI_CXX_BOOL, root, MPI_COMM_WORLD);
-      for (std::string *text : {&row.status, &row.validity, &outcome.warning})
-        *text = broadcast(MPI_COMM_WORLD, *text, root);
+      const auto tell = [root](auto &value) {
+        if constexpr (std::is_same_v<decltype(value), std::string &>)
+          value = broadcast(MPI_COMM_WORLD, value, root);
+        else
+          MPI_Bcast(&value, sizeof value, MPI_BYTE, root, MPI_COMM_WORLD);
+      };
+      std::apply([&tell](auto &...members) { (tell(members), ...); },
+                 outcome.run.members());
+      tell(outcome.warning);
     }
 
     /** Run @p scene, a realisation alone, in this rank's group. */
@@ -160,29 +164,28 @@ namespace strait
               const bool        resume)
     {
       // One group alone has the screen.
-      Log         log(groups.comm, is_quiet || groups.mine > 0);
-      RunSummary  run;
-      std::string status = "ok";
-      Outcome     outcome;
+      Log     log(groups.comm, is_quiet || groups.mine > 0);
+      Outcome outcome;
       try
         {
-          run = simulate(scene,
-                         log,
-                         resume && has_checkpoint(scene, groups.comm),
-                         groups.comm);
-          if (!run.converged)
-            status = "not-converged";
-          add_words(status, run.status);
-          outcome.converged = run.converged;
+          outcome.run = simulate(scene,
+                                 log,
+                                 resume && has_checkpoint(scene, groups.comm),
+                                 groups.comm);
+          if (!outcome.run.converged)
+            {
+              std::string status = "not-converged";
+              add_words(status, outcome.run.status);
+              outcome.run.status = status;
+            }
         }
       catch (const ComputationError &error)
         {
           // The same on all ranks of the group, so they go on together.
-          outcome.warning = error.what();
-          status          = "failed";
+          outcome.warning       = error.what();
+          outcome.run.status    = "failed";
+          outcome.run.converged = false;
         }
-      outcome.stopped = run.stopped;
-      outcome.row     = row_of(run, status);
       return outcome;
     }
 
@@ -199,7 +202,7 @@ namespace strait
       if (mine < scenes.size())
         outcomes[mine] = run_alone(scenes[mine], groups, is_quiet, resume);
       for (std::size_t group = 0; group < scenes.size(); ++group)
-        share(outcomes[group], groups.root_of(static_cast<int>(group)));
+        share(outcomes[group], static_cast<int>(group) * groups.n_each);
       return outcomes;
     }
 
@@ -262,18 +265,20 @@ namespace strait
                                       overrides,
                                       folder + "/realisation-" + std::to_string(k + 1)));
           }
-        for (Outcome &outcome : run_together(scenes, groups, log.is_quiet(), resume))
+        for (const Outcome &outcome :
+             run_together(scenes, groups, log.is_quiet(), resume))
           {
-            if (outcome.stopped)
+            if (outcome.run.stopped)
               throw_interruption(scene);
             if (!outcome.warning.empty())
               log.warn(outcome.warning);
-            all_converged                  = all_converged && outcome.converged;
-            const Realisation &realisation = realisations[rows.size()];
-            rows.push_back(std::move(outcome.row));
-            rows.back().number      = static_cast<int>(rows.size());
-            rows.back().seed        = realisation.seed;
-            rows.back().orientation = name_of(realisation.orientation);
+            all_converged                  = all_converged && outcome.run.converged;
+            const std::size_t  k           = rows.size();
+            const Realisation &realisation = realisations[k];
+            rows.push_back({outcome.run,
+                            static_cast<int>(k + 1),
+                            realisation.seed,
+                            name_of(realisation.orientation)});
             run_on_root(MPI_COMM_WORLD, [&]() {
               table.append(rows.back());
               ensemble_summary_table(scene).write_rows(folder + "/ensemble_summary.csv",

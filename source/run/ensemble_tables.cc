@@ -25,9 +25,10 @@ namespace strait
     table.add(&RealisationRow::number, "realisation [1]: k, from 1")
       .add(&RealisationRow::seed, "seed [1]: `Surface/Seed`")
       .add(&RealisationRow::orientation, "orientation: how the surface is turned")
-      .add(&RealisationRow::lower,
+      .add(&RealisationRow::critical_load_lower,
            "critical_load_lower [pressure]: at the first slip length")
-      .add(&RealisationRow::upper, "critical_load_upper [pressure]: likewise")
+      .add(&RealisationRow::critical_load_upper,
+           "critical_load_upper [pressure]: likewise")
       .add(&RealisationRow::contact_area, "contact_area [1]: likewise")
       .add(&RealisationRow::crossover_load,
            "crossover_load [pressure]: (1 − ε_x) L_c, where the exponential decay far "
@@ -98,9 +99,9 @@ namespace strait
     if (!scene.programme.find_threshold)
       return rows; // none of them is sought
     add("contact_area", &Row::contact_area);
-    add("critical_load", [](const Row &row) { return .5 * (row.lower + row.upper); });
+    add("critical_load", &Row::critical_load);
     add("crossover_load", &Row::crossover_load);
-    add("crossover_reduced_load", &Row::crossover_reduced_load);
+    add("crossover_reduced_load", &Row::crossover);
     add("exponent", &Row::exponent);
     if (scene.theory.enabled)
       add("theory_crossover_load", &Row::theory_crossover_load);

@@ -164,9 +164,7 @@ namespace strait
   {
     MPI_Comm machine = MPI_COMM_NULL;
     MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-    int n_here = 1, n_ranks = 1;
-    MPI_Comm_size(machine, &n_here);
-    MPI_Comm_size(comm, &n_ranks);
+    const int    n_here = n_ranks_in(machine), n_ranks = n_ranks_in(comm);
     const double available = minimum(machine, free_memory());
     MPI_Comm_free(&machine);
     const double      needed = memory_of_grid(scene) * n_here / n_ranks;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/run/leakage_table.h>
+#include <strait/run/result_tables.h>
 
 #include <algorithm>
 #include <array>

@@ -1,38 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/run/load_stops.h>
+#include <strait/run/load_sweep.h>
 
 #include <algorithm>
 
 namespace strait
 {
-  namespace
-  {
-    /** Append the way back of a cycle: all stops in reverse order without the last
-     *  load, the slip lengths of each load in their own order. */
-    void
-    append_way_back(std::vector<LoadStop> &stops, const std::size_t n_slips)
-    {
-      std::vector<LoadStop> all = stops;
-      for (std::size_t k = stops.size(); k > n_slips; k -= n_slips)
-        for (std::size_t slip = 0; slip < n_slips; ++slip)
-          all.push_back(stops[k - 2 * n_slips + slip]);
-      stops = std::move(all);
-    }
-  } // namespace
-
   std::vector<LoadStop>
   plan_stops(const Scene &scene, const std::vector<Transition> &thresholds)
   {
     const std::vector<double> slips =
       scene.fluid.enabled ? scene.fluid.slip_lengths : std::vector<double>{0.};
+    std::vector<double> targets =
+      scene.contact.enabled ? scene.programme.pressures : std::vector<double>{0.};
+    if (scene.programme.path == LoadPath::cycle) // and back, without the last load
+      for (auto k = static_cast<int>(targets.size()) - 2; k >= 0; --k)
+        targets.push_back(targets[k]);
     std::vector<LoadStop> stops;
-    for (const double target :
-         scene.contact.enabled ? scene.programme.pressures : std::vector<double>{0.})
+    for (const double target : targets)
       for (const double slip_length : slips)
         stops.push_back({target, slip_length});
-
-    if (scene.programme.path == LoadPath::cycle)
-      append_way_back(stops, slips.size());
 
     std::vector<LoadStop> near_threshold;
     for (const Transition &threshold : thresholds)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
+#include <strait/run/error_budget.h>
+#include <strait/run/flow_in_a_row.h>
 #include <strait/run/load_sweep.h>
 #include <strait/run/step_report.h>
-#include <strait/run/threshold_doubts.h>
 #include <strait/run/validity.h>
 #include <strait/seal/coupled_seal.h>
 #include <strait/seal/make_seal.h>
-#include <strait/surface/statistics.h>
 
 #include <limits>
 #include <utility>
@@ -57,7 +57,7 @@ namespace strait
     , log(log_)
     , timers(timers_)
     , layout(heights.layout_pointer())
-    , rms_slope(statistics(heights).rms_slope)
+    , surface(statistics(heights))
     , contact(complete_contact(scene, heights, surface_energy, log))
   {
     if (scene.fluid.enabled)
@@ -66,9 +66,11 @@ namespace strait
         if (scene.programme.find_threshold)
           flow->watch_constrictions();
         if (scene.has_two_boxes())
-          row = std::make_unique<FlowInARow>(scene.fluid, *layout, log, timers);
-        coarser      = std::make_unique<CoarserSeals>(scene, contact, heights, log);
-        error_budget = std::make_unique<ErrorBudget>(scene, heights, *coarser);
+          row = std::make_unique<FlowStage>(scene.fluid,
+                                            two_in_a_row(heights).layout_pointer(),
+                                            log,
+                                            timers);
+        coarser = std::make_unique<CoarserSeals>(scene, contact, heights, log);
       }
     if (scene.theory.enabled)
       theory = std::make_unique<TheoryPrediction>(scene, &heights);
@@ -126,7 +128,7 @@ namespace strait
       }
     // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
     // saddle at 0.229: start a little to the side that the scene names.
-    SearchStart start((unloads ? .28 : .2) * contact.pressure_scale(rms_slope));
+    SearchStart start((unloads ? .28 : .2) * contact.pressure_scale(surface.rms_slope));
     if (contact.yields())
       start.end = contact.hardness;
     return start;
@@ -240,7 +242,9 @@ namespace strait
     const auto start = Timers::Clock::now();
     step.flow        = leak_through(step.state, scene, *flow);
     if (row)
-      step.two_boxes = row->solve(step.state.gap(), step.state.control.slip_length);
+      step.two_boxes =
+        row->solve(two_in_a_row(step.state.gap()), step.state.control.slip_length)
+          .leakage;
     step.flow_seconds += Timers::seconds_since(start);
   }
 
@@ -256,11 +260,12 @@ namespace strait
     if (step.flow && step.flow->solution)
       {
         const auto scope = timers.scope("errors");
-        step.errors      = error_budget->assess(step, counted_from);
+        step.errors =
+          assess_errors(step, counted_from, scene, surface.rms_height, *coarser);
       }
     if (scene.contact.zoom.enabled && step.errors.sum() > scene.fluid.target_accuracy)
       step.doubts.emplace_back("inaccurate");
-    judge_validity(step, scene, rms_slope, log);
+    judge_validity(step, scene, surface.rms_slope, log);
     converged = converged && step.converged();
   }
 
@@ -272,14 +277,8 @@ namespace strait
       threshold_of(thresholds, step.state.control.slip_length);
     if (threshold == nullptr)
       return;
-    const double reduced =
-      1. - step.state.contact->nominal_pressure / threshold->middle();
-    step.reduced_load = reduced;
-    if (reduced > 0 && step.flow->constrictions)
-      step.doubts = doubts_near_threshold({reduced,
-                                           .5 * threshold->relative_width(),
-                                           step.flow->constrictions->points_along},
-                                          log);
+    step.reduced_load = 1. - step.state.contact->nominal_pressure / threshold->middle();
+    step.doubts       = doubts_near_threshold(step, *threshold, log);
   }
 
   void

@@ -85,10 +85,7 @@ namespace strait
           run_on_root(comm, [&]() { write_text(path + "/" + name, text); });
       }
     scaling.transfer(archive);
-    auto n_jumps_written = static_cast<long>(n_jumps);
-    archive.values(
-      error_budget, validity, words_of_status, words_of_validity, n_jumps_written);
-    n_jumps = n_jumps_written;
+    archive.values(error_budget, validity, words_of_status, words_of_validity);
     if (archive.is_reading())
       run_on_root(comm, [&]() {
         table.reopen(path + "/leakage.csv");
@@ -98,7 +95,7 @@ namespace strait
   }
 
   void
-  OutputDirectory::write(const std::vector<Transition> &thresholds)
+  OutputDirectory::write(const std::vector<Transition> &thresholds) const
   {
     run_on_root(comm, [&]() {
       threshold_table(scene).write_rows(path + "/threshold.csv", thresholds);
@@ -106,7 +103,7 @@ namespace strait
   }
 
   void
-  OutputDirectory::write(const std::vector<BlowOut> &blow_outs)
+  OutputDirectory::write(const std::vector<BlowOut> &blow_outs) const
   {
     run_on_root(comm, [&]() {
       blow_out_table(scene).write_rows(path + "/blow_out.csv", blow_outs);
@@ -114,12 +111,11 @@ namespace strait
   }
 
   void
-  OutputDirectory::write(const std::vector<Jump> &jumps)
+  OutputDirectory::write(const std::vector<Jump> &jumps) const
   {
-    if (jumps.size() > n_jumps)
+    if (!jumps.empty())
       run_on_root(comm,
                   [&]() { jump_table(scene).write_rows(path + "/jumps.csv", jumps); });
-    n_jumps = jumps.size();
   }
 
   void
@@ -158,9 +154,20 @@ namespace strait
   }
 
   void
-  OutputDirectory::summarise(RunSummary &summary) const
+  OutputDirectory::summarise(const std::vector<Transition> &thresholds,
+                             RunSummary                    &summary) const
   {
-    summary.exponent         = scaling.leak_rate_fit();
+    if (!thresholds.empty())
+      {
+        summary.critical_load_lower = thresholds.front().lower;
+        summary.critical_load_upper = thresholds.front().upper;
+        summary.contact_area        = thresholds.front().contact_area;
+      }
+    if (const ExponentFit fit = scaling.leak_rate_fit(); fit.n_points > 1)
+      {
+        summary.exponent       = fit.exponent;
+        summary.exponent_error = fit.error;
+      }
     summary.crossover        = scaling.crossover();
     summary.theory_crossover = scaling.theory_crossover();
     summary.status           = words_of_status;
@@ -186,8 +193,6 @@ namespace strait
   void
   OutputDirectory::write_record(const Timers &timers, const double bytes_per_point) const
   {
-    int n_ranks = 1;
-    MPI_Comm_size(comm, &n_ranks);
     Json seconds = Json::object();
     for (const Timers::Part &part : timers.table())
       seconds.set(part.path, part.seconds);
@@ -203,7 +208,7 @@ namespace strait
     Json record = Json::object();
     record.set("program", "strait")
       .set("version", version())
-      .set("ranks", n_ranks)
+      .set("ranks", n_ranks_in(comm))
       .set("grid", grid)
       .set("bytes_per_grid_point", bytes_per_point)
       .set("seconds", seconds)

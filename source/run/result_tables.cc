@@ -3,7 +3,6 @@
 #include <strait/base/text.h>
 #include <strait/base/units.h>
 #include <strait/run/ensemble_tables.h>
-#include <strait/run/leakage_table.h>
 #include <strait/run/result_tables.h>
 #include <strait/surface/resolution.h>
 
@@ -221,7 +220,8 @@ namespace strait
     table
       .add(&SpectrumRow::q,
            "wave_number [1/length]: q, geometric mean of the ring's limits")
-      .add(&SpectrumRow::wavelength, "wavelength [length]: 2π/q")
+      .add([](const SpectrumRow &row) { return 2 * M_PI / row.q; },
+           "wavelength [length]: 2π/q")
       .add(&SpectrumRow::density,
            "density [length⁴]: C(q) = \\|h~\\|² LxLy/(2π)², averaged over directions: "
            "∫d²q C = h_rms²")

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
-#include <strait/run/checkpoint_reader.h>
-#include <strait/run/checkpoint_writer.h>
+#include <strait/run/checkpoint.h>
 #include <strait/run/earlier_results.h>
 #include <strait/run/run_state.h>
 
@@ -15,17 +14,8 @@ namespace strait
     void
     transfer_summary(StateArchive &archive, RunSummary &summary)
     {
-      archive.value(summary.converged);
-      transfer(archive, summary.thresholds);
-      archive.values(summary.exponent.from,
-                     summary.exponent.to,
-                     summary.exponent.exponent,
-                     summary.exponent.error,
-                     summary.exponent.n_points,
-                     summary.crossover,
-                     summary.theory_crossover,
-                     summary.status,
-                     summary.validity);
+      std::apply([&archive](auto &...members) { archive.values(members...); },
+                 summary.members());
     }
 
     void
@@ -53,23 +43,14 @@ namespace strait
     archive = std::make_unique<CheckpointReader>(path, comm);
     std::string earlier;
     archive->value(earlier);
-    check_scene(earlier);
-    archive->value(finished);
-    if (finished)
-      {
-        transfer_summary(*archive, left);
-        return;
-      }
-    archive->values(surface, surface_energy, has_searched);
-  }
-
-  void
-  RunState::check_scene(const std::string &earlier) const
-  {
     const std::string difference = difference_of_scenes(earlier, scene.resolved);
     if (!difference.empty())
       throw InputError("The run in '" + scene.output.directory + "' had " + difference +
                        "; restore the scene to resume, or begin anew in another folder.");
+    if (transfer_presence(*archive, left))
+      transfer_summary(*archive, *left);
+    else
+      archive->values(surface, surface_energy, has_searched);
   }
 
   void

@@ -3,11 +3,11 @@
 #include <strait/run/scaling.h>
 #include <strait/run/step.h>
 #include <strait/spectral/state_archive.h>
+#include <strait/theory/closing_law.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <utility>
 
 namespace strait
 {
@@ -71,24 +71,28 @@ namespace strait
     return points;
   }
 
-  Scaling::Supply
-  Scaling::supply(const LoadWindow &window, const Trust trust) const
+  std::array<Scaling::Supply, 2>
+  Scaling::supplies() const
   {
+    std::array<Supply, 2> result = {
+      {{"exponent of leak_rate", "no-exponent", {0., largest}, Trust::doubtless},
+       {"crossover load", "no-crossover", exponential_decay, Trust::resolved}}};
     double slip_length = std::nan("");
     for (const Sample &sample : samples)
       slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
-    Supply result;
-    for (const Sample &sample : samples)
-      if (sample.slip_length == slip_length && window.contains(sample.reduced_load))
-        {
-          ++result.n_steps;
-          if (serves(sample, leak_rate, trust))
-            ++result.n_used;
-          else if (trust == Trust::resolved && sample.is_coarse)
-            add_words(result.status_of_others, "coarse-throat");
-          else
-            add_words(result.status_of_others, sample.status);
-        }
+    for (Supply &supply : result)
+      for (const Sample &sample : samples)
+        if (sample.slip_length == slip_length &&
+            supply.window.contains(sample.reduced_load))
+          {
+            ++supply.n_steps;
+            if (serves(sample, leak_rate, supply.trust))
+              ++supply.n_used;
+            else if (supply.trust == Trust::resolved && sample.is_coarse)
+              add_words(supply.status_of_others, "coarse-throat");
+            else
+              add_words(supply.status_of_others, sample.status);
+          }
     return result;
   }
 
@@ -96,31 +100,27 @@ namespace strait
   Scaling::missing() const
   {
     std::string words = "ok";
-    if (supply({0., largest}, Trust::doubtless).is_short())
-      add_words(words, "no-exponent");
-    if (supply(exponential_decay, Trust::resolved).is_short())
-      add_words(words, "no-crossover");
+    for (const Supply &supply : supplies())
+      if (supply.is_short())
+        add_words(words, supply.word);
     return words;
   }
 
   void
   Scaling::report_missing(Log &log) const
   {
-    const auto warn =
-      [&](const std::string &what, const LoadWindow &window, const Trust trust) {
-        const Supply found = supply(window, trust);
-        if (found.n_steps > found.n_used)
-          log.warn((found.is_short() ? "no " + what + ", which takes two steps" : what) +
-                   format(": %d of %d steps with 1 - L/L_c from %.3g to %.3g serve; the "
-                          "others are left out for %s",
-                          found.n_used,
-                          found.n_steps,
-                          window.from,
-                          window.to,
-                          found.status_of_others.c_str()));
-      };
-    warn("exponent of leak_rate", {0., largest}, Trust::doubtless);
-    warn("crossover load", exponential_decay, Trust::resolved);
+    for (const Supply &supply : supplies())
+      if (supply.n_steps > supply.n_used)
+        log.warn((supply.is_short()
+                    ? std::string("no ") + supply.result + ", which takes two steps"
+                    : supply.result) +
+                 format(": %d of %d steps with 1 - L/L_c from %.3g to %.3g serve; the "
+                        "others are left out for %s",
+                        supply.n_used,
+                        supply.n_steps,
+                        supply.window.from,
+                        supply.window.to,
+                        supply.status_of_others.c_str()));
   }
 
   double
@@ -193,40 +193,24 @@ namespace strait
     }
   } // namespace
 
-  double
-  Scaling::law_exponent(const ClosingLaw  &law,
-                        const Quantity     quantity,
-                        const ExponentFit &slope,
-                        const double       slip_length)
-  {
-    if (slip_length > 0)
-      return std::nan("");
-    // An immobile layer cuts the throat off where it is still wide and smooth.
-    const bool   is_smooth    = slip_length < 0;
-    const double reduced_load = std::sqrt(slope.from * slope.to);
-    switch (quantity)
-      {
-        case leak_rate:
-          return is_smooth ? 3. : law.leak_rate_exponent(reduced_load);
-        case throat_gap:
-          return is_smooth ? 1. : law.gap_exponent(reduced_load);
-        case throat_length:
-          return is_smooth ? .5 : law.length_exponent(reduced_load);
-        case throat_width:
-          return is_smooth ? .5 : law.width_exponent(reduced_load);
-        default:
-          return std::nan("");
-      }
-  }
-
   std::vector<FitRow>
   Scaling::fits(Log &log) const
   {
-    constexpr std::array<std::pair<Quantity, const char *>, 4> quantities = {
-      {{leak_rate, "leak_rate"},
-       {throat_gap, "throat_gap"},
-       {throat_length, "throat_length"},
-       {throat_width, "throat_width"}}};
+    struct
+    {
+      Quantity    quantity;
+      const char *name;
+      double (ClosingLaw::*law_exponent)(double reduced_load) const;
+      // An immobile layer cuts the throat off where it is still wide and smooth.
+      double exponent_with_slip;
+    } const quantities[] = {
+      {leak_rate, "leak_rate", &ClosingLaw::leak_rate_exponent, 3.},
+      {throat_gap, "throat_gap", &ClosingLaw::gap_exponent, 1.},
+      {throat_length, "throat_length", &ClosingLaw::length_exponent, .5},
+      {throat_width, "throat_width", &ClosingLaw::width_exponent, .5}};
+    const auto middle = [](const ExponentFit &slope) {
+      return std::sqrt(slope.from * slope.to);
+    };
     std::set<double> slip_lengths;
     for (const Sample &sample : samples)
       slip_lengths.insert(sample.slip_length);
@@ -234,18 +218,19 @@ namespace strait
     std::vector<ClosingLaw::Slope> closing;
     for (const ExponentFit &slope : local_slopes(series(leak_rate, 0., Trust::doubtless)))
       if (slope.to <= largest)
-        closing.push_back({std::sqrt(slope.from * slope.to), slope.exponent});
+        closing.push_back({middle(slope), slope.exponent});
     const ClosingLaw law = ClosingLaw::fit(closing);
     for (const double slip_length : slip_lengths)
-      for (const auto &[quantity, name] : quantities)
+      for (const auto &[quantity, name, law_exponent, with_slip] : quantities)
         {
           for (const ExponentFit &slope :
                local_slopes(series(quantity, slip_length, Trust::all)))
-            rows.push_back({slope,
-                            name,
-                            slip_length,
-                            "local",
-                            law_exponent(law, quantity, slope, slip_length)});
+            rows.push_back(
+              {slope,
+               name,
+               slip_length,
+               "local",
+               slip_length < 0 ? with_slip : (law.*law_exponent)(middle(slope))});
           const auto        trusted = series(quantity, slip_length, Trust::doubtless);
           const ExponentFit fit     = fit_exponent(trusted, largest);
           if (fit.n_points < 2)

@@ -12,7 +12,6 @@
 #include <strait/run/run_state.h>
 #include <strait/run/simulation.h>
 #include <strait/run/surface_output.h>
-#include <strait/run/theory_run.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/map_processing.h>
 #include <strait/surface/resolution.h>
@@ -29,8 +28,7 @@ namespace strait
     report_sizes(const Scene &scene, MPI_Comm comm, Log &log)
     {
       const PeriodicGrid grid    = grid_of(scene);
-      int                n_ranks = 1;
-      MPI_Comm_size(comm, &n_ranks);
+      const int          n_ranks = n_ranks_in(comm);
       log.line(format("grid %d × %d on a box of %.6g × %.6g, %d %s",
                       grid.nx,
                       grid.ny,
@@ -126,11 +124,10 @@ namespace strait
     int
     n_at_a_time(const RealisationParameters &realisations)
     {
-      int n_ranks = 1;
-      MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
       return realisations.ranks_each.empty()
                ? 1
-               : std::max(1, n_ranks / realisations.ranks_each.front());
+               : std::max(1,
+                          n_ranks_in(MPI_COMM_WORLD) / realisations.ranks_each.front());
     }
 
     /** Thrown where a search is left because a signal asks for it. */
@@ -175,10 +172,10 @@ namespace strait
       }
     Timers   timers;
     RunState state(scene, comm, resume);
-    if (state.is_finished())
+    if (state.finished())
       {
         log.line("nothing is left to do in " + scene.output.directory);
-        return state.summary();
+        return *state.finished();
       }
     SlabField heights = [&]() {
       const auto scope = timers.scope("surface");
@@ -237,7 +234,6 @@ namespace strait
       });
     if (!summary.stopped && sweep.state().contact)
       write_indented_surface(scene, shown, *sweep.state().contact);
-    summary.thresholds = sweep.known_thresholds();
     output.write(sweep.jumps());
     const double bytes = sum(comm, static_cast<double>(sweep.memory_consumption()));
     log.line(timers.summary());
@@ -245,7 +241,7 @@ namespace strait
     output.finish(timers, bytes / n_points);
     log.stage("");
     log.line("results are in " + scene.output.directory);
-    output.summarise(summary);
+    output.summarise(sweep.known_thresholds(), summary);
     if (!summary.stopped)
       state.save_end(summary);
     return summary;

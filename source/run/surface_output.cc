@@ -58,7 +58,7 @@ namespace strait
           if (fit && bin.q <= fit->q_to * (1 + 1e-9))
             law = fit->plateau * std::pow(std::max(bin.q / fit->roll_off, 1.),
                                           -2 * (1 + fit->hurst_exponent));
-          rows.push_back({{bin}, 2 * M_PI / bin.q, law});
+          rows.push_back({{bin}, law});
         }
       run_on_root(heights.layout().communicator(), [&]() {
         spectrum_table(scene).write_rows(scene.output.directory + "/spectrum.csv", rows);

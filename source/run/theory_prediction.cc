@@ -67,7 +67,6 @@ namespace strait
                             const SlabField  *gap,
                             const Transition *threshold) const
   {
-    TheoryResult    result;
     GapDistribution fine, half;
     if (gap != nullptr && parameters.gaps == TheoryGaps::simulated)
       {
@@ -76,18 +75,15 @@ namespace strait
         fine                    = gap_histogram(*gap, n_decades, per_decade, closed);
         half                    = gap_histogram(*gap, n_decades, per_decade / 2, closed);
       }
-    result.pressure = pressure;
-    const Leak best = evaluate(persson, pressure, slip_length, &fine, threshold, &result);
-    const Leak other = evaluate(coarse, pressure, slip_length, &half, threshold, nullptr);
-    result.mean_gap  = best.mean_gap;
-    result.leak_rate = conductance * best.cubed_gap;
-    result.error     = relative_difference(best.cubed_gap, other.cubed_gap);
+    TheoryResult       result = evaluate(persson, pressure, slip_length, fine, threshold);
+    const TheoryResult other  = evaluate(coarse, pressure, slip_length, half, threshold);
+    result.error              = relative_difference(result.leak_rate, other.leak_rate);
     if (hardness > 0)
       result.yielding = pressure > 0 ? persson.contact_areas(pressure, hardness)
                                      : YieldingAreas{not_a_number, not_a_number};
     if (pressure > 0)
       result.error =
-        std::max(result.error, relative_difference(best.mean_gap, other.mean_gap));
+        std::max(result.error, relative_difference(result.mean_gap, other.mean_gap));
     if (gap != nullptr && keeps_gaps) // over the same bins where there are some
       result.simulated_gaps = result.persson_gaps
                                 ? gap_histogram(*gap, result.persson_gaps->edges)
@@ -95,36 +91,36 @@ namespace strait
     return result;
   }
 
-  TheoryPrediction::Leak
+  /** Without what compares this theory, or its gaps, with others. */
+  TheoryResult
   TheoryPrediction::evaluate(const PerssonTheory   &with,
                              const double           pressure,
                              const double           slip_length,
-                             const GapDistribution *simulated,
-                             const Transition      *threshold,
-                             TheoryResult          *details) const
+                             const GapDistribution &simulated,
+                             const Transition      *threshold) const
   {
-    Leak            leak = {not_a_number, not_a_number};
+    TheoryResult result;
+    result.pressure     = pressure;
+    result.contact_area = result.mean_gap = result.leak_rate = not_a_number;
     GapDistribution gaps;
-    double          area = not_a_number;
     if (pressure > 0)
       {
         const PerssonState state = with.solve(pressure);
-        leak.mean_gap            = state.mean_gap;
-        area                     = state.contact_area;
+        result.mean_gap          = state.mean_gap;
+        result.contact_area      = state.contact_area;
         gaps                     = with.distribution(state, -2 * slip_length);
-        if (details != nullptr && keeps_gaps)
-          details->persson_gaps =
+        if (keeps_gaps)
+          result.persson_gaps =
             merge_bins(slip_length == 0. ? gaps : with.distribution(state),
                        PerssonTheory::Resolution().per_decade / bins_shown);
       }
-    if (details != nullptr)
-      details->contact_area = area;
     const bool of_simulation = parameters.gaps == TheoryGaps::simulated;
     if (of_simulation || pressure > 0)
-      leak.cubed_gap = effective_cubed_gap(of_simulation ? *simulated : gaps,
-                                           dimension(with, slip_length, threshold),
-                                           slip_length);
-    return leak;
+      result.leak_rate =
+        conductance * effective_cubed_gap(of_simulation ? simulated : gaps,
+                                          dimension(with, slip_length, threshold),
+                                          slip_length);
+    return result;
   }
 
   double

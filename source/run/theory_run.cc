@@ -3,9 +3,9 @@
 #include <strait/base/timers.h>
 #include <strait/run/guards.h>
 #include <strait/run/output_directory.h>
+#include <strait/run/simulation.h>
 #include <strait/run/step_report.h>
 #include <strait/run/theory_prediction.h>
-#include <strait/run/theory_run.h>
 #include <strait/run/validity.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/resolution.h>

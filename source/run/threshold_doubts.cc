@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
-#include <strait/run/threshold_doubts.h>
+#include <strait/run/validity.h>
 
 #include <cmath>
 
@@ -17,43 +17,49 @@ namespace strait
     // it a tenth would pass, with double of it a fortieth would be doubted.
     constexpr double load_errors_needed = 20.;
 
+    /** @p points_along the throat, not a number where it is no saddle. */
     std::string
-    warning_of_throat(const NearThreshold &near)
+    warning_of_throat(const double reduced_load, const double points_along)
     {
-      if (std::isnan(near.points_along))
+      if (std::isnan(points_along))
         return format(
           "at a reduced load of %.3g the narrowest point is no saddle of the "
           "gap, as on the boundary of a mesh: how well the grid resolves it "
           "cannot be told",
-          near.reduced_load);
+          reduced_load);
       return format(
         "at a reduced load of %.3g the throat has %.2g grid points along it, "
         "%.0f are needed: a grid finer by a factor of %.2g would do",
-        near.reduced_load,
-        near.points_along,
+        reduced_load,
+        points_along,
         points_needed,
-        points_needed / near.points_along);
+        points_needed / points_along);
     }
   } // namespace
 
   std::vector<std::string>
-  doubts_near_threshold(const NearThreshold &near, Log &log)
+  doubts_near_threshold(const Step &step, const Transition &threshold, Log &log)
   {
     std::vector<std::string> doubts;
-    if (near.reduced_load < load_errors_needed * near.load_uncertainty)
+    const double             reduced = *step.reduced_load;
+    if (!(reduced > 0) || !step.flow->constrictions)
+      return doubts;
+    const double load_error = .5 * threshold.relative_width();
+    if (reduced < load_errors_needed * load_error)
       {
         doubts.emplace_back("uncertain-threshold");
         log.warn(
           format("at a reduced load of %.3g the critical load, known to %.1e, is too "
                  "uncertain: a threshold tolerance of %.1e would do",
-                 near.reduced_load,
-                 near.load_uncertainty,
-                 2. * near.reduced_load / load_errors_needed));
+                 reduced,
+                 load_error,
+                 2. * reduced / load_errors_needed));
       }
-    if (!(near.points_along >= points_needed))
+    const double points_along = step.flow->constrictions->points_along;
+    if (!(points_along >= points_needed))
       {
         doubts.emplace_back("unresolved-throat");
-        log.warn(warning_of_throat(near));
+        log.warn(warning_of_throat(reduced, points_along));
       }
     return doubts;
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/text.h>
-#include <strait/run/rarefaction.h>
 #include <strait/run/validity.h>
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
-#include <strait/run/checkpoint_reader.h>
-#include <strait/run/checkpoint_writer.h>
+#include <strait/run/checkpoint.h>
 
 #include <gtest/gtest.h>
 

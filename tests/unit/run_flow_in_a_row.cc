@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/run/flow_in_a_row.h>
+#include <strait/seal/flow_stage.h>
 
 #include <gtest/gtest.h>
 
@@ -30,9 +31,10 @@ namespace strait
           gap(ix, row) = gap_at(ix / 32., (layout->first_row() + row) / 32.);
       FluidParameters fluid;
       fluid.target_accuracy = .01;
-      FlowStage  flow(fluid, layout, log, timers);
-      FlowInARow row(fluid, *layout, log, timers);
-      return {flow.solve(gap, 0.).leakage, row.solve(gap, 0.)};
+      const SlabField two   = two_in_a_row(gap);
+      FlowStage       flow(fluid, layout, log, timers);
+      FlowStage       row(fluid, two.layout_pointer(), log, timers);
+      return {flow.solve(gap, 0.).leakage, row.solve(two, 0.).leakage};
     }
 
     TEST(FlowInARow, HalfAsMuchWhereTheEndsDoNothing)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
 #include <strait/base/units.h>
-#include <strait/run/leakage_table.h>
 #include <strait/run/result_tables.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/run/rarefaction.h>
+#include <strait/interface/rarefied_gas.h>
 #include <strait/run/validity.h>
 
 #include <gtest/gtest.h>
@@ -60,6 +60,13 @@ namespace
                 !check.holds() && !out.str().empty())
         << check.word;
     return step.validity();
+  }
+
+  /** In the units of the scene [length pressure]. */
+  double
+  mean_free_path_times_pressure(const Scene &scene)
+  {
+    return RarefiedGas(scene.fluid).knudsen_number(1., 1.);
   }
 
   TEST(Validity, MeanFreePathOfGases)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From a scene to leak rates: numbers of the isolated saddle, and effects that are
 // off.
-#include <strait/run/leakage_table.h>
+#include <strait/run/result_tables.h>
 
 #include <gtest/gtest.h>
 

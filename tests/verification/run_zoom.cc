@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Leak rates of contacts whose throats are resolved by windows of finer points.
-#include <strait/run/leakage_table.h>
+#include <strait/run/result_tables.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #ifndef strait_run_checkpoint_format_h
 #define strait_run_checkpoint_format_h
 
-#include <strait/spectral/slab_field.h>
+#include <strait/spectral/slab_layout.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -11,21 +11,13 @@
 /** What the writer and the reader of checkpoints must agree on. */
 namespace strait::checkpoint_format
 {
-  /** The first 16 bytes of a checkpoint. */
-  constexpr char signature[17] = "strait checkpnt\n";
+  /** The first bytes of a checkpoint. The number is another one whenever the items have
+   *  changed. */
+  constexpr char        signature[]    = "strait checkpoint 12\n";
+  constexpr std::size_t signature_size = sizeof signature - 1;
 
-  /** Follows the signature: tells the byte order, and whether the items have changed. */
-  constexpr std::uint64_t version = 11;
-
-  /** Bytes of a block of the checksum, and of a message at most. */
+  /** Bytes of a block of the checksum. */
   constexpr std::size_t block = 1 << 20;
-
-  /** The end of the file, which says that it is whole. */
-  struct Trailer
-  {
-    std::uint64_t length;
-    std::uint64_t checksum;
-  };
 
   /** FNV-1a on words of 8 bytes, the last one padded with zeros. */
   inline std::uint64_t
@@ -41,31 +33,15 @@ namespace strait::checkpoint_format
     return checksum;
   }
 
-  /** Whether this rank writes and reads for all. */
-  inline bool
-  is_root(MPI_Comm comm)
-  {
-    int rank = 0;
-    MPI_Comm_rank(comm, &rank);
-    return rank == 0;
-  }
-
-  /** Call @p piece(local pointer, size) for this rank's bytes in messages' sizes. */
-  template <typename Piece>
+  /** Call @p visit(rank, row of that rank) for all rows of the grid in their order. */
+  template <typename Visit>
   void
-  in_pieces(void *local, const std::size_t size, const Piece &piece)
+  for_all_rows(const SlabLayout &layout, const Visit &visit)
   {
-    auto *bytes = static_cast<unsigned char *>(local);
-    for (std::size_t at = 0; at < size; at += block)
-      piece(bytes + at, std::min(block, size - at));
-  }
-
-  /** Bytes of all points of @p rank. */
-  inline std::size_t
-  bytes_of(const SlabLayout &layout, const int rank, const std::size_t point_size)
-  {
-    const int n_rows = layout.first_row_of(rank + 1) - layout.first_row_of(rank);
-    return static_cast<std::size_t>(n_rows) * layout.grid().nx * point_size;
+    for (int rank = 0; rank < layout.n_ranks(); ++rank)
+      for (int row = layout.first_row_of(rank); row < layout.first_row_of(rank + 1);
+           ++row)
+        visit(rank, row - layout.first_row_of(rank));
   }
 } // namespace strait::checkpoint_format
 

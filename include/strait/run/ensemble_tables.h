@@ -4,6 +4,7 @@
 
 #include <strait/base/scene.h>
 #include <strait/base/table.h>
+#include <strait/run/run_summary.h>
 
 #include <string>
 #include <vector>
@@ -11,17 +12,23 @@
 /** The tables of realisations and of the seal that they are patches of. */
 namespace strait
 {
-  /** One surface of several, and what came of it: a row of ensemble.csv. What is not
-   *  known is not a number. */
-  struct RealisationRow
+  /** One surface of several, and what came of it: a row of ensemble.csv. */
+  struct RealisationRow : RunSummary
   {
     int                number = 0; // from 1
     unsigned long long seed   = 0;
     std::string        orientation;
-    double             lower, upper, contact_area; // of the first slip length's threshold
-    double             crossover_load, crossover_reduced_load, theory_crossover_load;
-    double             exponent, exponent_error; // of the leak rate
-    std::string        status, validity;         // words of all its steps
+
+    double
+    crossover_load() const
+    {
+      return (1 - crossover) * critical_load();
+    }
+    double
+    theory_crossover_load() const
+    {
+      return (1 - theory_crossover) * critical_load();
+    }
   };
 
   /** How a quantity scatters over the realisations: a row of ensemble_summary.csv. */

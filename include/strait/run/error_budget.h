@@ -8,13 +8,14 @@
 #include <strait/run/step.h>
 
 #include <string>
-#include <vector>
 
 namespace strait
 {
   /**
-   * What each stage of the method adds to the uncertainty of a step's leak rate, and
-   * the parameter that would reduce it.
+   * What each stage of the method adds to the uncertainty of the leak rate of a step that
+   * leaks, and the parameter that would reduce it. Where its load was named by the
+   * distance from the critical load @p counted_from, or null, the leak rate at that
+   * distance is what is sought. @p rms_height is that of the surface. Collective.
    *
    * - mesh: half the width of the bracket;
    * - order of gaps: of a rarefied gas, the rest of that half, as its bounds do not know
@@ -39,30 +40,11 @@ namespace strait
    * - critical load: what half of its bracket's width changes at such a load, by
    *   leak_rate_exponent.
    */
-  class ErrorBudget
-  {
-  public:
-    /** @p heights on the grid of the contact. @p scene and @p coarser must outlive this
-     *  object. Collective. */
-    ErrorBudget(const Scene &scene, const SlabField &heights, CoarserSeals &coarser);
-
-    /** The errors of a step that leaks. Where its load was named by the distance from the
-     * critical load @p counted_from, or null, the leak rate at that distance is what is
-     * sought. Collective. */
-    StepErrors assess(const Step &step, const Transition *counted_from);
-
-  private:
-    /** The leak rates of the step on every second and every fourth point as far as there
-     *  are such grids, 0 if it seals there. */
-    std::vector<double> leaks_on_coarser_grids(const Step &step, bool by_reduced_load);
-
-    void add_contact_grid(const Step &step, bool by_reduced_load, StepErrors &errors);
-    void add_interpolation(const Step &step, StepErrors &errors) const;
-
-    const Scene  &scene;
-    double        rms_height;
-    CoarserSeals &coarser;
-  };
+  StepErrors assess_errors(const Step       &step,
+                           const Transition *counted_from,
+                           const Scene      &scene,
+                           double            rms_height,
+                           CoarserSeals     &coarser);
 
   /** The errors for run.json. */
   Json to_json(const Step &step);

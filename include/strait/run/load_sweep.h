@@ -5,22 +5,43 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
-#include <strait/run/error_budget.h>
-#include <strait/run/flow_in_a_row.h>
-#include <strait/run/load_stops.h>
+#include <strait/run/coarser_seals.h>
 #include <strait/run/step.h>
 #include <strait/run/theory_prediction.h>
 #include <strait/seal/flow_stage.h>
 #include <strait/seal/path.h>
 #include <strait/seal/seal_search.h>
+#include <strait/surface/statistics.h>
 
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace strait
 {
+  /** One step to come. */
+  struct LoadStop
+  {
+    double target; // nominal pressure or mean gap
+    double slip_length;
+    bool   is_reduced  = false; // the target is that far from the critical load
+    bool   begins_anew = false; // a contact that remembers begins a new path here
+  };
+
+  /**
+   * The steps of @p scene in their order: the Pressures, back again in a cycle, each
+   * with all slip lengths; and the Reduced loads of each of the @p thresholds.
+   */
+  std::vector<LoadStop> plan_stops(const Scene                   &scene,
+                                   const std::vector<Transition> &thresholds);
+
+  /** "loading" or "unloading": what the scene says, but where the path matters or turns
+   *  the direction of the last change up to the stop @p k. */
+  std::string
+  branch_of(const Scene &scene, const std::vector<LoadStop> &stops, std::size_t k);
+
   /**
    * The channel and the leak rate in the gap of @p state, to the accuracy that @p scene
    * asks for. Collective.
@@ -136,13 +157,12 @@ namespace strait
     Log                              &log;
     Timers                           &timers;
     const SlabLayoutPtr               layout;
-    double                            rms_slope; // of the surface
+    const SurfaceStatistics           surface;
     ContactParameters                 contact;
     std::unique_ptr<FlowStage>        flow; // unless the fluid is off
-    std::unique_ptr<FlowInARow>       row;  // if the scene asks for two boxes
+    std::unique_ptr<FlowStage>        row;  // of two boxes, if the scene asks for it
     std::unique_ptr<TheoryPrediction> theory;
-    std::unique_ptr<CoarserSeals>     coarser;      // if there is a fluid
-    std::unique_ptr<ErrorBudget>      error_budget; // likewise
+    std::unique_ptr<CoarserSeals>     coarser; // if there is a fluid
     std::unique_ptr<SealModel>        seal;
     std::unique_ptr<SealSearch>       search; // as long as there is one to make
     std::optional<SealState>          start;  // of a path where a fluid presses

@@ -5,8 +5,8 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
-#include <strait/run/leakage_table.h>
 #include <strait/run/result_tables.h>
+#include <strait/run/run_summary.h>
 #include <strait/run/scaling.h>
 #include <strait/run/step.h>
 
@@ -15,20 +15,6 @@
 
 namespace strait
 {
-  /** What a run leaves besides its files. */
-  struct RunSummary
-  {
-    bool                    converged = true;  // all steps
-    bool                    stopped   = false; // by a signal, before the last step
-    std::vector<Transition> thresholds;        // if the scene looks for them
-    ExponentFit             exponent;          // of the leak rate at the smallest slip
-    double                  crossover = 0.; // reduced load, see crossover_reduced_load()
-    double theory_crossover = 0.; // that of the theory, if the scene asks for it
-
-    std::string status   = "ok"; // words of all steps, and of what is not known for them
-    std::string validity = "ok"; // likewise
-  };
-
   /**
    * The folder of one run: tables, fields, pictures, log and record.
    */
@@ -45,13 +31,13 @@ namespace strait
     void transfer(StateArchive &archive);
 
     /** Write threshold.csv. Collective. */
-    void write(const std::vector<Transition> &thresholds);
+    void write(const std::vector<Transition> &thresholds) const;
 
     /** Write blow_out.csv. Collective. */
-    void write(const std::vector<BlowOut> &blow_outs);
+    void write(const std::vector<BlowOut> &blow_outs) const;
 
-    /** Write jumps.csv if there are new ones. Collective. */
-    void write(const std::vector<Jump> &jumps);
+    /** Write jumps.csv if there are any. Collective. */
+    void write(const std::vector<Jump> &jumps) const;
 
     /** Write a row, and fields and picture data as the scene asks. Collective. */
     void write(const Step &step, bool is_last);
@@ -62,8 +48,8 @@ namespace strait
      */
     void finish(const Timers &timers, double bytes_per_point);
 
-    /** Complete @p summary with what the steps leave. */
-    void summarise(RunSummary &summary) const;
+    /** Complete @p summary with what @p thresholds and steps leave. */
+    void summarise(const std::vector<Transition> &thresholds, RunSummary &summary) const;
 
   private:
     void write_record(const Timers &timers, double bytes_per_point) const;
@@ -74,7 +60,6 @@ namespace strait
     std::string  path;
     Table<Step>  table, constrictions;
     Scaling      scaling;
-    std::size_t  n_jumps = 0; // written
 
     std::vector<std::string> error_budget; // JSON, of the steps so far
     std::vector<std::string> validity;     // likewise

@@ -14,16 +14,18 @@
 #include <string>
 #include <vector>
 
-/** The tables of a run besides leakage.csv and those of realisations: what files and
- * columns there are, in what units, and what they mean, is said here and nowhere else. */
+/** The tables of a run besides those of realisations: what files and columns there are,
+ * in what units, and what they mean, is said here and nowhere else. */
 namespace strait
 {
   /** A row of spectrum.csv. */
   struct SpectrumRow : SpectrumBin
   {
-    double wavelength = 0.;
-    double law        = 0.; // density of the self-affine law that fits best
+    double law = 0.; // density of the self-affine law that fits best
   };
+
+  /** leakage.csv, with the columns of the effects that @p scene enables. */
+  Table<Step> leakage_table(const Scene &scene);
 
   /** threshold.csv: critical loads. */
   Table<Transition> threshold_table(const Scene &scene);

@@ -9,6 +9,7 @@
 #include <strait/spectral/state_archive.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,14 +29,9 @@ namespace strait
      */
     RunState(const Scene &scene, MPI_Comm comm, bool resume);
 
-    /** Whether the run that is resumed had come to its end, and what it left. */
-    bool
-    is_finished() const
-    {
-      return finished;
-    }
-    const RunSummary &
-    summary() const
+    /** What the run that is resumed left, if it had come to its end. */
+    const std::optional<RunSummary> &
+    finished() const
     {
       return left;
     }
@@ -57,14 +53,11 @@ namespace strait
     void save_end(const RunSummary &summary) const;
 
   private:
-    void check_scene(const std::string &earlier) const;
-
     const Scene                  &scene;
     MPI_Comm                      comm;
     std::string                   path;
     std::unique_ptr<StateArchive> archive; // of the run that is resumed
-    bool                          finished = false;
-    RunSummary                    left;
+    std::optional<RunSummary>     left;
     std::vector<double>           surface; // smallest, largest and rms height
   };
 } // namespace strait

@@ -4,7 +4,6 @@
 
 #include <strait/base/log.h>
 #include <strait/run/exponent_fit.h>
-#include <strait/theory/closing_law.h>
 
 #include <array>
 #include <string>
@@ -86,10 +85,14 @@ namespace strait
     std::vector<ScalingPoint>
     series(Quantity quantity, double slip_length, Trust trust) const;
 
-    /** Of the steps in a window at the smallest slip: how many there are, how many have a
-     *  leak rate that serves, and the status of the others. */
+    /** What the steps at the smallest slip give a result: how many there are in its
+     *  window, how many have a leak rate that serves, and the status of the others. */
     struct Supply
     {
+      const char *result;
+      const char *word; // of the column status if there is no result
+      LoadWindow  window;
+      Trust       trust;
       int         n_steps          = 0;
       int         n_used           = 0;
       std::string status_of_others = "ok";
@@ -101,14 +104,10 @@ namespace strait
         return n_steps > n_used && n_used < 2;
       }
     };
-    Supply supply(const LoadWindow &window, Trust trust) const;
-    void   report_missing(Log &log) const;
 
-    /** What the law of closing says of a slope; not a number where it says nothing. */
-    static double law_exponent(const ClosingLaw  &law,
-                               Quantity           quantity,
-                               const ExponentFit &slope,
-                               double             slip_length);
+    /** Those of the exponent and of the crossover of the leak rate. */
+    std::array<Supply, 2> supplies() const;
+    void                  report_missing(Log &log) const;
 
     /** The smallest slip at which a quantity is known; not a number if it never is. */
     double smallest_slip(Quantity quantity) const;

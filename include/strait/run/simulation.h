@@ -4,7 +4,9 @@
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
-#include <strait/run/output_directory.h>
+#include <strait/run/run_summary.h>
+
+#include <mpi.h>
 
 namespace strait
 {
@@ -26,6 +28,16 @@ namespace strait
    * warnings and active effects; compute nothing but the surface. Collective.
    */
   void describe(const Scene &scene, Log &log);
+
+  /**
+   * What simulate() does where the scene asks for the theory alone: evaluate it at every
+   * load and slip length and write the results. Makes heights on a grid only to measure
+   * their spectrum, where the scene asks for that.
+   */
+  void run_theory(const Scene &scene, Log &log, MPI_Comm comm);
+
+  /** What describe() does there; computes nothing but the surface. Collective. */
+  void describe_theory(const Scene &scene, Log &log);
 } // namespace strait
 
 #endif

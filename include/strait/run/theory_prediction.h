@@ -59,21 +59,14 @@ namespace strait
     }
 
   private:
-    struct Leak
-    {
-      double mean_gap;
-      double cubed_gap;
-    };
-
-    Leak   evaluate(const PerssonTheory   &with,
-                    double                 pressure,
-                    double                 slip_length,
-                    const GapDistribution *simulated,
-                    const Transition      *threshold,
-                    TheoryResult          *details) const;
-    double dimension(const PerssonTheory &with,
-                     double               slip_length,
-                     const Transition    *threshold) const;
+    TheoryResult evaluate(const PerssonTheory   &with,
+                          double                 pressure,
+                          double                 slip_length,
+                          const GapDistribution &simulated,
+                          const Transition      *threshold) const;
+    double       dimension(const PerssonTheory &with,
+                           double               slip_length,
+                           const Transition    *threshold) const;
 
     TheoryParameters parameters;
     bool             keeps_gaps;  // for the output of fields

@@ -6,6 +6,10 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/run/step.h>
+#include <strait/seal/seal_search.h>
+
+#include <string>
+#include <vector>
 
 namespace strait
 {
@@ -15,6 +19,24 @@ namespace strait
    * their sources. @p rms_slope is that of the surface. Collective.
    */
   void judge_validity(Step &step, const Scene &scene, double rms_slope, Log &log);
+
+  /**
+   * Why the exponent of the leak rate cannot be told from a step that leaks below its
+   * @p threshold: words for the column `status`. Warns of each, with what would help.
+   */
+  std::vector<std::string>
+  doubts_near_threshold(const Step &step, const Transition &threshold, Log &log);
+
+  /** Knudsen numbers, mean free path over gap. */
+  struct KnudsenNumbers
+  {
+    double at_throat = 0.; // where the gap is smallest
+    double mean      = 0.; // along the path, weighted with the fall of the pressure
+  };
+
+  /** Of a gas in viscous flow along @p path, where its squared pressure falls in
+   *  proportion to ∫ ds/gap³. */
+  KnudsenNumbers knudsen_numbers(const FlowPath &path, const Scene &scene);
 
   /** All checks of a step, with their numbers, for run.json. */
   Json validity_record(const Step &step);

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/interface/rarefied_gas.h>
-#include <strait/run/rarefaction.h>
+#include <strait/run/validity.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace strait
 {
-  double
-  mean_free_path_times_pressure(const Scene &scene)
-  {
-    return RarefiedGas(scene.fluid).knudsen_number(1., 1.);
-  }
-
   KnudsenNumbers
   knudsen_numbers(const FlowPath &path, const Scene &scene)
   {
-    const double constant    = mean_free_path_times_pressure(scene);
+    // The mean free path times the pressure depends on the temperature only.
+    const double constant    = RarefiedGas(scene.fluid).knudsen_number(1., 1.);
     const double inlet       = scene.fluid.inlet_pressure;
     const double outlet      = scene.fluid.outlet_pressure;
     const auto   pressure_at = [&](const std::size_t k) {
