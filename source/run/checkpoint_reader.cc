@@ -43,7 +43,7 @@ namespace strait
   {
     std::error_code failure;
     const auto      size = std::filesystem::file_size(path, failure);
-    if (failure || size < signature_size + sizeof(std::uint64_t))
+    if (failure || size < signature.size() + sizeof(std::uint64_t))
       refuse();
     const std::size_t          length   = size - sizeof(std::uint64_t);
     std::uint64_t              checksum = 0, expected = 0;
@@ -52,14 +52,15 @@ namespace strait
       {
         const std::size_t n = std::min(block, length - at);
         if (std::fread(data.data(), 1, n, file) != n ||
-            (at == 0 && std::memcmp(data.data(), signature, signature_size) != 0))
+            (at == 0 &&
+             std::memcmp(data.data(), signature.data(), signature.size()) != 0))
           refuse();
         checksum = continued_checksum(checksum, data.data(), n);
       }
     if (std::fread(&expected, sizeof expected, 1, file) != 1 || expected != checksum ||
-        std::fseek(file, static_cast<long>(signature_size), SEEK_SET) != 0)
+        std::fseek(file, static_cast<long>(signature.size()), SEEK_SET) != 0)
       refuse();
-    remaining = length - signature_size;
+    remaining = length - signature.size();
   }
 
   void

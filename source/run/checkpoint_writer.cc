@@ -45,7 +45,7 @@ namespace strait
     file = open(name_beside(path).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     if (file < 0)
       error = errno;
-    put(signature, signature_size);
+    put(signature.data(), signature.size());
   }
 
   CheckpointWriter::~CheckpointWriter()

@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <string>
 
 /** What the writer and the reader of checkpoints must agree on. */
 namespace strait::checkpoint_format
 {
   /** The first bytes of a checkpoint. The number is another one whenever the items have
    *  changed. */
-  constexpr char        signature[]    = "strait checkpoint 12\n";
-  constexpr std::size_t signature_size = sizeof signature - 1;
+  inline const std::string signature = "strait checkpoint 12\n";
 
   /** Bytes of a block of the checksum. */
   constexpr std::size_t block = 1 << 20;
