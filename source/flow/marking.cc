@@ -9,6 +9,7 @@ namespace strait
   mark(FlowMesh::Triangulation     &tria,
        const Bracket               &bracket,
        const dealii::Vector<float> &hidden,
+       const double                 largest_hidden,
        const double                 excess,
        const double                 affordable)
   {
@@ -16,10 +17,6 @@ namespace strait
     // fraction of the mean. Half of it refines more cells on each mesh and ends with
     // more unknowns than it takes; double of it takes more meshes.
     constexpr double marking_level = .7;
-    // … or if so much of the width may come from what it hides. A third of it refines
-    // up to three times as many cells near the threshold for a mesh less; three times
-    // as much misses a channel that a few cells side by side block.
-    constexpr double hiding_level = .1;
     // … but no more than hold this many times the excess, and a little. Refined cells
     // keep a quarter of what they contribute: half of it takes a mesh more nearly each
     // time, with double of it the last mesh is finer than was asked.
@@ -40,8 +37,8 @@ namespace strait
     while (held_by_more_than(rise * contribution) >
            (excess_factor * excess + least_share) * width)
       contribution *= rise;
-    const double       hidden_flow = hiding_level * (1. - bracket.lower / bracket.upper);
-    unsigned long long n_marked    = 0;
+    const double hidden_flow    = largest_hidden * (1. - bracket.lower / bracket.upper);
+    unsigned long long n_marked = 0;
     for (const auto &cell : tria.active_cell_iterators())
       if (cell->is_locally_owned() &&
           (bracket.contributions(cell->active_cell_index()) > contribution ||

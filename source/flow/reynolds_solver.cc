@@ -24,6 +24,19 @@ namespace strait
     // wrong by far more if the solver failed, so that half and double find the same.
     constexpr double rounding = 1e-6;
 
+    /** Of the bracket's width, the part that a cell may hide: another channel is about as
+     *  long as the first one, and coarse cells may bar it, or let the pressure leak
+     * through a barrier, in as many places as that has constrictions, so that none of
+     * them takes much of the drop. */
+    double
+    largest_part_of_hidden_flow(const Channel &channel)
+    {
+      return channel.paths.empty()
+               ? 1.
+               : 1. / static_cast<double>(
+                        divide_into_constrictions(channel.paths.front().gaps).size());
+    }
+
     // While a barrier or a channel is being resolved the bracket may rest for a mesh or
     // two before it narrows again. Half of the patience gives up while it rests; double
     // of it makes more meshes in vain where the grid is too coarse.
@@ -245,13 +258,6 @@ namespace strait
     // Each marked cell adds three; a few more come from balancing the mesh.
     const double affordable =
       (static_cast<double>(parameters.maximum_unknowns) / leakage.unknowns - 1.) / 3.;
-    // Where the last mesh has hardly narrowed the bracket its cells do not hold what they
-    // are thought to, and all are refined that hold more than their share. A smaller
-    // factor does so where brackets narrow slowly but steadily, one closer to 1 notices a
-    // mesh later.
-    constexpr double well_narrowed = .8;
-    const bool       narrows =
-      widths.size() < 2 || widths.back() < well_narrowed * widths[widths.size() - 2];
     auto &tria = flow_mesh.triangulation();
     if (parameters.refinement == Refinement::uniform && affordable >= 1.)
       tria.set_all_refine_flags();
@@ -261,7 +267,8 @@ namespace strait
                plain,
                hidden_flows(
                  flow_mesh, gap_field, plain, pressure_problem, stream_problem, channel),
-               narrows ? 1. - wanted / leakage.relative_width() : 1.,
+               largest_part_of_hidden_flow(channel),
+               1. - wanted / leakage.relative_width(),
                affordable))
       return false;
     tria.prepare_coarsening_and_refinement();

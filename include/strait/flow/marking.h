@@ -13,12 +13,15 @@ namespace strait
 
   /**
    * Mark the cells to refine, at most @p affordable of all, for a bracket of which the
-   * part @p excess is too much. Returns false, with none marked, if there are none or if
-   * so few could be that another mesh does not pay. Collective.
+   * part @p excess is too much: those that contribute more than others, and those that
+   * hide more than the part @p largest_hidden of its width (hidden_flows()). Returns
+   * false, with none marked, if there are none or if so few could be that another mesh
+   * does not pay. Collective.
    */
   bool mark(FlowMesh::Triangulation     &tria,
             const Bracket               &bracket,
             const dealii::Vector<float> &hidden,
+            double                       largest_hidden,
             double                       excess,
             double                       affordable);
 } // namespace strait
