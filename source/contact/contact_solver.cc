@@ -36,10 +36,8 @@ namespace strait
   } // namespace
 
   ContactSolver::ContactSolver(const ContactParameters &contact_parameters,
-                               SlabField                surface_heights,
-                               Report                   report_line)
+                               SlabField                surface_heights)
     : parameters(contact_parameters)
-    , report(std::move(report_line))
     , wall(std::move(surface_heights), parameters.effective_modulus)
     , problem(wall.heights(), parameters.effective_modulus)
   {
@@ -62,9 +60,10 @@ namespace strait
     const bool is_dry = fluid_pressure == nullptr;
     const bool starts = from != nullptr && is_near(*from, of_solid);
     // A state that was never solved has neither fields nor windows.
-    const SlabLayoutPtr &layout =
-      from != nullptr && !from->gap.empty() ? from->gap.layout_pointer() : wall.layout();
-    SlabField pressure =
+    const SlabLayoutPtr &layout = from != nullptr && !from->pressure.empty()
+                                    ? from->pressure.layout_pointer()
+                                    : wall.layout();
+    SlabField            pressure =
       starts ? start_from(*from, of_solid, is_dry) : start_without(layout, of_solid);
     SlabField              gap(layout);
     DualProblem           &contact   = problem_on(layout);
@@ -187,17 +186,7 @@ namespace strait
     const auto optimiser =
       make_dual_optimiser(parameters.method, on_grid, constraint_for(target), tolerance);
     note_memory(optimiser->memory_consumption(), grid_gap.size());
-    const ContactSolution solution =
-      optimiser->solve(grid_pressure.data(), grid_gap.data());
-    if (report)
-      {
-        std::ostringstream line;
-        line << "contact on " << grid_gap.grid().nx << " x " << grid_gap.grid().ny << ": "
-             << solution.iterations << " iterations, residual " << solution.residual
-             << (solution.converged ? "" : ", not converged");
-        report(line.str());
-      }
-    return solution;
+    return optimiser->solve(grid_pressure.data(), grid_gap.data());
   }
 
   ContactState
