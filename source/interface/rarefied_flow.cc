@@ -103,10 +103,9 @@ namespace strait
               total += load;
             }
         }
-      // At once; ten times as much or as little ends at the same bounds.
-      constexpr double emptiest = 1e-3;
+      // Where nothing is, any small load will do.
       for (std::size_t i = 0; i < trial.size(); ++i)
-        trial[i] *= std::pow(std::max(loads[i] / (total * lengths[i]), emptiest),
+        trial[i] *= std::pow(std::max(loads[i] / (total * lengths[i]), temperature),
                              sign * temperature);
     }
 
