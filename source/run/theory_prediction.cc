@@ -57,7 +57,7 @@ namespace strait
     , coarse(persson.spectrum(),
              scene.contact.effective_modulus,
              parameters.gamma,
-             PerssonTheory::Resolution().coarser())
+             TheoryResolution().coarser())
   {
   }
 
@@ -72,7 +72,7 @@ namespace strait
     if (gap != nullptr && parameters.gaps == TheoryGaps::simulated)
       {
         const double closed     = -2 * slip_length;
-        const int    per_decade = PerssonTheory::Resolution().per_decade;
+        const int    per_decade = TheoryResolution().per_decade;
         fine                    = gap_histogram(*gap, n_decades, per_decade, closed);
         half                    = gap_histogram(*gap, n_decades, per_decade / 2, closed);
       }
@@ -115,7 +115,7 @@ namespace strait
         if (details != nullptr && keeps_gaps)
           details->persson_gaps =
             merge_bins(slip_length == 0. ? gaps : with.distribution(state),
-                       PerssonTheory::Resolution().per_decade / bins_shown);
+                       TheoryResolution().per_decade / bins_shown);
       }
     if (details != nullptr)
       details->contact_area = area;

@@ -65,10 +65,10 @@ namespace strait
     return std::sqrt(vanishing);
   }
 
-  PerssonTheory::PerssonTheory(RadialSpectrum    spectrum,
-                               const double      effective_modulus,
-                               const double      gamma,
-                               const Resolution &resolution_)
+  PerssonTheory::PerssonTheory(RadialSpectrum          spectrum,
+                               const double            effective_modulus,
+                               const double            gamma,
+                               const TheoryResolution &resolution_)
     : waves(std::move(spectrum))
     , modulus(effective_modulus)
     , compression(gamma)
