@@ -43,11 +43,8 @@ namespace strait
     void
     transfer(StateArchive &archive, PathPoint &point)
     {
-      archive.value(point.target);
-      archive.value(point.pressure);
-      archive.value(point.mean_gap);
-      archive.value(point.contact_area);
-      archive.value(point.energy);
+      archive.values(
+        point.target, point.pressure, point.mean_gap, point.contact_area, point.energy);
     }
   } // namespace
 
@@ -56,8 +53,7 @@ namespace strait
   {
     transfer(archive, jump.before);
     transfer(archive, jump.after);
-    archive.value(jump.dissipated);
-    archive.value(jump.is_pull_off);
+    archive.values(jump.dissipated, jump.is_pull_off);
   }
 
   Stride::Stride(const SealState     &from,
