@@ -82,15 +82,11 @@ namespace strait
       known.erase(Coefficient::resistivity);
   }
 
-  /** Leave room for another coefficient than conductivity and resistivity. */
+  /** Those after conductivity and resistivity. */
   void
   GapField::forget_others() const
   {
-    for (auto each = known.begin(); each != known.end();)
-      each = each->first == Coefficient::conductivity ||
-                 each->first == Coefficient::resistivity
-               ? std::next(each)
-               : known.erase(each);
+    known.erase(known.upper_bound(Coefficient::resistivity), known.end());
   }
 
   GapField::Known &
