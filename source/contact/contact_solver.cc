@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
+#include <strait/base/text.h>
 #include <strait/contact/contact_area.h>
 #include <strait/contact/contact_solver.h>
 #include <strait/spectral/fill_windows.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace strait
 {
@@ -113,31 +113,26 @@ namespace strait
   void
   ContactSolver::check(const double target) const
   {
-    const bool         by_load = parameters.loads();
-    std::ostringstream message;
     if (!(target > 0) || !std::isfinite(target))
-      {
-        message << "Load programme/Pressures contains " << target << " but a "
-                << (by_load ? "nominal pressure must be positive: without a load the "
-                              "surfaces never make contact."
-                            : "mean gap must be positive: it is 0 only under an infinite "
-                              "load.");
-        throw InputError(message.str());
-      }
+      throw InputError(format("Load programme/Pressures contains %g but a %s",
+                              target,
+                              parameters.loads()
+                                ? "nominal pressure must be positive: without a load "
+                                  "the surfaces never make contact."
+                                : "mean gap must be positive: it is 0 only under an "
+                                  "infinite load."));
     if (parameters.yields() && !(target < parameters.hardness))
-      {
-        message << "At a nominal pressure of " << target << " all of the contact flows: "
-                << "it must be less than Contact/Hardness = " << parameters.hardness
-                << '.';
-        throw InputError(message.str());
-      }
+      throw InputError(
+        format("At a nominal pressure of %g all of the contact flows: it "
+               "must be less than Contact/Hardness = %g.",
+               target,
+               parameters.hardness));
     if (!(share_of_solid(target) > 0))
-      {
-        message << "The fluid carries a mean pressure of " << wall.fluid_load()
-                << ", more than the nominal pressure of " << target
-                << ", so the surfaces do not stay in contact.";
-        throw ComputationError(message.str());
-      }
+      throw ComputationError(
+        format("The fluid carries a mean pressure of %g, more than the nominal pressure "
+               "of %g, so the surfaces do not stay in contact.",
+               wall.fluid_load(),
+               target));
   }
 
   bool
