@@ -4,6 +4,7 @@
 #include <strait/contact/adhesive_contact_solver.h>
 #include <strait/contact/contact_area.h>
 #include <strait/contact/contact_solver.h>
+#include <strait/contact/gap_stability.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +27,11 @@ namespace strait
     double
     flattening_traction(const SlabField &heights, const double modulus)
     {
-      HalfSpaceGapProblem problem(heights, modulus, {});
-      SlabField           traction(heights.layout_pointer());
-      problem.apply(heights.data(), traction.data(), no_pass);
+      SlabField traction(heights.layout_pointer());
+      FourierTransform(heights.layout_pointer())
+        .multiply(heights.data(),
+                  traction.data(),
+                  WaveStiffness(heights.grid(), modulus));
       return rms(traction);
     }
   } // namespace
@@ -43,9 +46,6 @@ namespace strait
     , wall(std::move(heights_), parameters.effective_modulus)
     , traction_scale(flattening_traction(wall.heights(), parameters.effective_modulus))
     , problem(wall.heights(), parameters.effective_modulus, law)
-    , stability(problem,
-                parameters.loads() ? GapConstraint::Kind::nominal_pressure
-                                   : GapConstraint::Kind::mean_gap)
   {
   }
 
@@ -59,39 +59,37 @@ namespace strait
     const bool   is_dry   = fluid_pressure == nullptr;
     const double of_solid = parameters.loads() ? target - wall.fluid_load() : target;
     SlabField    gap      = start_gap(of_solid, from, is_dry);
+    std::vector<double> softest;
     if (from != nullptr && from->adhesion)
-      stability.direction() = from->adhesion->softest_direction;
+      softest = from->adhesion->softest_direction;
 
-    const long                  n_before = problem.n_applications();
-    std::vector<RelaxationStep> relaxation;
-    RelaxationObserver          observer;
-    if (parameters.adhesion.write_relaxation)
-      observer = [&relaxation](const RelaxationStep &step) {
-        relaxation.push_back(step);
-      };
-    const auto optimiser = make_optimiser(of_solid, observer);
+    const long n_before  = problem.n_applications();
+    const auto optimiser = make_optimiser(of_solid);
     peak_memory =
       std::max(peak_memory,
                wall.memory_consumption() +
-                 (2 * gap.size() + stability.direction().size()) * sizeof(double) +
+                 (2 * gap.size() + softest.size()) * sizeof(double) +
                  problem.memory_consumption() +
                  std::max(optimiser->memory_consumption(),
-                          stability.memory_consumption()));
+                          fields_for_stability * gap.size() * sizeof(double)));
 
-    GapSolution solution   = optimiser->solve(gap.data());
-    int         iterations = solution.iterations;
-    double      curvature  = std::numeric_limits<double>::quiet_NaN();
-    double      energy     = std::numeric_limits<double>::infinity();
+    GapSolution                 solution   = optimiser->solve(gap.data());
+    int                         iterations = solution.iterations;
+    std::vector<RelaxationStep> relaxation = solution.way;
+    double                      curvature  = std::numeric_limits<double>::quiet_NaN();
+    double                      energy     = std::numeric_limits<double>::infinity();
     while (solution.converged && !solution.detached)
       {
-        curvature = stability.smallest_curvature(gap.data(), optimiser->curvature());
+        curvature = smallest_curvature(
+          problem, !parameters.loads(), gap.data(), optimiser->curvature(), softest);
         // What was pushed off and did not fall has come back to where it was.
         if (curvature > -curvature_noise || !(solution.energy < energy))
           break;
         energy = solution.energy;
-        push_off(gap);
+        push_off(softest, gap);
         solution = optimiser->solve(gap.data());
         iterations += solution.iterations;
+        relaxation.insert(relaxation.end(), solution.way.begin(), solution.way.end());
       }
 
     ContactState state                 = state_of(*optimiser, solution, std::move(gap));
@@ -101,29 +99,28 @@ namespace strait
                                            ? Approach(of_solid, from->gap, from->approach.target())
                                            : Approach(of_solid);
     state.adhesion->smallest_curvature = curvature;
-    state.adhesion->softest_direction  = std::exchange(stability.direction(), {});
-    state.adhesion->relaxation         = std::move(relaxation);
+    state.adhesion->softest_direction  = std::move(softest);
+    if (parameters.adhesion.write_relaxation)
+      state.adhesion->relaxation = std::move(relaxation);
     // A saddle point that could not be left is not what was asked for.
     state.converged = state.converged && !(curvature < -curvature_noise);
     return state;
   }
 
   std::unique_ptr<GapOptimiser>
-  AdhesiveContactSolver::make_optimiser(const double target, RelaxationObserver observer)
+  AdhesiveContactSolver::make_optimiser(const double target)
   {
-    const bool          by_load = parameters.loads();
-    const GapConstraint constraint{by_load ? GapConstraint::Kind::nominal_pressure
-                                           : GapConstraint::Kind::mean_gap,
-                                   target};
+    const bool by_load = parameters.loads();
     // A flat surface has no traction of its own.
-    const double       scale = traction_scale > 0 ? traction_scale
-                               : by_load          ? std::abs(target)
-                                                  : law.at(0).traction;
-    const GapTolerance tolerance{parameters.tolerance,
-                                 scale,
-                                 parameters.maximum_iterations};
-    return make_gap_optimiser(
-      parameters.adhesion.method, problem, constraint, tolerance, std::move(observer));
+    const double scale = traction_scale > 0 ? traction_scale
+                         : by_load          ? std::abs(target)
+                                            : law.at(0).traction;
+    return make_gap_optimiser(parameters.adhesion.method,
+                              problem,
+                              {!by_load, target},
+                              {parameters.tolerance,
+                               scale,
+                               parameters.maximum_iterations});
   }
 
   void
@@ -162,11 +159,10 @@ namespace strait
     return ContactSolver(without, wall.heights()).solve(target).gap;
   }
 
-  /** Leave a saddle point of the energy, towards smaller gaps. */
+  /** Leave a saddle point of the energy along @p v, towards smaller gaps. */
   void
-  AdhesiveContactSolver::push_off(SlabField &gap)
+  AdhesiveContactSolver::push_off(const std::vector<double> &v, SlabField &gap) const
   {
-    const std::vector<double> &v = stability.direction();
     const auto [mean, square] = weighted_sums<2>(problem, [&v](const auto i, auto &sums) {
       sums[0] += v[i];
       sums[1] += v[i] * v[i];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
+#include <strait/base/text.h>
 #include <strait/contact/contact_area.h>
 #include <strait/contact/contact_solver.h>
 #include <strait/spectral/fill_windows.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace strait
 {
@@ -36,10 +36,8 @@ namespace strait
   } // namespace
 
   ContactSolver::ContactSolver(const ContactParameters &contact_parameters,
-                               SlabField                surface_heights,
-                               Report                   report_line)
+                               SlabField                surface_heights)
     : parameters(contact_parameters)
-    , report(std::move(report_line))
     , wall(std::move(surface_heights), parameters.effective_modulus)
     , problem(wall.heights(), parameters.effective_modulus)
   {
@@ -62,9 +60,10 @@ namespace strait
     const bool is_dry = fluid_pressure == nullptr;
     const bool starts = from != nullptr && is_near(*from, of_solid);
     // A state that was never solved has neither fields nor windows.
-    const SlabLayoutPtr &layout =
-      from != nullptr && !from->gap.empty() ? from->gap.layout_pointer() : wall.layout();
-    SlabField pressure =
+    const SlabLayoutPtr &layout = from != nullptr && !from->pressure.empty()
+                                    ? from->pressure.layout_pointer()
+                                    : wall.layout();
+    SlabField            pressure =
       starts ? start_from(*from, of_solid, is_dry) : start_without(layout, of_solid);
     SlabField              gap(layout);
     DualProblem           &contact   = problem_on(layout);
@@ -114,31 +113,26 @@ namespace strait
   void
   ContactSolver::check(const double target) const
   {
-    const bool         by_load = parameters.loads();
-    std::ostringstream message;
     if (!(target > 0) || !std::isfinite(target))
-      {
-        message << "Load programme/Pressures contains " << target << " but a "
-                << (by_load ? "nominal pressure must be positive: without a load the "
-                              "surfaces never make contact."
-                            : "mean gap must be positive: it is 0 only under an infinite "
-                              "load.");
-        throw InputError(message.str());
-      }
+      throw InputError(format("Load programme/Pressures contains %g but a %s",
+                              target,
+                              parameters.loads()
+                                ? "nominal pressure must be positive: without a load "
+                                  "the surfaces never make contact."
+                                : "mean gap must be positive: it is 0 only under an "
+                                  "infinite load."));
     if (parameters.yields() && !(target < parameters.hardness))
-      {
-        message << "At a nominal pressure of " << target << " all of the contact flows: "
-                << "it must be less than Contact/Hardness = " << parameters.hardness
-                << '.';
-        throw InputError(message.str());
-      }
+      throw InputError(
+        format("At a nominal pressure of %g all of the contact flows: it "
+               "must be less than Contact/Hardness = %g.",
+               target,
+               parameters.hardness));
     if (!(share_of_solid(target) > 0))
-      {
-        message << "The fluid carries a mean pressure of " << wall.fluid_load()
-                << ", more than the nominal pressure of " << target
-                << ", so the surfaces do not stay in contact.";
-        throw ComputationError(message.str());
-      }
+      throw ComputationError(
+        format("The fluid carries a mean pressure of %g, more than the nominal pressure "
+               "of %g, so the surfaces do not stay in contact.",
+               wall.fluid_load(),
+               target));
   }
 
   bool
@@ -187,17 +181,7 @@ namespace strait
     const auto optimiser =
       make_dual_optimiser(parameters.method, on_grid, constraint_for(target), tolerance);
     note_memory(optimiser->memory_consumption(), grid_gap.size());
-    const ContactSolution solution =
-      optimiser->solve(grid_pressure.data(), grid_gap.data());
-    if (report)
-      {
-        std::ostringstream line;
-        line << "contact on " << grid_gap.grid().nx << " x " << grid_gap.grid().ny << ": "
-             << solution.iterations << " iterations, residual " << solution.residual
-             << (solution.converged ? "" : ", not converged");
-        report(line.str());
-      }
-    return solution;
+    return optimiser->solve(grid_pressure.data(), grid_gap.data());
   }
 
   ContactState

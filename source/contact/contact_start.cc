@@ -23,11 +23,9 @@ namespace strait
     SlabField start = start_from_coarser_grid(wall.heights(), target);
     if (layout->windows().empty())
       return start;
-    ContactState on_grid;
-    on_grid.pressure = std::move(start);
-    on_grid.gap      = SlabField(wall.layout());
-    optimise(problem, target, tolerance_for(target), on_grid.pressure, on_grid.gap);
-    return zoom_in(std::move(on_grid), layout->windows()).pressure;
+    SlabField gap(wall.layout());
+    optimise(problem, target, tolerance_for(target), start, gap);
+    return zoom_in(start, layout->windows());
   }
 
   SlabField

@@ -151,7 +151,7 @@ namespace strait
       problem.scratch(),
       [&](const Block &range) { worst = std::max(worst, choose_contact(range)); },
       [&](const Block &range) { measure(range); });
-    return problem.largest_over_ranks(worst) / tolerance.length;
+    return problem.largest_over_ranks(worst) / tolerance.unit;
   }
 
   /**
@@ -173,13 +173,11 @@ namespace strait
         float              *z = problem.scratch();
         const double       *g = gap;
         const std::uint8_t *c = in_contact.data();
-        const auto [y_y] =
-          weighted_sums<1>(problem,
-                           [=, s = shift, unit = 1. / tolerance.length](const auto i,
-                                                                        auto      &sums) {
-                             z[i] = c[i] ? static_cast<float>(unit * (g[i] - s)) : 0.f;
-                             sums[0] += static_cast<double>(z[i]) * z[i];
-                           });
+        const auto [y_y]      = weighted_sums<1>(
+          problem, [=, s = shift, unit = 1. / tolerance.unit](const auto i, auto &sums) {
+            z[i] = c[i] ? static_cast<float>(unit * (g[i] - s)) : 0.f;
+            sums[0] += static_cast<double>(z[i]) * z[i];
+          });
         mean_z = constraint.excess(sum_y, area);
         return y_y - mean_z * sum_y;
       }
@@ -209,7 +207,7 @@ namespace strait
       return false;
     gap_is_exact = false;
     last_length  = slope / curvature;
-    energy -= 0.5 * squared(tolerance.length) * slope * last_length;
+    energy -= 0.5 * squared(tolerance.unit) * slope * last_length;
     return true;
   }
 
@@ -228,7 +226,7 @@ namespace strait
     const double *g   = gap;
     std::uint8_t *c   = in_contact.data();
     float        *d   = problem.scratch(); // z, the direction, the step, its response
-    const double  far = .5 * tolerance.length * length, unit = 1. / tolerance.length;
+    const double  far = .5 * tolerance.unit * length, unit = 1. / tolerance.unit;
     for (const Block &range : problem.blocks())
       if (length > 0)
         {
@@ -262,7 +260,7 @@ namespace strait
     const auto [slope] = gained.over_ranks(problem);
     note_free();
     gap_is_exact = false;
-    energy -= squared(tolerance.length) * (slope - .5 * d_r);
+    energy -= squared(tolerance.unit) * (slope - .5 * d_r);
   }
 
   /** The shift, and whether any pressure is beyond its limits. */

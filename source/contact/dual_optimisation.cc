@@ -21,8 +21,7 @@ namespace strait
       }
 
     // To rounding: the shift is known no better, and Newton's method doubles the digits.
-    constexpr double rounding  = 1e-14;
-    constexpr int    max_steps = 100;
+    constexpr double rounding = 1e-14;
 
     const double limit = constraint.limit(), goal = constraint.mean();
     const auto [moving, held] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
@@ -42,7 +41,7 @@ namespace strait
       }
     lower = -problem.largest_over_ranks(-lower);
     upper = problem.largest_over_ranks(upper);
-    for (int step = 0; step < max_steps; ++step)
+    while (true)
       {
         const auto [mean, free] =
           weighted_sums<2>(problem, [&](const auto i, auto &sums) {
@@ -56,7 +55,10 @@ namespace strait
         (excess > 0 ? upper : lower) = shifted.shift;
         const double newton          = shifted.shift - excess / free;
         const bool   is_inside       = newton > lower && newton < upper;
-        shifted.shift                = is_inside ? newton : .5 * (lower + upper);
+        const double next            = is_inside ? newton : .5 * (lower + upper);
+        if (next == shifted.shift) // there is no number between
+          break;
+        shifted.shift = next;
       }
     return shifted;
   }

@@ -24,7 +24,7 @@ namespace strait
     const double *p = pressure, *g = gap;
     float        *y = problem.scratch();
     std::uint8_t *c = in_contact.data();
-    const double  s = shift, unit = 1. / tolerance.length;
+    const double  s = shift, unit = 1. / tolerance.unit;
     const double  limit  = constraint.limit();
     const bool    grows  = !any_beyond;
     const auto    choose = [=](const std::size_t begin, const std::size_t end) {
@@ -67,7 +67,7 @@ namespace strait
     const std::uint8_t   *c = in_contact.data();
     std::array<double, 9> sums{};
     for_each_marked(
-      c, range, [=, &sums, s = shift, unit = 1. / tolerance.length](const std::size_t i) {
+      c, range, [=, &sums, s = shift, unit = 1. / tolerance.unit](const std::size_t i) {
         const double z_i = z[i], t_i = t[i], r_i = r[i], y_i = unit * (g[i] - s);
         sums[0] += 1;
         sums[1] += z_i;
@@ -109,7 +109,7 @@ namespace strait
     double             *p   = pressure;
     const float        *t   = direction.data();
     const std::uint8_t *c   = in_contact.data();
-    const double        far = tolerance.length * length;
+    const double        far = tolerance.unit * length;
     for_each_marked(c, range, [=](const std::size_t i) { p[i] -= far * t[i]; });
     follow(range, response.data(), length);
   }
@@ -120,7 +120,7 @@ namespace strait
   {
     double      *g   = gap;
     const double s   = shift;
-    const double far = tolerance.length * length;
+    const double far = tolerance.unit * length;
     for (std::size_t i = range.begin, end = range.end; i < end; ++i)
       g[i] = (g[i] - s) - far * r[i];
     measure_free(range);

@@ -46,7 +46,7 @@ namespace strait
     reach    = 1;
   }
 
-  GapDescent::Outcome
+  GapOptimiser::Outcome
   GapConjugateGradients::descend(double)
   {
     precondition();

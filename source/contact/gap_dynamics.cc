@@ -27,7 +27,7 @@ namespace strait
     steps_forward = 0;
   }
 
-  GapDescent::Outcome
+  GapOptimiser::Outcome
   GapDynamics::descend(double)
   {
     accelerate();

@@ -7,7 +7,7 @@
 
 namespace strait
 {
-  GapDescent::Outcome
+  GapOptimiser::Outcome
   GapNewton::descend(const double residual)
   {
     solve_model(residual);

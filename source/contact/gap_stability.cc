@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/contact/gap_optimisation.h>
 #include <strait/contact/gap_stability.h>
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace strait
 {
@@ -94,153 +96,162 @@ namespace strait
           x[i] += y[l] * basis[l][i];
       return x;
     }
-  } // namespace
 
-  GapStability::GapStability(GapProblem &problem_, const GapConstraint::Kind kind_)
-    : problem(problem_)
-    , kind(kind_)
-  {
-  }
-
-  double
-  GapStability::smallest_curvature(const double *gaps, const double *curvatures)
-  {
-    gap       = gaps;
-    curvature = curvatures;
-    // A rank without points has none in either case.
-    const bool is_known = problem.largest_over_ranks(vectors[0].empty() ? 0. : 1.) > 0;
-    vectors[0].resize(problem.size());
-    if (!is_known)
+    /** A descent of the quotient at one gap; see smallest_curvature(). */
+    class QuotientDescent
+    {
+    public:
+      QuotientDescent(GapProblem   &problem_,
+                      const bool    fixes_mean_gap_,
+                      const double *gap_,
+                      const double *curvature_)
+        : problem(problem_)
+        , fixes_mean_gap(fixes_mean_gap_)
+        , gap(gap_)
+        , curvature(curvature_)
       {
-        problem.fill_with_noise(vectors[0].data());
-        problem.precondition(vectors[0].data(), no_pass, no_pass);
+        for (int k = 0; k < 3; ++k)
+          {
+            vectors[k].resize(problem.size());
+            responses[k].resize(problem.size());
+          }
       }
-    for (int k = 0; k < 3; ++k)
+
+      void
+      find_lowest()
       {
-        vectors[k].resize(problem.size());
-        responses[k].resize(problem.size());
+        prepare(vectors[0], responses[0]);
+        descend(1);
+        if (!std::isfinite(quotient)) // no point is free
+          {
+            problem.fill_with_noise(vectors[0].data());
+            quotient = 1;
+            return;
+          }
+        int n_settled = 0;
+        for (int k = 0; n_settled < 2; ++k)
+          {
+            // The gradient of the quotient, preconditioned.
+            const double uniform = problem.mean_stiffness() * uniform_part(vectors[0]);
+            for (std::size_t i = 0; i < problem.size(); ++i)
+              vectors[1][i] = (1 - quotient) * responses[0][i] +
+                              curvature[i] * vectors[0][i] - quotient * uniform;
+            mask(vectors[1]);
+            problem.precondition(vectors[1].data(), no_pass, no_pass);
+            prepare(vectors[1], responses[1]);
+            const double before = quotient;
+            descend(k == 0 ? 2 : 3);
+            n_settled =
+              before - quotient > settled * std::abs(quotient) ? 0 : n_settled + 1;
+          }
       }
-    find_lowest();
-    for (int k = 0; k < 3; ++k)
+
+      // v, its gradient, its last change; K of each.
+      std::vector<double> vectors[3];
+      std::vector<double> responses[3];
+      double              quotient = 0;
+
+    private:
+      double
+      uniform_part(const std::vector<double> &v) const
       {
-        if (k > 0)
-          vectors[k] = std::vector<double>();
-        responses[k] = std::vector<double>();
+        return weighted_sums<1>(problem,
+                                [&v](const auto i, auto &sums) { sums[0] += v[i]; })[0];
       }
-    return quotient;
-  }
 
-  void
-  GapStability::find_lowest()
-  {
-    prepare(vectors[0], responses[0]);
-    descend(1);
-    if (!std::isfinite(quotient)) // no point is free
+      void
+      mask(std::vector<double> &v) const
       {
-        problem.fill_with_noise(vectors[0].data());
-        quotient = 1;
-        return;
+        project(
+          problem,
+          [this](const std::size_t i) { return gap[i] > 0; },
+          fixes_mean_gap,
+          v.data());
       }
-    int n_settled = 0;
-    for (int k = 0; n_settled < 2; ++k)
+
+      void
+      prepare(std::vector<double> &v, std::vector<double> &stiffness)
       {
-        // The gradient of the quotient, preconditioned.
-        const double uniform = problem.mean_stiffness() * uniform_part(vectors[0]);
-        for (std::size_t i = 0; i < problem.size(); ++i)
-          vectors[1][i] = (1 - quotient) * responses[0][i] +
-                          curvature[i] * vectors[0][i] - quotient * uniform;
-        mask(vectors[1]);
-        problem.precondition(vectors[1].data(), no_pass, no_pass);
-        prepare(vectors[1], responses[1]);
-        const double before = quotient;
-        descend(k == 0 ? 2 : 3);
-        n_settled = before - quotient > settled * std::abs(quotient) ? 0 : n_settled + 1;
+        mask(v);
+        problem.apply(v.data(), stiffness.data(), no_pass);
       }
-  }
 
-  double
-  GapStability::uniform_part(const std::vector<double> &v) const
-  {
-    return weighted_sums<1>(problem,
-                            [&v](const auto i, auto &sums) { sums[0] += v[i]; })[0];
-  }
-
-  void
-  GapStability::mask(std::vector<double> &v) const
-  {
-    for (std::size_t i = 0; i < problem.size(); ++i)
-      v[i] = gap[i] > 0 ? v[i] : 0.;
-    if (kind != GapConstraint::Kind::mean_gap)
-      return;
-    const auto [total, area] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
-      sums[0] += v[i];
-      sums[1] += gap[i] > 0 ? 1. : 0.;
-    });
-    const double mean        = area > 0 ? total / area : 0.;
-    for (std::size_t i = 0; i < problem.size(); ++i)
-      v[i] -= gap[i] > 0 ? mean : 0.;
-  }
-
-  void
-  GapStability::prepare(std::vector<double> &v, std::vector<double> &stiffness)
-  {
-    mask(v);
-    problem.apply(v.data(), stiffness.data(), no_pass);
-  }
-
-  /** Replace v by the best combination of the first @p n vectors. */
-  void
-  GapStability::descend(const int n)
-  {
-    // Of each pair of vectors <v, Kv>, <v, γ''v>; and the means.
-    const auto sums = weighted_sums<15>(problem, [&](const auto i, auto &terms) {
-      if (!(gap[i] > 0))
-        return;
-      int term = 0;
-      for (int k = 0; k < n; ++k)
-        {
-          const double v = vectors[k][i];
+      /** Replace v by the best combination of the first @p n vectors. */
+      void
+      descend(const int n)
+      {
+        // Of each pair of vectors <v, Kv>, <v, γ''v>; and the means.
+        const auto sums = weighted_sums<15>(problem, [&](const auto i, auto &terms) {
+          if (!(gap[i] > 0))
+            return;
+          int term = 0;
+          for (int k = 0; k < n; ++k)
+            {
+              const double v = vectors[k][i];
+              for (int l = 0; l <= k; ++l)
+                {
+                  terms[term++] += v * responses[l][i];
+                  terms[term++] += v * curvature[i] * vectors[l][i];
+                }
+              terms[12 + k] += v;
+            }
+        });
+        Matrix     a{}, b{};
+        int        term = 0;
+        for (int k = 0; k < n; ++k)
           for (int l = 0; l <= k; ++l)
             {
-              terms[term++] += v * responses[l][i];
-              terms[term++] += v * curvature[i] * vectors[l][i];
+              const double elastic = sums[term++], local = sums[term++];
+              a[k][l] = a[l][k] = elastic + local;
+              b[k][l]           = b[l][k] =
+                elastic + problem.mean_stiffness() * sums[12 + k] * sums[12 + l];
             }
-          terms[12 + k] += v;
-        }
-    });
-    Matrix     a{}, b{};
-    int        term = 0;
-    for (int k = 0; k < n; ++k)
-      for (int l = 0; l <= k; ++l)
-        {
-          const double elastic = sums[term++], local = sums[term++];
-          a[k][l] = a[l][k] = elastic + local;
-          b[k][l]           = b[l][k] =
-            elastic + problem.mean_stiffness() * sums[12 + k] * sums[12 + l];
-        }
-    const Vector x = best_combination(a, b, n);
-    quotient       = 0;
-    for (int k = 0; k < n; ++k)
-      for (int l = 0; l < n; ++l)
-        quotient += x[k] * a[k][l] * x[l];
-    if (x == Vector{})
-      quotient = NAN;
+        const Vector x = best_combination(a, b, n);
+        quotient       = 0;
+        for (int k = 0; k < n; ++k)
+          for (int l = 0; l < n; ++l)
+            quotient += x[k] * a[k][l] * x[l];
+        if (x == Vector{})
+          quotient = NAN;
 
-    // The new v and its change, and K of both.
-    for (auto *fields : {vectors, responses})
-      for (std::size_t i = 0; i < problem.size(); ++i)
-        {
-          double change = 0;
-          for (int k = 1; k < n; ++k)
-            change += x[k] * fields[k][i];
-          fields[2][i] = change;
-          fields[0][i] = x[0] * fields[0][i] + change;
-        }
-  }
+        // The new v and its change, and K of both.
+        for (auto *fields : {vectors, responses})
+          for (std::size_t i = 0; i < problem.size(); ++i)
+            {
+              double change = 0;
+              for (int k = 1; k < n; ++k)
+                change += x[k] * fields[k][i];
+              fields[2][i] = change;
+              fields[0][i] = x[0] * fields[0][i] + change;
+            }
+      }
 
-  std::size_t
-  GapStability::memory_consumption() const
+      GapProblem   &problem;
+      const bool    fixes_mean_gap;
+      const double *gap;
+      const double *curvature; // γ''
+    };
+  } // namespace
+
+  double
+  smallest_curvature(GapProblem          &problem,
+                     const bool           fixes_mean_gap,
+                     const double        *gap,
+                     const double        *curvature,
+                     std::vector<double> &direction)
   {
-    return 6 * problem.size() * sizeof(double);
+    // A rank without points has none in either case.
+    const bool is_known = problem.largest_over_ranks(direction.empty() ? 0. : 1.) > 0;
+    QuotientDescent descent(problem, fixes_mean_gap, gap, curvature);
+    if (is_known)
+      descent.vectors[0] = std::move(direction);
+    else
+      {
+        problem.fill_with_noise(descent.vectors[0].data());
+        problem.precondition(descent.vectors[0].data(), no_pass, no_pass);
+      }
+    descent.find_lowest();
+    direction = std::move(descent.vectors[0]);
+    return descent.quotient;
   }
 } // namespace strait

@@ -6,12 +6,72 @@
 
 namespace strait
 {
+  namespace
+  {
+    /** @p pass for callers that go row by row over the slabs of @p layout; a pass that is
+     *  told the work gets that as well. */
+    template <class Pass>
+    auto
+    by_rows(const SlabLayout &layout, const Pass &pass)
+    {
+      const std::size_t nx     = layout.grid().nx;
+      const double      weight = 1. / static_cast<double>(layout.grid().n_points());
+      return [=, &pass](const std::size_t row, const auto... work) {
+        pass(ContactProblem::Block{row * nx, (row + 1) * nx, weight}, work...);
+      };
+    }
+
+    void
+    no_row(int)
+    {
+    }
+
+    /** Multiply waves, as BasicFourierTransform::multiply_in_passes(); after() is told
+     * the mean of in·out, which is returned. Collective. */
+    template <class Number, class Symbol, class Before, class After>
+    double
+    multiply(BasicFourierTransform<Number> &transform,
+             const Number                  *in,
+             Number                        *out,
+             const Symbol                  &symbol,
+             const Before                  &before,
+             const After                   &after)
+    {
+      interruption_point();
+      double work = 0;
+      transform.multiply_in_passes(
+        in,
+        out,
+        symbol,
+        before,
+        [&](const double local_work) {
+          work = sum(transform.layout().communicator(), local_work);
+        },
+        [&](const int row) { after(row, work); });
+      return work;
+    }
+  } // namespace
+
+  ContactProblem::Points
+  points_of(const SlabField &heights)
+  {
+    const auto             n_points = static_cast<double>(heights.grid().n_points());
+    ContactProblem::Points points{heights.layout().communicator(),
+                                  heights.size(),
+                                  heights.data(),
+                                  {}};
+    for (const SlabLayout::Range &range : heights.layout().ranges())
+      points.blocks.push_back({range.begin, range.end, range.area / n_points});
+    return points;
+  }
+
   HalfSpaceProblem::HalfSpaceProblem(const SlabField &heights,
                                      const double     contact_modulus)
-    : GridProblem(heights)
-    , half_space(heights.layout_pointer(), contact_modulus)
-    , of_steps(heights.layout_pointer(), contact_modulus)
-    , stiffness(TwoScaleOperator::stiffness(heights.layout_pointer(), contact_modulus))
+    : DualProblem(points_of(heights))
+    , modulus(contact_modulus)
+    , transform(heights.layout_pointer())
+    , of_steps(heights.layout_pointer())
+    , stiffness(TwoScaleOperator::stiffness(heights.layout_pointer(), modulus))
   {
   }
 
@@ -22,9 +82,14 @@ namespace strait
   {
     // Either transform needs its buffer only while it is in use.
     of_steps.release();
-    const double work = half_space.apply(
-      pressure, displacement, [](int) {}, by_rows(after));
-    half_space.release();
+    const double work =
+      multiply(transform,
+               pressure,
+               displacement,
+               WaveCompliance<double>(transform.layout().grid(), modulus),
+               no_row,
+               by_rows(transform.layout(), after));
+    transform.release();
     return work;
   }
 
@@ -34,13 +99,20 @@ namespace strait
                             const Pass     &before,
                             const WorkPass &after)
   {
-    return of_steps.apply(step, response, by_rows(before), by_rows(after));
+    return multiply(of_steps,
+                    step,
+                    response,
+                    WaveCompliance<float>(of_steps.layout().grid(), modulus),
+                    by_rows(of_steps.layout(), before),
+                    by_rows(of_steps.layout(), after));
   }
 
   void
   HalfSpaceProblem::precondition(float *values, const Pass &before, const Pass &after)
   {
-    stiffness.apply(values, by_rows(before), by_rows(after));
+    stiffness.apply(values,
+                    by_rows(of_steps.layout(), before),
+                    by_rows(of_steps.layout(), after));
   }
 
   float *
@@ -52,7 +124,7 @@ namespace strait
   long
   HalfSpaceProblem::n_applications() const
   {
-    return half_space.n_pairs() + of_steps.n_pairs();
+    return transform.n_pairs() + of_steps.n_pairs();
   }
 
   void
@@ -64,14 +136,14 @@ namespace strait
   std::size_t
   HalfSpaceProblem::memory_consumption() const
   {
-    return std::max(half_space.memory_consumption(), of_steps.memory_consumption()) +
+    return std::max(transform.memory_consumption(), of_steps.memory_consumption()) +
            stiffness.memory_consumption();
   }
 
   HalfSpaceGapProblem::HalfSpaceGapProblem(const SlabField   &heights,
                                            const double       contact_modulus,
                                            const AdhesionLaw &adhesion)
-    : GridProblem(heights)
+    : GapProblem(points_of(heights))
     , law(adhesion)
     , transform(heights.layout_pointer())
     , stiffness(heights.grid(), contact_modulus)
@@ -99,26 +171,22 @@ namespace strait
                              double       *traction,
                              const Pass   &before)
   {
-    interruption_point();
-    double work = 0;
-    transform.multiply_in_passes(
-      displacement,
-      traction,
-      stiffness,
-      by_rows(before),
-      [&](const double local_work) {
-        work = sum(surface.layout().communicator(), local_work);
-      },
-      [](int) {});
-    return work;
+    return multiply(transform,
+                    displacement,
+                    traction,
+                    stiffness,
+                    by_rows(transform.layout(), before),
+                    [](int, double) {});
   }
 
   void
   HalfSpaceGapProblem::precondition(double *values, const Pass &before, const Pass &after)
   {
+    const auto before_row = by_rows(transform.layout(), before);
+    const auto after_row  = by_rows(transform.layout(), after);
     if (compliance)
       {
-        compliance->apply(values, by_rows(before), by_rows(after));
+        compliance->apply(values, before_row, after_row);
         return;
       }
     const double uniform = 1. / mean_stiffness();
@@ -128,15 +196,15 @@ namespace strait
       [=](const int kx, const int ky) {
         return kx == 0 && ky == 0 ? uniform : 1. / stiffness(kx, ky);
       },
-      by_rows(before),
+      before_row,
       [](double) {},
-      by_rows(after));
+      after_row);
   }
 
   void
   HalfSpaceGapProblem::fill_with_noise(double *values) const
   {
-    const SlabLayout &slabs = surface.layout();
+    const SlabLayout &slabs = transform.layout();
     const auto        nx    = static_cast<std::uint64_t>(slabs.grid().nx),
                first        = nx * slabs.first_row();
     for (std::uint64_t i = 0; i < size(); ++i)

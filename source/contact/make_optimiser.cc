@@ -2,8 +2,6 @@
 #include <strait/contact/make_optimiser.h>
 #include <strait/contact/optimisers.h>
 
-#include <utility>
-
 namespace strait
 {
   std::unique_ptr<DualOptimiser>
@@ -18,19 +16,15 @@ namespace strait
   }
 
   std::unique_ptr<GapOptimiser>
-  make_gap_optimiser(const AdhesionMethod method,
-                     GapProblem          &problem,
-                     const GapConstraint &constraint,
-                     const GapTolerance  &tolerance,
-                     RelaxationObserver   o)
+  make_gap_optimiser(const AdhesionMethod    method,
+                     GapProblem             &problem,
+                     const GapConstraint    &constraint,
+                     const ContactTolerance &tolerance)
   {
     if (method == AdhesionMethod::newton_cg)
-      return std::make_unique<GapNewton>(problem, constraint, tolerance, std::move(o));
+      return std::make_unique<GapNewton>(problem, constraint, tolerance);
     if (method == AdhesionMethod::gfmd)
-      return std::make_unique<GapDynamics>(problem, constraint, tolerance, std::move(o));
-    return std::make_unique<GapConjugateGradients>(problem,
-                                                   constraint,
-                                                   tolerance,
-                                                   std::move(o));
+      return std::make_unique<GapDynamics>(problem, constraint, tolerance);
+    return std::make_unique<GapConjugateGradients>(problem, constraint, tolerance);
   }
 } // namespace strait

@@ -65,7 +65,7 @@ namespace strait
     gap_squared      = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
       sums[0] += p[i] > 0 ? g[i] * g[i] : 0.;
     })[0];
-    return problem.largest_over_ranks(worst) / tolerance.length;
+    return problem.largest_over_ranks(worst) / tolerance.unit;
   }
 
   void

@@ -2,7 +2,9 @@
 #include <strait/base/exceptions.h>
 #include <strait/contact/half_space.h>
 #include <strait/contact/wall.h>
+#include <strait/spectral/fourier_transform.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -29,13 +31,14 @@ namespace strait
     if (undeformed.empty())
       undeformed = displaced;
     load = 0.;
-    if (!is_deformed)
-      displaced = std::exchange(undeformed, SlabField());
-    else if (fluid_pressure == nullptr)
-      displaced = undeformed;
+    if (fluid_pressure == nullptr)
+      std::copy(undeformed.begin(), undeformed.end(), displaced.begin());
     else
       {
-        HalfSpace(layout(), modulus).apply(fluid_pressure->data(), displaced.data());
+        FourierTransform(layout()).multiply(fluid_pressure->data(),
+                                            displaced.data(),
+                                            WaveCompliance<double>(layout()->grid(),
+                                                                   modulus));
         for (std::size_t i = 0; i < displaced.size(); ++i)
           displaced[i] = undeformed[i] - displaced[i];
         load = mean(*fluid_pressure);
@@ -43,6 +46,8 @@ namespace strait
     if (indentation != nullptr)
       for (std::size_t i = 0; i < displaced.size(); ++i)
         displaced[i] -= (*indentation)[i];
+    if (!is_deformed)
+      undeformed = SlabField();
     lower_highest_peak_to_zero();
   }
 

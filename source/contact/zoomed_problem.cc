@@ -68,7 +68,8 @@ namespace strait
   {
   public:
     Window(const SlabLayout &layout_, const int w)
-      : place(layout_.windows()[w])
+      : number(w)
+      , place(layout_.windows()[w])
       , layout(layout_)
       , transfer(place)
       , coarse_box(make_layout(box_grid(layout, place, 1), MPI_COMM_SELF))
@@ -87,24 +88,15 @@ namespace strait
     for_each_of_patch(const Visit &visit) const
     {
       constexpr int margin = ZoomWindow::margin;
-      std::size_t   k      = 0;
-      for (int b = place.y - margin; b < place.y + place.ny + margin; ++b)
-        for (int a = place.x - margin; a < place.x + place.nx + margin; ++a, ++k)
-          if (place.parent >= 0)
-            visit(k,
-                  layout.start_of_window(place.parent) +
-                    static_cast<std::size_t>(b) *
-                      layout.windows()[place.parent].n_columns() +
-                    a);
-          else
-            {
-              const int nx = layout.grid().nx, ny = layout.grid().ny;
-              const int row = (b + ny) % ny - layout.first_row();
-              if (row >= 0 && row < layout.n_rows())
-                visit(k, static_cast<std::size_t>(row) * nx + (a + nx) % nx);
-            }
+      layout.for_each_around(
+        number, margin, [&](const int a, const int b, const std::size_t at) {
+          visit(static_cast<std::size_t>(b + margin) * transfer.patch_columns() + a +
+                  margin,
+                at);
+        });
     }
 
+    const int           number;
     const ZoomWindow    place;
     const SlabLayout   &layout;
     WindowTransfer      transfer;
@@ -114,12 +106,12 @@ namespace strait
   };
 
   ZoomedProblem::ZoomedProblem(const SlabField &heights, const double contact_modulus)
-    : GridProblem(heights)
+    : DualProblem(points_of(heights))
     , modulus(contact_modulus)
-    , grid_transform(surface.layout_pointer())
-    , grid_stiffness(TwoScaleOperator::stiffness(surface.layout_pointer(), modulus))
-    , room(surface.size())
-    , values_of_step(surface.size())
+    , grid_transform(heights.layout_pointer())
+    , grid_stiffness(TwoScaleOperator::stiffness(heights.layout_pointer(), modulus))
+    , room(size())
+    , whole(size())
   {
     for (std::size_t w = 0; w < layout().windows().size(); ++w)
       windows.push_back(std::make_unique<Window>(layout(), static_cast<int>(w)));
@@ -144,16 +136,7 @@ namespace strait
                        double         *displacement,
                        const WorkPass &after)
   {
-    std::fill_n(displacement, size(), 0.);
-    for (const Block &block : blocks())
-      std::copy(pressure + block.begin, pressure + block.end, displacement + block.begin);
-    apply_compliance(displacement);
-    const auto [work] = weighted_sums<1>(*this, [=](const std::size_t i, auto &sums) {
-      sums[0] += pressure[i] * displacement[i];
-    });
-    for (const Block &block : blocks())
-      after(block, work);
-    return work;
+    return act(pressure, displacement, no_pass, after);
   }
 
   double
@@ -162,17 +145,37 @@ namespace strait
                          const Pass     &before,
                          const WorkPass &after)
   {
-    std::vector<double> &values = values_of_step;
-    std::fill(values.begin(), values.end(), 0.);
+    return act(step, response, before, after);
+  }
+
+  /** Work on @p values, 0 at covered points. */
+  template <class Number>
+  void
+  ZoomedProblem::take(const Number *values, const Pass &before)
+  {
+    std::fill(whole.begin(), whole.end(), 0.);
     for (const Block &block : blocks())
       {
         before(block);
-        std::copy(step + block.begin, step + block.end, values.begin() + block.begin);
+        std::copy(values + block.begin, values + block.end, whole.begin() + block.begin);
       }
-    apply_compliance(values.data());
+    gather_from_windows();
+  }
+
+  template <class Number>
+  double
+  ZoomedProblem::act(const Number   *pressure,
+                     Number         *displacement,
+                     const Pass     &before,
+                     const WorkPass &after)
+  {
+    interruption_point();
+    take(pressure, before);
+    transform(grid_transform, whole.data(), Symbol::compliance);
+    spread_to_windows(Symbol::compliance);
     const auto [work] = weighted_sums<1>(*this, [&](const std::size_t i, auto &sums) {
-      sums[0] += step[i] * values[i];
-      response[i] = static_cast<float>(values[i]);
+      sums[0] += pressure[i] * whole[i];
+      displacement[i] = static_cast<Number>(whole[i]);
     });
     for (const Block &block : blocks())
       after(block, work);
@@ -182,17 +185,10 @@ namespace strait
   void
   ZoomedProblem::precondition(float *values, const Pass &before, const Pass &after)
   {
-    std::vector<double> &whole = values_of_step;
-    std::fill(whole.begin(), whole.end(), 0.);
-    for (const Block &block : blocks())
-      {
-        before(block);
-        std::copy(values + block.begin, values + block.end, whole.begin() + block.begin);
-      }
-    gather_from_windows(whole.data());
+    take(values, before);
     grid_stiffness.apply(
       whole.data(), [](int) {}, [](int) {});
-    spread_to_windows(whole.data(), Symbol::stiffness);
+    spread_to_windows(Symbol::stiffness);
     for (const Block &block : blocks())
       {
         std::copy(whole.begin() + block.begin,
@@ -202,40 +198,30 @@ namespace strait
       }
   }
 
-  /** Replace a pressure, 0 at covered points, by the displacement. */
-  void
-  ZoomedProblem::apply_compliance(double *values)
-  {
-    interruption_point();
-    gather_from_windows(values);
-    transform(grid_transform, values, Symbol::compliance);
-    spread_to_windows(values, Symbol::compliance);
-  }
-
   /** Give each parent the mean of what its windows have; what it has itself at points
    *  that they cover is 0. */
   void
-  ZoomedProblem::gather_from_windows(double *values)
+  ZoomedProblem::gather_from_windows()
   {
     for (std::size_t w = windows.size(); w-- > 0;)
       {
         Window       &window = *windows[w];
-        const double *begin  = values + layout().start_of_window(static_cast<int>(w));
+        const double *begin  = whole.data() + layout().start_of_window(window.number);
         std::copy_n(begin, window.own.size(), window.own.begin());
         window.transfer.deposit(window.own, window.patch);
         window.for_each_of_patch([&](const std::size_t k, const std::size_t at) {
-          values[at] += window.patch[k];
+          whole[at] += window.patch[k];
         });
       }
   }
 
   /** Refine what the parents have found in their windows. */
   void
-  ZoomedProblem::spread_to_windows(double *values, const Symbol symbol)
+  ZoomedProblem::spread_to_windows(const Symbol symbol)
   {
-    for (std::size_t w = 0; w < windows.size(); ++w)
+    for (const auto &each : windows)
       {
-        Window     &window = *windows[w];
+        Window     &window = *each;
         const Shape patch  = {
            {window.transfer.patch_columns(), window.transfer.patch_rows()}};
         const Shape own    = {{window.place.n_columns(), window.place.n_rows()}};
@@ -245,7 +231,7 @@ namespace strait
         transform(window.coarse_box, window.in_coarse_box.data(), symbol);
         std::fill(window.patch.begin(), window.patch.end(), 0.);
         window.for_each_of_patch([&](const std::size_t k, const std::size_t at) {
-          window.patch[k] = values[at];
+          window.patch[k] = whole[at];
         });
         if (window.place.parent < 0)
           sum_over_ranks(window.patch.data(), static_cast<int>(window.patch.size()));
@@ -256,7 +242,7 @@ namespace strait
                                });
         put_into_box(own, window.own, fine, window.in_fine_box);
         transform(window.fine_box, window.in_fine_box.data(), symbol);
-        double *result = values + layout().start_of_window(static_cast<int>(w));
+        double *result = whole.data() + layout().start_of_window(window.number);
         window.transfer.interpolate(window.patch, window.own);
         for_each_in_the_middle(own, fine, [&](const std::size_t k, const std::size_t at) {
           result[k] = window.own[k] + window.in_fine_box[at];
@@ -269,19 +255,19 @@ namespace strait
                            double           *values,
                            const Symbol      symbol) const
   {
-    const WaveStiffness stiffness(box.layout().grid(), modulus);
-    box.multiply(values, values, [=](const int kx, const int ky) {
-      const double of_wave = stiffness(kx, ky);
-      return symbol == Symbol::stiffness ? of_wave : of_wave > 0 ? 1. / of_wave : 0.;
-    });
+    const PeriodicGrid &grid = box.layout().grid();
+    if (symbol == Symbol::stiffness)
+      box.multiply(values, values, WaveStiffness(grid, modulus));
+    else
+      box.multiply(values, values, WaveCompliance<double>(grid, modulus));
   }
 
   std::size_t
   ZoomedProblem::memory_consumption() const
   {
-    std::size_t bytes =
-      room.size() * sizeof(float) + values_of_step.size() * sizeof(double) +
-      grid_transform.memory_consumption() + grid_stiffness.memory_consumption();
+    std::size_t bytes = room.size() * sizeof(float) + whole.size() * sizeof(double) +
+                        grid_transform.memory_consumption() +
+                        grid_stiffness.memory_consumption();
     for (const auto &window : windows)
       bytes += window->coarse_box.memory_consumption() +
                window->fine_box.memory_consumption() +

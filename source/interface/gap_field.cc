@@ -26,7 +26,7 @@ namespace strait
     , conductivity_of_one(1. / (12. * fluid.viscosity))
     , halvings(fluid.mesh_file.empty() ? layout->grid().n_halvings() : 0)
   {
-    known[0].emplace(Known{MomentPyramid(layout, moment_set(), halvings), {}});
+    room_for(Coefficient::conductivity);
   }
 
   CoefficientLaw
@@ -74,21 +74,35 @@ namespace strait
   {
     floor_value = conductivity_floor;
     levels.update(gap);
-    build(Coefficient::conductivity, known[0]);
+    forget_others();
+    build(Coefficient::conductivity);
     if (floor_value > 0)
-      build(Coefficient::resistivity, known[1]);
+      build(Coefficient::resistivity);
     else
-      known[1].reset();
-    known_other.reset();
+      known.erase(Coefficient::resistivity);
+  }
+
+  /** Those after conductivity and resistivity. */
+  void
+  GapField::forget_others() const
+  {
+    known.erase(known.upper_bound(Coefficient::resistivity), known.end());
+  }
+
+  GapField::Known &
+  GapField::room_for(const Coefficient coefficient) const
+  {
+    if (known.count(coefficient) == 0)
+      known.emplace(coefficient,
+                    Known{MomentPyramid(levels.layout_pointer(), moment_set(), halvings),
+                          {}});
+    return known.at(coefficient);
   }
 
   void
-  GapField::build(const Coefficient coefficient, std::optional<Known> &here) const
+  GapField::build(const Coefficient coefficient) const
   {
-    if (!here)
-      here.emplace(
-        Known{MomentPyramid(levels.layout_pointer(), moment_set(), halvings), {}});
-    Known     &result     = *here;
+    Known     &result     = room_for(coefficient);
     const auto moments_of = [&](const LevelCell &cell, double *moments) {
       return add_cell(coefficient, cell, Square(), result, moments);
     };
@@ -148,7 +162,7 @@ namespace strait
                    const GridCell   &cell,
                    double           *moments) const
   {
-    const Known &of_grid = *known_of(coefficient);
+    const Known &of_grid = known.at(coefficient);
     if (cell.exponent > 0 && cell.exponent < MomentPyramid::finest)
       {
         std::vector<double> child(moment_set().size());
@@ -182,9 +196,11 @@ namespace strait
   GapField::ask(const Coefficient coefficient, const std::vector<GridCell> &cells) const
   {
     interruption_point(); // once a mesh
-    if (static_cast<std::size_t>(coefficient) >= known.size() &&
-        !(known_other && other == coefficient))
-      build(other = coefficient, known_other);
+    if (known.count(coefficient) == 0)
+      {
+        forget_others();
+        build(coefficient);
+      }
     namespace mpi = dealii::Utilities::MPI;
     using Words   = std::map<unsigned int, std::vector<int>>;
     using Numbers = std::map<unsigned int, std::vector<double>>;
@@ -232,14 +248,9 @@ namespace strait
   GapField::memory_consumption() const
   {
     std::size_t bytes = levels.memory_consumption();
-    const auto  add   = [&](const std::optional<Known> &each) {
-      if (each)
-        bytes += each->pyramid.memory_consumption() +
-                 each->of_window_cells.capacity() * sizeof(double);
-    };
-    add(known[0]);
-    add(known[1]);
-    add(known_other);
+    for (const auto &[coefficient, each] : known)
+      bytes += each.pyramid.memory_consumption() +
+               each.of_window_cells.capacity() * sizeof(double);
     return bytes;
   }
 } // namespace strait

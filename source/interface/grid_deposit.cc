@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/interface/grid_deposit.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <cmath>
@@ -83,8 +82,9 @@ namespace strait
               line[k] += up.values[l * up.n + row] * values[l * n_nodes + k];
             area += up.values[k * up.n + row];
           }
-        std::vector<double> &target = rows[(first_y + row) % ny];
-        target.resize(2 * static_cast<std::size_t>(nx));
+        Row &target = rows[(first_y + row) % ny];
+        target.integral.resize(nx);
+        target.area.resize(nx);
         for (int column = 0; column < across.n; ++column)
           {
             double integral = 0, width = 0;
@@ -93,9 +93,9 @@ namespace strait
                 integral += across.values[k * across.n + column] * line[k];
                 width += across.values[k * across.n + column];
               }
-            double *here = target.data() + 2 * ((first_x + column) % nx);
-            here[0] += integral;
-            here[1] += width * area;
+            const int ix = (first_x + column) % nx;
+            target.integral[ix] += integral;
+            target.area[ix] += width * area;
           }
       }
   }
@@ -103,36 +103,18 @@ namespace strait
   GridDeposit::Sums
   GridDeposit::collect()
   {
-    const std::size_t n_row = 2 * static_cast<std::size_t>(layout->grid().nx);
-    // Rows by their owner, each as its number and its values.
-    std::map<unsigned int, std::vector<double>> parcels;
+    std::vector<int>    touched;
+    std::vector<double> integrals, areas;
     for (const auto &[row, values] : rows)
       {
-        auto &parcel = parcels[static_cast<unsigned int>(layout->owner_of_row(row))];
-        parcel.push_back(row);
-        parcel.insert(parcel.end(), values.begin(), values.end());
+        touched.push_back(row);
+        integrals.insert(integrals.end(), values.integral.begin(), values.integral.end());
+        areas.insert(areas.end(), values.area.begin(), values.area.end());
       }
     rows.clear();
-
-    Sums       sums{SlabField(layout), SlabField(layout)};
-    const auto unpack = [&](const std::vector<double> &parcel) {
-      for (std::size_t start = 0; start < parcel.size(); start += n_row + 1)
-        {
-          const int     row    = static_cast<int>(parcel[start]) - layout->first_row();
-          const double *values = parcel.data() + start + 1;
-          for (int ix = 0; ix < layout->grid().nx; ++ix)
-            {
-              sums.integral(ix, row) += values[2 * ix];
-              sums.area(ix, row) += values[2 * ix + 1];
-            }
-        }
-    };
-    if (layout->n_ranks() == 1)
-      unpack(parcels[0]);
-    else
-      for (const auto &[rank, parcel] :
-           dealii::Utilities::MPI::some_to_some(layout->communicator(), parcels))
-        unpack(parcel);
+    Sums sums{SlabField(layout), SlabField(layout)};
+    add_rows(*layout, touched, integrals, sums.integral.data());
+    add_rows(*layout, touched, areas, sums.area.data());
     return sums;
   }
 } // namespace strait

@@ -126,17 +126,13 @@ namespace strait
       }
   }
 
-  std::size_t
-  MomentPyramid::position(const Level &level, const GridCell &cell) const
-  {
-    return static_cast<std::size_t>(cell.j - level.first_row) * level.n_columns + cell.i;
-  }
-
   const double *
   MomentPyramid::moments(const GridCell &cell) const
   {
-    const Level &level = levels[cell.exponent - finest];
-    return level.moments.data() + position(level, cell) * set.size();
+    const Level      &level = levels[cell.exponent - finest];
+    const std::size_t position =
+      static_cast<std::size_t>(cell.j - level.first_row) * level.n_columns + cell.i;
+    return level.moments.data() + position * set.size();
   }
 
   std::size_t

@@ -25,10 +25,33 @@ namespace strait
     public:
       /** Nodes are where the reference's Ψ is @p potentials, from 0 to 1, and the weights
        *  of the parts there are @p weights[part][node]. */
-      FreePotential(const std::vector<PathPart>            &parts,
-                    const std::vector<std::vector<double>> &weights,
+      FreePotential(const std::vector<PathPart>            &parts_,
+                    const std::vector<std::vector<double>> &weights_,
                     const std::vector<double>              &potentials,
-                    bool                                    is_largest);
+                    const bool                              is_largest)
+        : parts(parts_)
+        , weights(weights_)
+        , sign(is_largest ? 1. : -1.)
+        , lengths(potentials.size(), 0.)
+        , trial(potentials.size(), 1.)
+        , best(trial)
+      {
+        for (std::size_t i = 1; i < lengths.size(); ++i)
+          for (const std::size_t end : {i - 1, i})
+            lengths[end] += .5 * (potentials[i] - potentials[i - 1]);
+        for (const std::vector<double> &of_part : weights)
+          log_weights.push_back(logarithms(of_part));
+        keep_if_better();
+        // Half as many rounds leave bounds that are further apart by 2·10⁻⁴ of the leak
+        // rate, twice as many gain less than 10⁻⁴ in twice the time.
+        constexpr int rounds = 20;
+        for (const double temperature : {.03, .01, .003})
+          for (int round = 0; round < rounds; ++round)
+            {
+              relax(temperature);
+              keep_if_better();
+            }
+      }
 
       /** At the nodes. */
       const std::vector<double> &
@@ -38,8 +61,65 @@ namespace strait
       }
 
     private:
-      void relax(double temperature);
-      void keep_if_better();
+      /** A part goes to where its factor over weight is extreme, within @p temperature,
+       * and raises or lowers the factor there by what it is too crowded. */
+      void
+      relax(const double temperature)
+      {
+        std::vector<double>       loads(trial.size(), 0.), places(trial.size());
+        const std::vector<double> log_trial = logarithms(trial);
+        double                    total     = 0.;
+        for (std::size_t k = 0; k < parts.size(); ++k)
+          {
+            const auto place = [&](const std::size_t i) {
+              return sign / temperature * (log_weights[k][i] - log_trial[i]);
+            };
+            double highest = place(0), sum = 0.;
+            for (std::size_t i = 0; i < trial.size(); ++i)
+              highest = std::max(highest, places[i] = place(i));
+            for (std::size_t i = 0; i < trial.size(); ++i)
+              sum += places[i] = lengths[i] * std::exp(places[i] - highest);
+            for (std::size_t i = 0; i < trial.size(); ++i)
+              {
+                const double load = parts[k].resistance * places[i] / sum / weights[k][i];
+                loads[i] += load;
+                total += load;
+              }
+          }
+        // Where nothing is, any small load will do.
+        for (std::size_t i = 0; i < trial.size(); ++i)
+          trial[i] *= std::pow(std::max(loads[i] / (total * lengths[i]), temperature),
+                               sign * temperature);
+      }
+
+      /** Compare what flows through the parts in a row with the extremes of their
+       * weights.
+       */
+      void
+      keep_if_better()
+      {
+        double drive = 0., resistance = 0.;
+        for (std::size_t i = 0; i < trial.size(); ++i)
+          drive += trial[i] * lengths[i];
+        for (std::size_t k = 0; k < parts.size(); ++k)
+          {
+            double extreme = 0.;
+            for (std::size_t i = 0; i < trial.size(); ++i)
+              {
+                const double here = weights[k][i] / trial[i];
+                if (i == 0 || sign * (here - extreme) > 0.)
+                  extreme = here;
+              }
+            resistance += parts[k].resistance / extreme;
+          }
+        const double bound = drive / resistance;
+        if (best_bound != 0. && sign * (best_bound - bound) < 0.)
+          return;
+        best_bound = bound;
+        best       = trial;
+        for (double &factor : best)
+          factor /= drive;
+      }
 
       const std::vector<PathPart>            &parts;
       const std::vector<std::vector<double>> &weights;
@@ -49,94 +129,6 @@ namespace strait
       std::vector<double> trial, best;
       double              best_bound = 0.;
     };
-
-    FreePotential::FreePotential(const std::vector<PathPart>            &parts_,
-                                 const std::vector<std::vector<double>> &weights_,
-                                 const std::vector<double>              &potentials,
-                                 const bool                              is_largest)
-      : parts(parts_)
-      , weights(weights_)
-      , sign(is_largest ? 1. : -1.)
-      , lengths(potentials.size(), 0.)
-      , trial(potentials.size(), 1.)
-      , best(trial)
-    {
-      for (std::size_t i = 1; i < lengths.size(); ++i)
-        for (const std::size_t end : {i - 1, i})
-          lengths[end] += .5 * (potentials[i] - potentials[i - 1]);
-      for (const std::vector<double> &of_part : weights)
-        log_weights.push_back(logarithms(of_part));
-      keep_if_better();
-      // Half as many rounds leave bounds that are further apart by 2·10⁻⁴ of the leak
-      // rate, twice as many gain less than 10⁻⁴ in twice the time.
-      constexpr int rounds = 20;
-      for (const double temperature : {.03, .01, .003})
-        for (int round = 0; round < rounds; ++round)
-          {
-            relax(temperature);
-            keep_if_better();
-          }
-    }
-
-    /** A part goes to where its factor over weight is extreme, within @p temperature, and
-     *  raises or lowers the factor there by what it is too crowded. */
-    void
-    FreePotential::relax(const double temperature)
-    {
-      std::vector<double>       loads(trial.size(), 0.), places(trial.size());
-      const std::vector<double> log_trial = logarithms(trial);
-      double                    total     = 0.;
-      for (std::size_t k = 0; k < parts.size(); ++k)
-        {
-          const auto place = [&](const std::size_t i) {
-            return sign / temperature * (log_weights[k][i] - log_trial[i]);
-          };
-          double highest = place(0), sum = 0.;
-          for (std::size_t i = 0; i < trial.size(); ++i)
-            highest = std::max(highest, places[i] = place(i));
-          for (std::size_t i = 0; i < trial.size(); ++i)
-            sum += places[i] = lengths[i] * std::exp(places[i] - highest);
-          for (std::size_t i = 0; i < trial.size(); ++i)
-            {
-              const double load = parts[k].resistance * places[i] / sum / weights[k][i];
-              loads[i] += load;
-              total += load;
-            }
-        }
-      // At once; ten times as much or as little ends at the same bounds.
-      constexpr double emptiest = 1e-3;
-      for (std::size_t i = 0; i < trial.size(); ++i)
-        trial[i] *= std::pow(std::max(loads[i] / (total * lengths[i]), emptiest),
-                             sign * temperature);
-    }
-
-    /** Compare what flows through the parts in a row with the extremes of their weights.
-     */
-    void
-    FreePotential::keep_if_better()
-    {
-      double drive = 0., resistance = 0.;
-      for (std::size_t i = 0; i < trial.size(); ++i)
-        drive += trial[i] * lengths[i];
-      for (std::size_t k = 0; k < parts.size(); ++k)
-        {
-          double extreme = 0.;
-          for (std::size_t i = 0; i < trial.size(); ++i)
-            {
-              const double here = weights[k][i] / trial[i];
-              if (i == 0 || sign * (here - extreme) > 0.)
-                extreme = here;
-            }
-          resistance += parts[k].resistance / extreme;
-        }
-      const double bound = drive / resistance;
-      if (best_bound != 0. && sign * (best_bound - bound) < 0.)
-        return;
-      best_bound = bound;
-      best       = trial;
-      for (double &factor : best)
-        factor /= drive;
-    }
 
     double
     median_gap(const std::vector<PathPart> &parts)

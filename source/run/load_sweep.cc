@@ -194,7 +194,7 @@ namespace strait
     const Control control{stop.target, scene.fluid.inlet_pressure, stop.slip_length};
     const bool is_first = next_stop == 0 || stop.begins_anew || step.state.gap().empty();
     step.dissipated_energy = step.flow_seconds = 0.;
-    if (!is_first && seal->are_alike(step.state.control, control))
+    if (!is_first && holds_under(control, step.state))
       {
         step.state.control         = control; // another slip length
         step.state.contact_seconds = 0.;

@@ -57,7 +57,7 @@ namespace strait
     , coarse(persson.spectrum(),
              scene.contact.effective_modulus,
              parameters.gamma,
-             PerssonTheory::Resolution().coarser())
+             TheoryResolution().coarser())
   {
   }
 
@@ -71,7 +71,7 @@ namespace strait
     if (gap != nullptr && parameters.gaps == TheoryGaps::simulated)
       {
         const double closed     = -2 * slip_length;
-        const int    per_decade = PerssonTheory::Resolution().per_decade;
+        const int    per_decade = TheoryResolution().per_decade;
         fine                    = gap_histogram(*gap, n_decades, per_decade, closed);
         half                    = gap_histogram(*gap, n_decades, per_decade / 2, closed);
       }
@@ -112,7 +112,7 @@ namespace strait
         if (keeps_gaps)
           result.persson_gaps =
             merge_bins(slip_length == 0. ? gaps : with.distribution(state),
-                       PerssonTheory::Resolution().per_decade / bins_shown);
+                       TheoryResolution().per_decade / bins_shown);
       }
     const bool of_simulation = parameters.gaps == TheoryGaps::simulated;
     if (of_simulation || pressure > 0)

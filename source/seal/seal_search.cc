@@ -18,24 +18,24 @@ namespace strait
     void
     transfer_probe(StateArchive &archive, Probe &probe)
     {
-      archive.value(probe.openness);
-      archive.value(probe.contact_area);
-      for (double &coordinate : probe.bottleneck)
-        archive.value(coordinate);
-      archive.value(probe.fft_pairs);
+      archive.values(probe.openness,
+                     probe.contact_area,
+                     probe.bottleneck[0],
+                     probe.bottleneck[1],
+                     probe.fft_pairs);
     }
 
     void
     transfer(StateArchive &archive, Transition &transition)
     {
-      archive.value(transition.slip_length);
-      archive.value(transition.lower);
-      archive.value(transition.upper);
-      archive.value(transition.contact_area);
-      for (double &coordinate : transition.bottleneck)
-        archive.value(coordinate);
-      archive.value(transition.n_solves);
-      archive.value(transition.fft_pairs);
+      archive.values(transition.slip_length,
+                     transition.lower,
+                     transition.upper,
+                     transition.contact_area,
+                     transition.bottleneck[0],
+                     transition.bottleneck[1],
+                     transition.n_solves,
+                     transition.fft_pairs);
     }
   } // namespace
 
@@ -81,7 +81,7 @@ namespace strait
       {
         slip_length = next_length;
         // A dry contact, once probed, serves all slip lengths.
-        if (!search || !model.are_alike({1., 0., 0.}, {1., 0., slip_length}))
+        if (!search || scene.fluid.feedback.enabled)
           search.emplace(ask_load, tolerance);
         result.push_back(critical_load(*search, first, slip_length));
         const Transition &found = result.back();

@@ -3,6 +3,16 @@
 
 namespace strait
 {
+  bool
+  holds_under(const Control &control, const SealState &state)
+  {
+    const Control &own = state.control;
+    if (state.fluid && (own.inlet_pressure != control.inlet_pressure ||
+                        own.slip_length != control.slip_length))
+      return false;
+    return !state.contact || own.target == control.target;
+  }
+
   SlabField
   signed_gap(const SealState &state, const double softness)
   {
@@ -16,28 +26,26 @@ namespace strait
   void
   transfer(StateArchive &archive, SealState &state, const SlabLayoutPtr &layout)
   {
-    archive.value(state.control.target);
-    archive.value(state.control.inlet_pressure);
-    archive.value(state.control.slip_length);
+    Control &control = state.control;
+    archive.values(control.target, control.inlet_pressure, control.slip_length);
     if (transfer_presence(archive, state.contact))
       transfer(archive, *state.contact, layout);
     archive.value(state.mean_gap);
     if (transfer_presence(archive, state.fluid))
       {
-        archive.field(state.fluid->pressure, layout);
-        archive.value(state.fluid->load);
-        if (transfer_presence(archive, state.fluid->trapped))
-          transfer(archive, *state.fluid->trapped, *layout);
-        archive.value(state.fluid->rounds);
-        archive.value(state.fluid->mesh_error);
-        archive.value(state.fluid->converged);
-        archive.value(state.fluid->undecided);
-        archive.value(state.fluid->open_share);
-        archive.value(state.fluid->lifted_off);
+        FluidState &fluid = *state.fluid;
+        archive.field(fluid.pressure, layout);
+        archive.value(fluid.load);
+        if (transfer_presence(archive, fluid.trapped))
+          transfer(archive, *fluid.trapped, *layout);
+        archive.values(fluid.rounds,
+                       fluid.mesh_error,
+                       fluid.converged,
+                       fluid.undecided,
+                       fluid.open_share,
+                       fluid.lifted_off);
       }
-    archive.value(state.trend.is_known);
-    archive.value(state.trend.area);
-    archive.value(state.trend.slope);
-    archive.value(state.trend.largest_slope);
+    PathTrend &trend = state.trend;
+    archive.values(trend.is_known, trend.area, trend.slope, trend.largest_slope);
   }
 } // namespace strait

@@ -50,14 +50,9 @@ namespace strait
                       volume_at(parameters, pool, upper) - volume -
                         pool.compliance * (upper - pressure)) /
              pool.compliance;
-    // Halvings: half as many leave a part in 1e9 of the interval, twice as many repeat
-    // the last number.
-    constexpr int n_halvings = 60;
-    for (int i = 0; i < n_halvings; ++i)
-      {
-        const double middle                   = .5 * (lower + upper);
-        (excess(middle) < 0. ? lower : upper) = middle;
-      }
+    for (double middle = .5 * (lower + upper); lower < middle && middle < upper;
+         middle        = .5 * (lower + upper))
+      (excess(middle) < 0. ? lower : upper) = middle;
     return upper;
   }
 
@@ -66,13 +61,8 @@ namespace strait
   {
     archive.field(trapped.owner, layout);
     transfer_all(archive, trapped.pools, [&archive](Pool &pool) {
-      archive.value(pool.volume);
-      archive.value(pool.pressure);
-      archive.value(pool.compliance);
-      archive.value(pool.is_guess);
+      archive.values(pool.volume, pool.pressure, pool.compliance, pool.is_guess);
     });
-    archive.value(trapped.area);
-    archive.value(trapped.guessed_area);
-    archive.value(trapped.pressure);
+    archive.values(trapped.area, trapped.guessed_area, trapped.pressure);
   }
 } // namespace strait

@@ -4,14 +4,6 @@
 namespace strait
 {
   void
-  UnsettledPools::restart()
-  {
-    before.clear();
-    was_pool.clear();
-    n_changes.clear();
-  }
-
-  void
   UnsettledPools::note(const std::vector<NodeState> &now)
   {
     const bool is_first = was_pool.empty();

@@ -38,23 +38,6 @@ namespace strait
         }
       return is_needed;
     }
-
-    /** Those of the windows of @p layout that @p is_kept, with their parents. */
-    std::vector<ZoomWindow>
-    kept_windows(const SlabLayout &layout, const std::vector<bool> &is_kept)
-    {
-      std::vector<ZoomWindow> result;
-      std::vector<int>        new_number(is_kept.size(), -1);
-      for (std::size_t w = 0; w < is_kept.size(); ++w)
-        if (is_kept[w])
-          {
-            new_number[w] = static_cast<int>(result.size());
-            result.push_back(layout.windows()[w]);
-            if (result.back().parent >= 0)
-              result.back().parent = new_number[result.back().parent];
-          }
-      return result;
-    }
   } // namespace
 
   std::vector<ZoomWindow>
@@ -62,7 +45,18 @@ namespace strait
                  const std::vector<ThroatOnPath> &throats,
                  const ZoomParameters            &zoom)
   {
-    return kept_windows(layout, find_needed(layout, throats, zoom));
+    const std::vector<bool> is_needed = find_needed(layout, throats, zoom);
+    std::vector<ZoomWindow> result;
+    std::vector<int>        new_number(is_needed.size(), -1);
+    for (std::size_t w = 0; w < is_needed.size(); ++w)
+      if (is_needed[w])
+        {
+          new_number[w] = static_cast<int>(result.size());
+          result.push_back(layout.windows()[w]);
+          if (result.back().parent >= 0)
+            result.back().parent = new_number[result.back().parent];
+        }
+    return result;
   }
 
   std::vector<ZoomWindow>

@@ -51,7 +51,9 @@ namespace strait
         const double seconds    = state.contact_seconds;
         const int    iterations = state.contact->iterations;
         const long   fft_pairs  = state.contact->fft_pairs;
-        state.contact           = zoom_in(*std::move(state.contact), std::move(windows));
+        // The line to the next state has other points.
+        state.contact->approach = Approach(state.contact->approach.target());
+        state.contact->pressure = zoom_in(state.contact->pressure, std::move(windows));
         state                   = seal->solve(control, &state, aim);
         state.contact_seconds += seconds;
         state.contact->iterations += iterations;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/spectral/fftw.h>
 #include <strait/spectral/fourier_transform.h>
+
+#include <fftw3.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -8,6 +9,54 @@
 
 namespace strait
 {
+  namespace
+  {
+    /** FFTW's names for what it does with one kind of number. */
+    template <class Number>
+    struct Fftw;
+
+    /** Those in double precision. */
+    template <>
+    struct Fftw<double>
+    {
+      using Complex                              = fftw_complex;
+      using Plan                                 = fftw_plan_s;
+      static constexpr auto plan_row_forward     = fftw_plan_dft_r2c_1d;
+      static constexpr auto plan_row_backward    = fftw_plan_dft_c2r_1d;
+      static constexpr auto plan_column          = fftw_plan_dft_1d;
+      static constexpr auto execute_row_forward  = fftw_execute_dft_r2c;
+      static constexpr auto execute_row_backward = fftw_execute_dft_c2r;
+      static constexpr auto execute_column       = fftw_execute_dft;
+      static constexpr auto destroy_plan         = fftw_destroy_plan;
+      static constexpr auto forget_wisdom        = fftw_forget_wisdom;
+    };
+
+    /** Those in single precision. */
+    template <>
+    struct Fftw<float>
+    {
+      using Complex                              = fftwf_complex;
+      using Plan                                 = fftwf_plan_s;
+      static constexpr auto plan_row_forward     = fftwf_plan_dft_r2c_1d;
+      static constexpr auto plan_row_backward    = fftwf_plan_dft_c2r_1d;
+      static constexpr auto plan_column          = fftwf_plan_dft_1d;
+      static constexpr auto execute_row_forward  = fftwf_execute_dft_r2c;
+      static constexpr auto execute_row_backward = fftwf_execute_dft_c2r;
+      static constexpr auto execute_column       = fftwf_execute_dft;
+      static constexpr auto destroy_plan         = fftwf_destroy_plan;
+      static constexpr auto forget_wisdom        = fftwf_forget_wisdom;
+    };
+
+    /** As FFTW takes them. A std::vector begins at a multiple of 16 B, as FFTW's vector
+     *  instructions want. */
+    template <class Number>
+    typename Fftw<Number>::Complex *
+    as_fftw(std::complex<Number> *values)
+    {
+      return reinterpret_cast<typename Fftw<Number>::Complex *>(values);
+    }
+  } // namespace
+
   template <class Number>
   struct BasicFourierTransform<Number>::Parts
   {
@@ -34,14 +83,17 @@ namespace strait
       // What was planned before, by measurement perhaps, must not decide.
       using Library = Fftw<Number>;
       Library::forget_wisdom();
+      const auto own = [](auto *plan) {
+        return std::shared_ptr<typename Library::Plan>(plan, Library::destroy_plan);
+      };
       const int nx = layout.grid().nx, ny = layout.grid().ny;
       auto     *in = as_fftw(column.data()), *out = as_fftw(spectrum.data());
-      row_forward.reset(Library::plan_row_forward(nx, row.data(), out, FFTW_ESTIMATE));
-      row_backward.reset(Library::plan_row_backward(nx, out, row.data(), FFTW_ESTIMATE));
-      column_forward.reset(
-        Library::plan_column(ny, in, out, FFTW_FORWARD, FFTW_ESTIMATE));
-      column_backward.reset(
-        Library::plan_column(ny, out, in, FFTW_BACKWARD, FFTW_ESTIMATE));
+      row_forward  = own(Library::plan_row_forward(nx, row.data(), out, FFTW_ESTIMATE));
+      row_backward = own(Library::plan_row_backward(nx, out, row.data(), FFTW_ESTIMATE));
+      column_forward =
+        own(Library::plan_column(ny, in, out, FFTW_FORWARD, FFTW_ESTIMATE));
+      column_backward =
+        own(Library::plan_column(ny, out, in, FFTW_BACKWARD, FFTW_ESTIMATE));
     }
 
     /** First column of a block of @p rank. Some blocks are narrow or empty. */
@@ -118,8 +170,9 @@ namespace strait
     std::vector<Complex> spectrum; // the same, also along y
     // Messages of equal size to and from all ranks: block_width columns, of each the
     // rows of one rank.
-    std::vector<Complex> of_rows, of_columns;
-    FftwPlan<Number>     row_forward, row_backward, column_forward, column_backward;
+    std::vector<Complex>                         of_rows, of_columns;
+    std::shared_ptr<typename Fftw<Number>::Plan> row_forward, row_backward,
+      column_forward, column_backward;
   };
 
   template <class Number>

@@ -26,6 +26,44 @@ namespace strait
         }
       return sum(field.layout().communicator(), total) / field.grid().n_points();
     }
+
+    /** What this rank sends to all others or gets from them, one rank after the other. */
+    template <class Number>
+    struct Parcels
+    {
+      std::vector<Number> numbers;
+      std::vector<int>    counts; // of units, for each rank
+    };
+
+    /** Collective: what all ranks have for this one. Numbers are sent in units of
+     *  @p unit, so that counts stay small. */
+    template <class Number>
+    Parcels<Number>
+    exchange(MPI_Comm comm, const Parcels<Number> &sent, const int unit)
+    {
+      const std::size_t n_ranks = sent.counts.size();
+      Parcels<Number>   received{{}, std::vector<int>(n_ranks)};
+      MPI_Alltoall(
+        sent.counts.data(), 1, MPI_INT, received.counts.data(), 1, MPI_INT, comm);
+      std::vector<int> to(n_ranks + 1), from(n_ranks + 1);
+      std::partial_sum(sent.counts.begin(), sent.counts.end(), to.begin() + 1);
+      std::partial_sum(received.counts.begin(), received.counts.end(), from.begin() + 1);
+      received.numbers.resize(static_cast<std::size_t>(from.back()) * unit);
+      MPI_Datatype type;
+      MPI_Type_contiguous(unit * static_cast<int>(sizeof(Number)), MPI_BYTE, &type);
+      MPI_Type_commit(&type);
+      MPI_Alltoallv(sent.numbers.data(),
+                    sent.counts.data(),
+                    to.data(),
+                    type,
+                    received.numbers.data(),
+                    received.counts.data(),
+                    from.data(),
+                    type,
+                    comm);
+      MPI_Type_free(&type);
+      return received;
+    }
   } // namespace
 
   double
@@ -74,71 +112,41 @@ namespace strait
              const int               row_length,
              const std::vector<int> &rows)
   {
-    const int  ny      = layout.grid().ny;
-    const int  n_ranks = layout.n_ranks();
-    const auto wrap    = [ny](const int row) { return ((row % ny) + ny) % ny; };
-
-    // Tell every owner which of its rows this rank wants.
-    std::vector<int> n_wanted(n_ranks, 0), n_asked(n_ranks, 0);
-    for (const int row : rows)
-      ++n_wanted[layout.owner_of_row(wrap(row))];
-    MPI_Alltoall(
-      n_wanted.data(), 1, MPI_INT, n_asked.data(), 1, MPI_INT, layout.communicator());
-    std::vector<int> wanted_at(n_ranks + 1, 0), asked_at(n_ranks + 1, 0);
-    for (int r = 0; r < n_ranks; ++r)
+    const int                ny = layout.grid().ny;
+    std::vector<std::size_t> order(rows.size()); // by owner
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    const auto wrapped = [&](const std::size_t k) { return ((rows[k] % ny) + ny) % ny; };
+    const auto owner   = [&](const std::size_t k) {
+      return layout.owner_of_row(wrapped(k));
+    };
+    std::stable_sort(order.begin(),
+                     order.end(),
+                     [&](const std::size_t a, const std::size_t b) {
+                       return owner(a) < owner(b);
+                     });
+    Parcels<int> wanted{{}, std::vector<int>(layout.n_ranks())};
+    for (const std::size_t k : order)
       {
-        wanted_at[r + 1] = wanted_at[r] + n_wanted[r];
-        asked_at[r + 1]  = asked_at[r] + n_asked[r];
+        wanted.numbers.push_back(wrapped(k));
+        ++wanted.counts[owner(k)];
       }
-    std::vector<int> wanted(rows.size()), place(rows.size());
-    std::vector<int> next(wanted_at.begin(), wanted_at.end() - 1);
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      {
-        const int row      = wrap(rows[k]);
-        const int position = next[layout.owner_of_row(row)]++;
-        wanted[position]   = row;
-        place[k]           = position;
-      }
-    std::vector<int> asked(asked_at[n_ranks]);
-    MPI_Alltoallv(wanted.data(),
-                  n_wanted.data(),
-                  wanted_at.data(),
-                  MPI_INT,
-                  asked.data(),
-                  n_asked.data(),
-                  asked_at.data(),
-                  MPI_INT,
-                  layout.communicator());
+    const Parcels<int> asked = exchange(layout.communicator(), wanted, 1);
 
-    // Send the rows as units of one contiguous type, so that counts stay small.
-    MPI_Datatype row_type;
-    MPI_Type_contiguous(row_length * static_cast<int>(sizeof(Number)),
-                        MPI_BYTE,
-                        &row_type);
-    MPI_Type_commit(&row_type);
-    std::vector<Number> outgoing(asked.size() * static_cast<std::size_t>(row_length));
-    std::vector<Number> incoming(rows.size() * static_cast<std::size_t>(row_length));
-    for (std::size_t k = 0; k < asked.size(); ++k)
-      std::copy_n(local_rows +
-                    static_cast<std::size_t>(asked[k] - layout.first_row()) * row_length,
-                  row_length,
-                  outgoing.data() + k * row_length);
-    MPI_Alltoallv(outgoing.data(),
-                  n_asked.data(),
-                  asked_at.data(),
-                  row_type,
-                  incoming.data(),
-                  n_wanted.data(),
-                  wanted_at.data(),
-                  row_type,
-                  layout.communicator());
-    MPI_Type_free(&row_type);
+    const auto      length = static_cast<std::size_t>(row_length);
+    Parcels<Number> outgoing{std::vector<Number>(asked.numbers.size() * length),
+                             asked.counts};
+    for (std::size_t k = 0; k < asked.numbers.size(); ++k)
+      std::copy_n(local_rows + (asked.numbers[k] - layout.first_row()) * length,
+                  length,
+                  outgoing.numbers.data() + k * length);
+    const Parcels<Number> incoming =
+      exchange(layout.communicator(), outgoing, row_length);
 
-    std::vector<Number> result(incoming.size());
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      std::copy_n(incoming.data() + static_cast<std::size_t>(place[k]) * row_length,
-                  row_length,
-                  result.data() + k * row_length);
+    std::vector<Number> result(incoming.numbers.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+      std::copy_n(incoming.numbers.data() + k * length,
+                  length,
+                  result.data() + order[k] * length);
     return result;
   }
 
@@ -153,34 +161,21 @@ namespace strait
            const std::vector<double> &values,
            double                    *local_rows)
   {
-    const int           n_ranks = layout.n_ranks(), nx = layout.grid().nx;
-    std::vector<int>    sent(n_ranks), received(n_ranks), from(n_ranks), to(n_ranks);
-    std::vector<double> outgoing; // each row behind its number
-    for (int rank = 0; rank < n_ranks; ++rank)
-      {
-        to[rank] = static_cast<int>(outgoing.size());
-        for (std::size_t k = 0; k < rows.size(); ++k)
-          if (const int row = rows[k] % layout.grid().ny;
-              layout.owner_of_row(row) == rank)
-            {
-              outgoing.push_back(row);
-              outgoing.insert(outgoing.end(), &values[k * nx], &values[k * nx] + nx);
-            }
-        sent[rank] = static_cast<int>(outgoing.size()) - to[rank];
-      }
-    MPI_Comm comm = layout.communicator();
-    MPI_Alltoall(sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, comm);
-    std::partial_sum(received.begin(), received.end() - 1, from.begin() + 1);
-    std::vector<double> incoming(from.back() + received.back());
-    MPI_Alltoallv(outgoing.data(),
-                  sent.data(),
-                  to.data(),
-                  MPI_DOUBLE,
-                  incoming.data(),
-                  received.data(),
-                  from.data(),
-                  MPI_DOUBLE,
-                  comm);
+    const int       nx = layout.grid().nx;
+    Parcels<double> outgoing{{}, std::vector<int>(layout.n_ranks())};
+    for (int rank = 0; rank < layout.n_ranks(); ++rank)
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        if (const int row = rows[k] % layout.grid().ny; layout.owner_of_row(row) == rank)
+          {
+            // Each row behind its number.
+            outgoing.numbers.push_back(row);
+            outgoing.numbers.insert(outgoing.numbers.end(),
+                                    &values[k * nx],
+                                    &values[k * nx] + nx);
+            ++outgoing.counts[rank];
+          }
+    const std::vector<double> incoming =
+      exchange(layout.communicator(), outgoing, nx + 1).numbers;
     for (std::size_t at = 0; at < incoming.size(); at += nx + 1)
       {
         const auto row = static_cast<std::size_t>(incoming[at]) - layout.first_row();

@@ -6,36 +6,6 @@
 
 namespace strait
 {
-  namespace
-  {
-    template <typename Number>
-    void
-    transfer_as_double(StateArchive &archive, Number &number)
-    {
-      auto exact = static_cast<double>(number);
-      archive.value(exact);
-      number = static_cast<Number>(exact);
-    }
-  } // namespace
-
-  void
-  StateArchive::value(int &number)
-  {
-    transfer_as_double(*this, number);
-  }
-
-  void
-  StateArchive::value(long &number)
-  {
-    transfer_as_double(*this, number);
-  }
-
-  void
-  StateArchive::value(bool &flag)
-  {
-    transfer_as_double(*this, flag);
-  }
-
   void
   StateArchive::value(std::vector<std::string> &texts)
   {
@@ -88,7 +58,7 @@ namespace strait
 
   template <typename Number>
   void
-  StateArchive::field_of(std::vector<Number> &values, const SlabLayout &layout)
+  StateArchive::field(std::vector<Number> &values, const SlabLayout &layout)
   {
     // A rank without rows has nothing in either case.
     bool exists = maximum(layout.communicator(), values.empty() ? 0. : 1.) > 0;
@@ -99,15 +69,6 @@ namespace strait
       all_values(values.data(), layout);
   }
 
-  void
-  StateArchive::field(std::vector<double> &values, const SlabLayout &layout)
-  {
-    field_of(values, layout);
-  }
-
-  void
-  StateArchive::field(std::vector<float> &values, const SlabLayout &layout)
-  {
-    field_of(values, layout);
-  }
+  template void StateArchive::field(std::vector<double> &, const SlabLayout &);
+  template void StateArchive::field(std::vector<float> &, const SlabLayout &);
 } // namespace strait

@@ -14,8 +14,6 @@ namespace strait
 {
   namespace
   {
-    const double pi = std::acos(-1.);
-
     // At which exp(−x) is a rounding error of 1, and so are erfc(√x) and W(√x).
     const double vanishing = -std::log(std::numeric_limits<double>::epsilon());
 
@@ -65,10 +63,10 @@ namespace strait
     return std::sqrt(vanishing);
   }
 
-  PerssonTheory::PerssonTheory(RadialSpectrum    spectrum,
-                               const double      effective_modulus,
-                               const double      gamma,
-                               const Resolution &resolution_)
+  PerssonTheory::PerssonTheory(RadialSpectrum          spectrum,
+                               const double            effective_modulus,
+                               const double            gamma,
+                               const TheoryResolution &resolution_)
     : waves(std::move(spectrum))
     , modulus(effective_modulus)
     , compression(gamma)
@@ -100,9 +98,9 @@ namespace strait
     double elastic = 0., plastic = pressure / hardness;
     for (int n = 1;; ++n)
       {
-        const double decay = n * pi * spread / hardness;
-        const double term  = 2 / (pi * n) * std::exp(-.5 * decay * decay) *
-                            std::sin(n * pi * pressure / hardness);
+        const double decay = n * M_PI * spread / hardness;
+        const double term  = 2 / (M_PI * n) * std::exp(-.5 * decay * decay) *
+                            std::sin(n * M_PI * pressure / hardness);
         elastic += n % 2 == 1 ? 2 * term : 0.;
         plastic -= n % 2 == 1 ? term : -term;
         if (.5 * decay * decay > vanishing)
@@ -142,7 +140,7 @@ namespace strait
             breaks[k - 1] + panel * length / n,
             breaks[k - 1] + (panel + 1) * length / n);
       }
-    return std::sqrt(2 / pi) * sum;
+    return std::sqrt(2 / M_PI) * sum;
   }
 
   std::vector<double>
@@ -166,7 +164,7 @@ namespace strait
         slopes.push_back(slope);
     };
     for (int k = 0; k < n; ++k)
-      add(lowest * std::pow(band, .5 * (1 - std::cos(pi * k / n))));
+      add(lowest * std::pow(band, .5 * (1 - std::cos(M_PI * k / n))));
     for (const double q : waves.corners())
       add(q);
     std::sort(slopes.begin(), slopes.end());

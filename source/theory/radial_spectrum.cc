@@ -28,6 +28,18 @@ namespace strait
                : std::log1p(share * std::expm1(power * end)) / power;
     }
 
+    /** That which @p q lies in, if it is within the band. */
+    std::vector<RadialSpectrum::Section>::const_iterator
+    section_of(const std::vector<RadialSpectrum::Section> &sections, const double q)
+    {
+      return std::upper_bound(sections.begin(),
+                              sections.end(),
+                              q,
+                              [](const double value, const auto &s) {
+                                return value < s.to;
+                              });
+    }
+
     /** C = (q/from)^(−decay), not yet scaled. */
     RadialSpectrum::Section
     power_law(const double from, const double to, const double decay, const double scale)
@@ -65,11 +77,7 @@ namespace strait
       return 0.;
     if (q >= largest_wave_number())
       return slope_below.back();
-    const auto next =
-      std::upper_bound(sections.begin(),
-                       sections.end(),
-                       q,
-                       [](const double value, const Section &s) { return value < s.to; });
+    const auto   next  = section_of(sections, q);
     const double power = 4 - next->decay;
     return slope_below[next - sections.begin()] +
            next->slope_square * growth(power, std::log(q / next->from)) /
@@ -83,11 +91,7 @@ namespace strait
       return height_above.front();
     if (q >= largest_wave_number())
       return 0.;
-    const auto here =
-      std::upper_bound(sections.begin(),
-                       sections.end(),
-                       q,
-                       [](const double value, const Section &s) { return value < s.to; });
+    const auto   here  = section_of(sections, q);
     const double power = 2 - here->decay;
     return height_above[here - sections.begin() + 1] +
            here->height_square * std::pow(q / here->from, power) *

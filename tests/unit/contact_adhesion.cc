@@ -310,9 +310,8 @@ namespace
     for (std::size_t i = 0; i < pressure.size(); ++i)
       pressure[i] -= law.at(state.gap[i]).traction;
     EXPECT_NEAR(mean(pressure), .9, 1e-8);
-    HalfSpace half_space(heights.layout_pointer(), 1.);
     SlabField rigid(heights.layout_pointer());
-    half_space.apply(pressure.data(), rigid.data());
+    HalfSpaceProblem(heights, 1.).apply(pressure.data(), rigid.data(), no_work_pass);
     for (std::size_t i = 0; i < rigid.size(); ++i)
       {
         rigid[i] -= state.gap[i] + heights[i];

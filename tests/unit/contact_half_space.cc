@@ -25,15 +25,15 @@ namespace
         SlabField       u(p.layout_pointer()), expected(p.layout_pointer());
         for (std::size_t i = 0; i < u.size(); ++i)
           expected[i] = (p[i] - 5) * 2 / (std::hypot(qx, qy) * modulus);
-        HalfSpace    half_space(p.layout_pointer(), modulus);
-        const double work = half_space.apply(p.data(), u.data());
+        HalfSpaceProblem problem(p, modulus);
+        const double     work = problem.apply(p.data(), u.data(), no_work_pass);
 
         double product = 0;
         for (std::size_t i = 0; i < u.size(); ++i)
           product += p[i] * u[i] / static_cast<double>(grid.n_points());
         EXPECT_LT(largest_difference(u, expected), 1e-14 * max_value(expected) * 10);
         EXPECT_NEAR(work, sum(MPI_COMM_WORLD, product), 1e-13 * work);
-        EXPECT_EQ(half_space.n_pairs(), 1);
+        EXPECT_EQ(problem.n_applications(), 1);
       }
   }
 

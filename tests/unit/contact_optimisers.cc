@@ -18,11 +18,10 @@ namespace
     negative // M = −1, which is never allowed
   };
 
-  class DenseProblem : public DualProblem
+  /** All on the first rank, the first 20 nine times as large as the others. */
+  struct DensePoints
   {
-  public:
-    explicit DenseProblem(const Quality quality)
-      : quality(quality)
+    DensePoints()
     {
       int rank = 0;
       MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -37,31 +36,29 @@ namespace
       const double unit = 1. / (20. + 40. / 9.);
       if (n > 0)
         ranges = {{0, 20, unit}, {20, 60, unit / 9}};
-      room.resize(n);
+    }
+
+    std::size_t                        n = 0;
+    std::vector<double>                position, height;
+    std::vector<ContactProblem::Block> ranges;
+  };
+
+  class DenseProblem
+    : private DensePoints
+    , public DualProblem
+  {
+  public:
+    explicit DenseProblem(const Quality quality)
+      : DualProblem({MPI_COMM_WORLD, n, height.data(), ranges})
+      , quality(quality)
+      , room(n)
+    {
     }
 
     double
     weight(const std::size_t i) const
     {
       return ranges[i < 20 ? 0 : 1].weight;
-    }
-
-    std::size_t
-    size() const override
-    {
-      return n;
-    }
-
-    const std::vector<Block> &
-    blocks() const override
-    {
-      return ranges;
-    }
-
-    const double *
-    heights() const override
-    {
-      return height.data();
     }
 
     double
@@ -102,18 +99,6 @@ namespace
       return room.data();
     }
 
-    void
-    sum_over_ranks(double *values, const int count) const override
-    {
-      sum_in_place(MPI_COMM_WORLD, values, count);
-    }
-
-    double
-    largest_over_ranks(const double value) const override
-    {
-      return maximum(MPI_COMM_WORLD, value);
-    }
-
     long
     n_applications() const override
     {
@@ -143,12 +128,9 @@ namespace
       return work;
     }
 
-    Quality             quality;
-    std::size_t         n = 0;
-    std::vector<double> position, height;
-    std::vector<float>  room;
-    std::vector<Block>  ranges;
-    long                applications = 0;
+    Quality            quality;
+    std::vector<float> room;
+    long               applications = 0;
   };
 
   /** Solve, check the conditions that define the solution, and return the gaps. */

@@ -30,9 +30,4 @@ TEST(UnsettledPools, AreThoseThatComeAndGo)
       for (std::size_t k = 0; k < wet.size(); ++k)
         EXPECT_FALSE(pools.contains(k)); // wet, or a contact
     }
-  pools.restart();
-  pools.note(wet);
-  pools.note(trap);
-  for (std::size_t k = 0; k < trap.size(); ++k)
-    EXPECT_FALSE(pools.contains(k));
 }

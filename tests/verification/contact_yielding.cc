@@ -30,9 +30,8 @@ namespace
             const ContactState *from,
             const double        hardness)
   {
-    HalfSpace half_space(heights.layout_pointer(), 1.);
     SlabField gap(heights.layout_pointer());
-    half_space.apply(state.pressure.data(), gap.data());
+    HalfSpaceProblem(heights, 1.).apply(state.pressure.data(), gap.data(), no_work_pass);
     double least_free = INFINITY, most_free = -INFINITY;
     for (std::size_t i = 0; i < gap.size(); ++i)
       {

@@ -188,12 +188,6 @@ namespace strait
       }
 
       bool
-      are_alike(const Control &a, const Control &b) const override
-      {
-        return a.target == b.target;
-      }
-
-      bool
       depends_on_path() const override
       {
         return false;

@@ -211,15 +211,15 @@ namespace
 
   TEST(Persson, ErrorFallsWithTheResolution)
   {
-    const RadialSpectrum      spectrum = model_spectrum(rough());
-    PerssonTheory::Resolution resolution;
-    const auto                leak = [&](const PerssonTheory::Resolution &with) {
+    const RadialSpectrum spectrum = model_spectrum(rough());
+    TheoryResolution     resolution;
+    const auto           leak = [&](const TheoryResolution &with) {
       const PerssonTheory theory(spectrum, 1., .45, with);
       return effective_cubed_gap(theory.distribution(theory.solve(.1)), 2.);
     };
-    const PerssonTheory::Resolution fine{4096, .25, 400};
-    const double                    best  = leak(fine);
-    const double                    error = std::abs(leak(resolution) / best - 1);
+    const TheoryResolution fine{4096, .25, 400};
+    const double           best  = leak(fine);
+    const double           error = std::abs(leak(resolution) / best - 1);
     const double coarse = std::abs(leak(resolution.coarser().coarser()) / best - 1);
     EXPECT_LT(error, 1e-4);
     EXPECT_LT(error, .3 * coarse);

@@ -4,7 +4,6 @@
 
 #include <strait/base/contact_parameters.h>
 #include <strait/contact/contact_model.h>
-#include <strait/contact/gap_stability.h>
 #include <strait/contact/half_space_problem.h>
 #include <strait/contact/make_optimiser.h>
 #include <strait/contact/wall.h>
@@ -53,11 +52,11 @@ namespace strait
     }
 
   private:
-    std::unique_ptr<GapOptimiser> make_optimiser(double target, RelaxationObserver);
+    std::unique_ptr<GapOptimiser> make_optimiser(double target);
     void                          check(double target, const ContactState *from) const;
     SlabField                     first_gap(double target) const;
     SlabField start_gap(double target, const ContactState *from, bool is_dry) const;
-    void      push_off(SlabField &gap);
+    void      push_off(const std::vector<double> &v, SlabField &gap) const;
     ContactState
     state_of(const GapOptimiser &optimiser, const GapSolution &, SlabField gap) const;
 
@@ -67,7 +66,6 @@ namespace strait
     Wall                    wall;
     double                  traction_scale; // rms of K h, or what a flat surface has
     HalfSpaceGapProblem     problem;
-    GapStability            stability;
   };
 } // namespace strait
 

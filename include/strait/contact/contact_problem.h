@@ -2,10 +2,12 @@
 #ifndef strait_contact_contact_problem_h
 #define strait_contact_contact_problem_h
 
+#include <strait/base/collective.h>
 #include <strait/contact/adhesion_law.h>
 
 #include <array>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace strait
@@ -19,8 +21,6 @@ namespace strait
   class ContactProblem
   {
   public:
-    virtual ~ContactProblem() = default;
-
     /** Points begin <= i < end of this rank that stand for the same area. */
     struct Block
     {
@@ -35,22 +35,60 @@ namespace strait
      */
     using Pass = std::function<void(const Block &range)>;
 
-    virtual std::size_t size() const = 0;
+    /** What there is on this rank: disjoint blocks that cover all points, and the heights
+     *  h [length], which must outlive the problem. */
+    struct Points
+    {
+      MPI_Comm           communicator;
+      std::size_t        size;
+      const double      *heights;
+      std::vector<Block> blocks;
+    };
 
-    /** Disjoint blocks that cover all points of this rank. */
-    virtual const std::vector<Block> &blocks() const = 0;
+    explicit ContactProblem(Points points_)
+      : points(std::move(points_))
+    {
+    }
 
-    /** The heights h [length]. */
-    virtual const double *heights() const = 0;
+    virtual ~ContactProblem() = default;
+
+    std::size_t
+    size() const
+    {
+      return points.size;
+    }
+
+    const std::vector<Block> &
+    blocks() const
+    {
+      return points.blocks;
+    }
+
+    const double *
+    heights() const
+    {
+      return points.heights;
+    }
 
     /** How often the operator was applied (FFT pairs on a plain grid). */
     virtual long n_applications() const = 0;
 
     /** Collective: sums over the ranks, all in one message. */
-    virtual void sum_over_ranks(double *values, int count) const = 0;
+    void
+    sum_over_ranks(double *values, const int count) const
+    {
+      sum_in_place(points.communicator, values, count);
+    }
 
     /** Collective: the largest over the ranks. */
-    virtual double largest_over_ranks(double value) const = 0;
+    double
+    largest_over_ranks(const double value) const
+    {
+      return maximum(points.communicator, value);
+    }
+
+  private:
+    const Points points;
   };
 
   /**
@@ -61,6 +99,8 @@ namespace strait
   class DualProblem : public ContactProblem
   {
   public:
+    using ContactProblem::ContactProblem;
+
     /** A pass that is told the work. */
     using WorkPass = std::function<void(const Block &range, double work)>;
 
@@ -102,6 +142,8 @@ namespace strait
   class GapProblem : public ContactProblem
   {
   public:
+    using ContactProblem::ContactProblem;
+
     virtual const AdhesionLaw &adhesion() const = 0;
 
     /**
@@ -134,6 +176,14 @@ namespace strait
   no_work_pass(const ContactProblem::Block &, double)
   {
   }
+
+  /** When an optimiser stops. */
+  struct ContactTolerance
+  {
+    double residual; // in units of `unit`
+    double unit;     // of a gap or, with adhesion, of a traction: the surface's own scale
+    int    max_iterations; // one for each direction that is followed
+  };
 
   /** N sums over points, weighted by area. */
   template <std::size_t N>

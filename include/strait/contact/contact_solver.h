@@ -9,9 +9,6 @@
 #include <strait/contact/wall.h>
 #include <strait/contact/zoomed_problem.h>
 
-#include <functional>
-#include <string>
-
 namespace strait
 {
   /**
@@ -28,17 +25,12 @@ namespace strait
   class ContactSolver : public ContactModel
   {
   public:
-    /** Gets a line of text for each grid and solve. */
-    using Report = std::function<void(const std::string &)>;
-
     /**
      * @p heights on the grid of the contact problem [length]. Of @p parameters
      * the modulus, hardness, control, method, tolerance and cap on the iterations matter.
      * Collective.
      */
-    ContactSolver(const ContactParameters &parameters,
-                  SlabField                heights,
-                  Report                   report = {});
+    ContactSolver(const ContactParameters &parameters, SlabField heights);
 
     /**
      * See ContactModel. Where no peak touches at the mean gap @p target, the pressure is
@@ -80,7 +72,6 @@ namespace strait
     void            note_memory(std::size_t optimiser_bytes, std::size_t n_values);
 
     const ContactParameters parameters;
-    const Report            report;
     Wall                    wall;
     HalfSpaceProblem        problem;
 

@@ -119,20 +119,12 @@ namespace strait
                              const std::vector<std::uint8_t> &may_move,
                              const double                    *pressure);
 
-  /** When an optimiser stops. */
-  struct ContactTolerance
-  {
-    double residual;       // in units of `length`
-    double length;         // the rms height
-    int    max_iterations; // one for each direction that is followed
-  };
-
   /** Where an optimiser stopped: p within its limits, g = Gp + u0 − h, u0 included. */
   struct ContactSolution
   {
     /**
      * The largest of |g| between the limits of p, −g where p = 0, and g where p is at its
-     * upper limit, over the length of the tolerance. The constraint holds exactly.
+     * upper limit, over the unit of the tolerance. The constraint holds exactly.
      */
     double residual   = 0;
     int    iterations = 0;
@@ -165,13 +157,6 @@ namespace strait
     virtual std::size_t memory_consumption() const = 0;
 
   protected:
-    /** One for each point, for a method to keep. */
-    std::vector<double>
-    zeros() const
-    {
-      return std::vector<double>(problem.size(), 0.);
-    }
-
     DualProblem            &problem;
     const ContactConstraint constraint;
     const ContactTolerance  tolerance;

@@ -5,39 +5,16 @@
 #include <strait/contact/contact_problem.h>
 #include <strait/contact/contact_state.h>
 
-#include <functional>
+#include <vector>
 
 namespace strait
 {
-  /**
-   * What is held while the gap g >= 0 is sought: the nominal pressure p0, which may
-   * be negative, or the mean gap.
-   */
+  /** What is held while the gap g >= 0 is sought: its mean or the nominal pressure p0,
+   *  which may be negative. */
   struct GapConstraint
   {
-    /** Which of the two. */
-    enum class Kind
-    {
-      nominal_pressure,
-      mean_gap
-    };
-
-    Kind   kind;
+    bool   fixes_mean_gap;
     double value;
-
-    bool
-    fixes_mean_gap() const
-    {
-      return kind == Kind::mean_gap;
-    }
-  };
-
-  /** When an optimiser stops. */
-  struct GapTolerance
-  {
-    double residual;       // in units of `traction`
-    double traction;       // of the surface's own scale
-    int    max_iterations; // one for each direction that is followed
   };
 
   /** Where an optimiser stopped. */
@@ -54,32 +31,194 @@ namespace strait
     int    iterations       = 0;
     bool   converged        = false;
     bool   detached         = false; // see AdhesiveState
+
+    std::vector<RelaxationStep> way; // from the start to here
   };
 
-  /** Is told of every iteration. */
-  using RelaxationObserver = std::function<void(const RelaxationStep &)>;
+  /** Make @p values 0 where not is_free(i) and, if @p has_no_mean, of the mean 0 where it
+   *  is. Collective. */
+  template <class IsFree>
+  void
+  project(const ContactProblem &problem,
+          const IsFree         &is_free,
+          const bool            has_no_mean,
+          double               *values)
+  {
+    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+      values[i] = is_free(i) ? values[i] : 0.;
+    if (!has_no_mean)
+      return;
+    const auto [sum, area] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
+      sums[0] += values[i];
+      sums[1] += is_free(i) ? 1. : 0.;
+    });
+    const double mean      = area > 0 ? sum / area : 0.;
+    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+      values[i] -= is_free(i) ? mean : 0.;
+  }
 
-  /** A method that goes down in energy from a given gap to a stationary one. */
+  /** Of the energy: what rounding may add to it in a step downhill. Half of it may call a
+   *  step uphill that is not, near the end; double of it admits steps that gain nothing.
+   */
+  constexpr double energy_noise = 3e-13;
+
+  /**
+   * A gap g >= 0 on its way down in energy, and what follows from it: the elastic
+   * traction Kw, the derivative r of the energy by g, and the curvature of the adhesion.
+   */
+  class GapIterate
+  {
+  public:
+    GapIterate(GapProblem &problem, const GapConstraint &constraint);
+
+    /** Start at @p gap, which is made admissible, and whose array is from now on
+     *  worked on. One application of K; collective. */
+    void start(double *gap);
+
+    /** K w of the gap as it is, after it was changed by others. Likewise. */
+    void refresh();
+
+    /**
+     * g += length·d, where the response is K d and <d, Kd> is @p work; negative
+     * values that rounding leaves become 0. Collective.
+     */
+    void
+    move(const double *direction, const double *response, double work, double length);
+
+    /** The values that an admissible gap may not have become the nearest ones, at
+     *  the prescribed mean. Collective. */
+    void make_admissible(double *gap) const;
+
+    /** Values 0 off the free points, and at fixed mean gap of the mean 0 on them.
+     *  Collective. */
+    void
+    project(double *values) const
+    {
+      strait::project(
+        problem,
+        [this](const std::size_t i) { return is_free(i); },
+        constraint.fixes_mean_gap,
+        values);
+    }
+
+    /** Open, or in contact but pulled away: free to move. */
+    bool
+    is_free(const std::size_t i) const
+    {
+      return gap[i] > 0 || derivative[i] < 0;
+    }
+
+    double
+    energy() const
+    {
+      return elastic_energy + adhesive_energy;
+    }
+
+    /** Largest violation of the conditions of a minimum [pressure]. */
+    double
+    violation() const
+    {
+      return largest_violation;
+    }
+
+    /** No contact, and the load pulls at least twice as strongly as any point. */
+    bool is_detached() const;
+
+    /** Copy energies and load to @p solution. */
+    void describe(GapSolution &solution) const;
+
+    double             *gap = nullptr;
+    std::vector<double> elastic;    // K w
+    std::vector<double> derivative; // r = K w + γ'(g) + p0
+    std::vector<double> curvature;  // γ''(g)
+
+  private:
+    void evaluate();
+
+    GapProblem         &problem;
+    const GapConstraint constraint;
+    double              pressure       = 0; // p0, at fixed mean gap so that ⟨r⟩ = 0
+    double              elastic_energy = 0; // ½⟨w, Kw⟩, and p0 ⟨g⟩ at fixed load
+    double              adhesive_energy   = 0;
+    double              largest_violation = 0;
+    double              smallest_gap      = 0;
+  };
+
+  /**
+   * A method that goes down in energy from a given gap to a stationary one. It stops
+   * there, when the surfaces part, or after too many iterations. What the methods differ
+   * in is how they go one iteration further.
+   */
   class GapOptimiser
   {
   public:
+    GapOptimiser(GapProblem             &problem,
+                 const GapConstraint    &constraint,
+                 const ContactTolerance &tolerance);
+
     virtual ~GapOptimiser() = default;
 
     /**
      * @p gap: a start on entry (negative values count as 0), the solution on return;
      * exactly 0 in contact. Collective.
      */
-    virtual GapSolution solve(double *gap) = 0;
+    GapSolution solve(double *gap);
 
     /** The derivative r of the energy at the solution: the reaction of the wall in
      *  contact. Valid as long as this object. */
-    virtual const double *reaction() const = 0;
+    const double *
+    reaction() const
+    {
+      return iterate.derivative.data();
+    }
 
     /** γ'' at the solution. Likewise. */
-    virtual const double *curvature() const = 0;
+    const double *
+    curvature() const
+    {
+      return iterate.curvature.data();
+    }
 
     /** Bytes on this rank, beside the gap. */
-    virtual std::size_t memory_consumption() const = 0;
+    std::size_t
+    memory_consumption() const
+    {
+      return n_fields * problem.size() * sizeof(double);
+    }
+
+  protected:
+    /** What a step came to. */
+    enum class Outcome
+    {
+      moved,
+      again, // not moved, but another attempt from the same gap is worth while
+      stuck
+    };
+
+    /** Forget what was learned on the way to another solution. */
+    virtual void
+    begin()
+    {
+    }
+
+    /** One iteration from the present gap, whose residual is @p residual. */
+    virtual Outcome descend(double residual) = 0;
+
+    /** A field of zeros, for a method to keep. */
+    std::vector<double>
+    field()
+    {
+      ++n_fields;
+      return std::vector<double>(problem.size());
+    }
+
+    GapProblem &problem;
+    GapIterate  iterate;
+    double      step_length = 0; // of the last step, see RelaxationStep
+
+  private:
+    const ContactTolerance tolerance;
+    int                    n_fields = 3; // those of `iterate`
   };
 } // namespace strait
 

@@ -2,11 +2,16 @@
 #ifndef strait_contact_half_space_h
 #define strait_contact_half_space_h
 
-#include <strait/spectral/fourier_transform.h>
+#include <strait/spectral/periodic_grid.h>
 
 #include <cmath>
-#include <functional>
 
+/**
+ * How a periodic elastic half-space of the contact modulus E* answers waves: u~(q) =
+ * 2 p~(q)/(q E*) for q ≠ 0 and u~(0) = 0 (Johnson, Contact Mechanics, 1985). p > 0
+ * presses, u > 0 points away from the substrate. To be multiplied with by a
+ * FourierTransform.
+ */
 namespace strait
 {
   /** E* q/2, by which a half-space answers a displacement by a wave of a periodic box. */
@@ -33,51 +38,31 @@ namespace strait
     double aspect;
   };
 
-  /**
-   * A periodic elastic half-space: u = G p with u~(q) = 2 p~(q) / (q E*) for
-   * q ≠ 0 and u~(0) = 0 (Johnson, Contact Mechanics, 1985). p > 0 presses, u > 0
-   * points away from the substrate.
-   */
+  /** 2/(q E*), by which it answers a pressure, and 0 for a uniform one; to the digits of
+   *  @p Number. */
   template <class Number>
-  class BasicHalfSpace : private BasicFourierTransform<Number>
+  class WaveCompliance
   {
-    using Transform = BasicFourierTransform<Number>;
-
   public:
-    /** @p contact_modulus is E* > 0. Collective. */
-    BasicHalfSpace(const SlabLayoutPtr &layout, double contact_modulus);
+    WaveCompliance(const PeriodicGrid &grid, const double contact_modulus)
+      : unit(grid.lx / (M_PI * contact_modulus))
+      , aspect(static_cast<Number>(grid.lx / grid.ly))
+    {
+    }
 
-    /**
-     * u = G p, one value a local grid point; @p pressure and @p displacement may
-     * be the same. Returns the mean of p·u over all grid points. Collective; one
-     * FFT pair.
-     */
-    double apply(const Number *pressure, Number *displacement);
-
-    /**
-     * The same for callers that run over the rows before and after: before(row)
-     * may still write the local row of the pressure, after(row, work), with the
-     * mean of p·u, finds the displacement of the row. before() runs from the last
-     * row to the first, and finds its row of scratch() unharmed. Collective.
-     */
-    double apply(const Number                           *pressure,
-                 Number                                 *displacement,
-                 const std::function<void(int)>         &before,
-                 const std::function<void(int, double)> &after);
-
-    // Of the transform: room for one value a local grid point that lasts until the next
-    // apply(), to free that, how many FFT pairs there were, and bytes on this rank.
-    using Transform::memory_consumption;
-    using Transform::n_pairs;
-    using Transform::release;
-    using Transform::scratch;
+    /** As of WaveStiffness. */
+    double
+    operator()(const int kx, const int ky) const
+    {
+      const Number x = static_cast<Number>(kx), y = static_cast<Number>(ky) * aspect;
+      const Number square = x * x + y * y;
+      return square > 0 ? unit / std::sqrt(square) : 0.;
+    }
 
   private:
-    double modulus;
+    double unit;
+    Number aspect;
   };
-
-  /** In double precision. */
-  using HalfSpace = BasicHalfSpace<double>;
 } // namespace strait
 
 #endif

@@ -2,7 +2,6 @@
 #ifndef strait_contact_half_space_problem_h
 #define strait_contact_half_space_problem_h
 
-#include <strait/base/collective.h>
 #include <strait/contact/contact_problem.h>
 #include <strait/contact/half_space.h>
 #include <strait/contact/two_scale_operator.h>
@@ -11,85 +10,11 @@
 
 namespace strait
 {
-  /** What problems on one periodic grid have in common, perhaps with windows: its points
-   *  and their heights. */
-  template <class Problem>
-  class GridProblem : public Problem
-  {
-  public:
-    using Block = ContactProblem::Block;
-
-    std::size_t
-    size() const override
-    {
-      return surface.size();
-    }
-
-    const std::vector<Block> &
-    blocks() const override
-    {
-      return all_points;
-    }
-
-    const double *
-    heights() const override
-    {
-      return surface.data();
-    }
-
-    void
-    sum_over_ranks(double *values, const int count) const override
-    {
-      sum_in_place(surface.layout().communicator(), values, count);
-    }
-
-    double
-    largest_over_ranks(const double value) const override
-    {
-      return maximum(surface.layout().communicator(), value);
-    }
-
-  protected:
-    explicit GridProblem(const SlabField &heights)
-      : surface(heights)
-    {
-      const auto n_points = static_cast<double>(heights.grid().n_points());
-      for (const SlabLayout::Range &range : heights.layout().ranges())
-        all_points.push_back({range.begin, range.end, range.area / n_points});
-    }
-
-    /** The points of one row of this rank. */
-    Block
-    block_of_row(const int local_row) const
-    {
-      const std::size_t nx = surface.grid().nx, begin = local_row * nx;
-      return {begin, begin + nx, all_points[0].weight};
-    }
-
-    /** @p pass for callers that go row by row. */
-    std::function<void(int)>
-    by_rows(const ContactProblem::Pass &pass) const
-    {
-      return [this, &pass](const int row) { pass(block_of_row(row)); };
-    }
-
-    /** The same for a pass that is told the work. */
-    std::function<void(int, double)>
-    by_rows(const DualProblem::WorkPass &pass) const
-    {
-      return [this, &pass](const int row, const double work) {
-        pass(block_of_row(row), work);
-      };
-    }
-
-    const SlabField &surface;
-
-  private:
-    std::vector<Block> all_points;
-  };
+  /** The points of @p heights, on one periodic grid, perhaps with windows. */
+  ContactProblem::Points points_of(const SlabField &heights);
 
   /** The contact of a half-space with heights on one periodic grid. */
-  class HalfSpaceProblem : public GridProblem<DualProblem>
+  class HalfSpaceProblem : public DualProblem
   {
   public:
     /**
@@ -115,16 +40,17 @@ namespace strait
     std::size_t memory_consumption() const;
 
   private:
-    HalfSpace             half_space;
-    BasicHalfSpace<float> of_steps; // the same to seven digits
-    TwoScaleOperator      stiffness;
+    const double                 modulus;
+    FourierTransform             transform;
+    BasicFourierTransform<float> of_steps; // to seven digits
+    TwoScaleOperator             stiffness;
   };
 
   /**
    * The same with adhesion: K has the symbol E* q / 2. M is a TwoScaleOperator
    * or, where the grid does not suit that, exact at the cost of an FFT pair.
    */
-  class HalfSpaceGapProblem : public GridProblem<GapProblem>
+  class HalfSpaceGapProblem : public GapProblem
   {
   public:
     /** As HalfSpaceProblem. */

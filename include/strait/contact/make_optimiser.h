@@ -17,11 +17,10 @@ namespace strait
                                                      const ContactTolerance  &tolerance);
 
   /** The method of this name. @p problem must outlive it. */
-  std::unique_ptr<GapOptimiser> make_gap_optimiser(AdhesionMethod       method,
-                                                   GapProblem          &problem,
-                                                   const GapConstraint &constraint,
-                                                   const GapTolerance  &tolerance,
-                                                   RelaxationObserver   observer = {});
+  std::unique_ptr<GapOptimiser> make_gap_optimiser(AdhesionMethod          method,
+                                                   GapProblem             &problem,
+                                                   const GapConstraint    &constraint,
+                                                   const ContactTolerance &tolerance);
 } // namespace strait
 
 #endif

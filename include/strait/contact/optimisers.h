@@ -3,7 +3,7 @@
 #define strait_contact_optimisers_h
 
 #include <strait/contact/dual_optimisation.h>
-#include <strait/contact/gap_descent.h>
+#include <strait/contact/gap_optimisation.h>
 
 #include <cstdint>
 #include <vector>
@@ -54,7 +54,7 @@ namespace strait
     using Flags = std::vector<std::uint8_t>;
 
     // The gaps y, the directions and what these make of the gap are in units of
-    // tolerance.length, so that they are of the order of one in any units.
+    // tolerance.unit, so that they are of the order of one in any units.
     double            *pressure   = nullptr; // p, for now also beyond
     double            *gap        = nullptr; // g + shift
     std::vector<float> direction  = std::vector<float>(problem.size()); // t
@@ -101,10 +101,10 @@ namespace strait
     void   update_direction();
     bool   step();
 
-    double             *p = nullptr; // pressure
-    double             *g = nullptr; // gap
-    std::vector<double> t = zeros(); // direction
-    std::vector<double> r = zeros(); // G t
+    double             *p = nullptr;                             // pressure
+    double             *g = nullptr;                             // gap
+    std::vector<double> t = std::vector<double>(problem.size()); // direction
+    std::vector<double> r = std::vector<double>(problem.size()); // G t
 
     double gap_squared      = 0; // <g, g> under pressure, and one step before
     double last_gap_squared = 0;
@@ -121,10 +121,10 @@ namespace strait
    * iteration thus costs one application of M and one of K, closing points included,
    * and the energy falls with each.
    */
-  class GapConjugateGradients : public GapDescent
+  class GapConjugateGradients : public GapOptimiser
   {
   public:
-    using GapDescent::GapDescent;
+    using GapOptimiser::GapOptimiser;
 
   private:
     void    begin() override;
@@ -160,10 +160,10 @@ namespace strait
    * negative, and a search along the projected step. The energy falls with each
    * iteration. Slower than GapConjugateGradients and independent of it.
    */
-  class GapNewton : public GapDescent
+  class GapNewton : public GapOptimiser
   {
   public:
-    using GapDescent::GapDescent;
+    using GapOptimiser::GapOptimiser;
 
   private:
     Outcome descend(double residual) override;
@@ -186,10 +186,10 @@ namespace strait
    * it; FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006) turns the velocity
    * towards the force, and stops the motion whenever it goes uphill.
    */
-  class GapDynamics : public GapDescent
+  class GapDynamics : public GapOptimiser
   {
   public:
-    using GapDescent::GapDescent;
+    using GapOptimiser::GapOptimiser;
 
   private:
     void    begin() override;

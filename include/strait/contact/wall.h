@@ -28,7 +28,8 @@ namespace strait
      */
     void deform(const SlabField *fluid_pressure, const SlabField *indentation = nullptr);
 
-    /** At most 0 [length]. The reference stays valid and always shows the present. */
+    /** At most 0 [length]. The values always show the present, and stay where they are.
+     */
     const SlabField &
     heights() const
     {

@@ -2,18 +2,18 @@
 #ifndef strait_contact_zoom_in_h
 #define strait_contact_zoom_in_h
 
-#include <strait/contact/contact_state.h>
+#include <strait/spectral/slab_field.h>
 
 #include <vector>
 
 namespace strait
 {
   /**
-   * @p state with the windows @p windows in place of its own, as a start for the solution
-   * with them: what the state knows of a window is kept, the rest is interpolated from
-   * the window's parent. Collective.
+   * The @p pressure of a contact with the windows @p windows in place of its own, as a
+   * start for the solution with them: what is known in a window is kept, the rest is
+   * interpolated from the window's parent. Collective.
    */
-  ContactState zoom_in(ContactState state, std::vector<ZoomWindow> windows);
+  SlabField zoom_in(const SlabField &pressure, std::vector<ZoomWindow> windows);
 } // namespace strait
 
 #endif

@@ -26,7 +26,7 @@ namespace strait
    * area. The same with the half-space's stiffness, nearly that on the grid,
    * preconditions it.
    */
-  class ZoomedProblem : public GridProblem<DualProblem>
+  class ZoomedProblem : public DualProblem
   {
   public:
     /** @p heights, on a layout with windows [length], are referred to and must outlive
@@ -57,15 +57,21 @@ namespace strait
       stiffness   // qE*/2
     };
 
-    void apply_compliance(double *values);
-    void gather_from_windows(double *values);
-    void spread_to_windows(double *values, Symbol symbol);
-    void transform(FourierTransform &box, double *values, Symbol symbol) const;
+    template <class Number>
+    void take(const Number *values, const Pass &before);
+    template <class Number>
+    double act(const Number   *pressure,
+               Number         *displacement,
+               const Pass     &before,
+               const WorkPass &after);
+    void   gather_from_windows();
+    void   spread_to_windows(Symbol symbol);
+    void   transform(FourierTransform &box, double *values, Symbol symbol) const;
 
     const SlabLayout &
     layout() const
     {
-      return surface.layout();
+      return grid_transform.layout();
     }
 
     const double                         modulus;
@@ -73,7 +79,7 @@ namespace strait
     TwoScaleOperator                     grid_stiffness;
     std::vector<std::unique_ptr<Window>> windows;
     std::vector<float>                   room;
-    std::vector<double>                  values_of_step; // what is done to one, in double
+    std::vector<double>                  whole; // what is worked on, all points
   };
 } // namespace strait
 

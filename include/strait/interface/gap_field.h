@@ -7,9 +7,8 @@
 #include <strait/interface/moment_pyramid.h>
 #include <strait/spectral/grid_cell.h>
 
-#include <array>
+#include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -153,8 +152,7 @@ namespace strait
     release()
     {
       levels.release();
-      known = {};
-      known_other.reset();
+      known.clear();
     }
 
     /** Bytes of this rank. */
@@ -169,15 +167,10 @@ namespace strait
     };
 
     /** Find the moments of @p coefficient on the grid and on the windows. Collective. */
-    void build(Coefficient coefficient, std::optional<Known> &result) const;
+    void build(Coefficient coefficient) const;
+    void forget_others() const;
 
-    /** Those that are known; must be after build(). */
-    const std::optional<Known> &
-    known_of(const Coefficient coefficient) const
-    {
-      const auto index = static_cast<std::size_t>(coefficient);
-      return index < known.size() ? known[index] : known_other;
-    }
+    Known &room_for(Coefficient coefficient) const;
 
     CoefficientLaw law(Coefficient coefficient) const;
 
@@ -198,10 +191,9 @@ namespace strait
     double                              floor_value = 0.;
     int                                 halvings    = 0;
     std::shared_ptr<const RarefiedFlow> rarefied;
-    std::array<std::optional<Known>, 2> known; // of the conductivity and the resistivity
-    // Of another coefficient, the last that was asked for since the update().
-    mutable std::optional<Known> known_other;
-    mutable Coefficient          other = Coefficient::conductivity;
+    // Of conductivity and resistivity, and of the last other one that was asked for since
+    // the update().
+    mutable std::map<Coefficient, Known> known;
   };
 } // namespace strait
 

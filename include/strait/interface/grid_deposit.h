@@ -51,6 +51,12 @@ namespace strait
       int                 n     = 0; // number of grid points
       std::vector<double> values;    // [k·n + point]
     };
+    /** Sums at the points of one row. */
+    struct Row
+    {
+      std::vector<double> integral, area;
+    };
+
     const Weights      &weights(int exponent, int index_in_grid_cell);
     Weights             compute_weights(int exponent, int index_in_grid_cell) const;
     std::vector<double> polynomials_at(double x) const;
@@ -58,8 +64,7 @@ namespace strait
     SlabLayoutPtr                          layout;
     unsigned int                           degree;
     std::map<std::pair<int, int>, Weights> known_weights;
-    // Two numbers a grid point, in the rows that this rank's cells touch.
-    std::map<int, std::vector<double>> rows;
+    std::map<int, Row>                     rows; // that this rank's cells touch
   };
 } // namespace strait
 

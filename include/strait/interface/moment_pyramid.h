@@ -49,10 +49,9 @@ namespace strait
       std::vector<double> moments;
     };
 
-    void        sum_grid_cells(const Leaf &leaf);
-    void        sum_children(const Level &fine, Level &coarse) const;
-    void        complete_first_rows();
-    std::size_t position(const Level &level, const GridCell &cell) const;
+    void sum_grid_cells(const Leaf &leaf);
+    void sum_children(const Level &fine, Level &coarse) const;
+    void complete_first_rows();
 
     SlabLayoutPtr      layout;
     MomentSet          set;

@@ -41,13 +41,6 @@ namespace strait
     SealState solve(const Control &control, const SealState *from, Aim aim) override;
 
     bool
-    are_alike(const Control &a, const Control &b) const override
-    {
-      return a.target == b.target && a.inlet_pressure == b.inlet_pressure &&
-             a.slip_length == b.slip_length;
-    }
-
-    bool
     depends_on_path() const override
     {
       return true;

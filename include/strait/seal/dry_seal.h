@@ -20,12 +20,6 @@ namespace strait
     SealState solve(const Control &control, const SealState *from, Aim aim) override;
 
     bool
-    are_alike(const Control &, const Control &) const override
-    {
-      return true;
-    }
-
-    bool
     depends_on_path() const override
     {
       return false;
@@ -52,12 +46,6 @@ namespace strait
     }
 
     SealState solve(const Control &control, const SealState *from, Aim aim) override;
-
-    bool
-    are_alike(const Control &a, const Control &b) const override
-    {
-      return a.target == b.target;
-    }
 
     bool
     depends_on_path() const override

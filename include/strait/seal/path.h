@@ -5,14 +5,39 @@
 #include <strait/base/contact_parameters.h>
 #include <strait/base/log.h>
 #include <strait/seal/seal_model.h>
-#include <strait/seal/stride.h>
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace strait
 {
+  /** What matters of a state of an adhesive contact on its path. */
+  struct PathPoint
+  {
+    double target       = 0; // nominal pressure, or mean gap under gap control
+    double pressure     = 0;
+    double mean_gap     = 0;
+    double contact_area = 0;
+    double energy       = 0; // AdhesiveState::total_energy
+  };
+
+  /** A discontinuity: from one state to another at almost the same load. */
+  struct Jump
+  {
+    PathPoint before;
+    PathPoint after;               // without meaning at a pull-off
+    double    dissipated  = 0;     // energy per area
+    bool      is_pull_off = false; // the surfaces part
+  };
+
+  /** In either direction. Collective. */
+  void transfer(StateArchive &archive, Jump &jump);
+
+  /** One line about a jump for the log. */
+  std::string describe(const Jump &jump);
+
   /** Which steps of a path are too long. */
   struct StepRule
   {

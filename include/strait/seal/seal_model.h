@@ -29,9 +29,6 @@ namespace strait
      *  null. Collective. Throws InputError if there is no such state. */
     virtual SealState solve(const Control &control, const SealState *from, Aim aim) = 0;
 
-    /** Whether two controls lead to one state. */
-    virtual bool are_alike(const Control &a, const Control &b) const = 0;
-
     /** Whether a state depends on the one it was reached from by more than the
      *  tolerance. */
     virtual bool depends_on_path() const = 0;

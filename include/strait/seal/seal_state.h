@@ -69,6 +69,11 @@ namespace strait
     }
   };
 
+  /** Whether @p state is that under @p control as well: the fluid has a part in it only
+   *  where it presses on the walls, and nothing changes a surface that is the gap itself.
+   */
+  bool holds_under(const Control &control, const SealState &state);
+
   /** The gap of a contact [length], less than zero where it touches: minus the pressure
    *  times @p softness. */
   SlabField signed_gap(const SealState &state, double softness);

@@ -24,9 +24,6 @@ namespace strait
   class UnsettledPools
   {
   public:
-    /** Begin an iteration: nothing has changed yet. */
-    void restart();
-
     /** Take note of the states of the next round, one per local grid point. */
     void note(const std::vector<NodeState> &now);
 

@@ -38,12 +38,6 @@ namespace strait
     SealState solve(const Control &control, const SealState *from, Aim aim) override;
 
     bool
-    are_alike(const Control &a, const Control &b) const override
-    {
-      return seal->are_alike(a, b);
-    }
-
-    bool
     depends_on_path() const override
     {
       return seal->depends_on_path();

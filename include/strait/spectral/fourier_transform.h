@@ -60,12 +60,6 @@ namespace strait
       return *slab_layout;
     }
 
-    const SlabLayoutPtr &
-    layout_pointer() const
-    {
-      return slab_layout;
-    }
-
     /**
      * out = F⁻¹[ symbol(kx, ky) F[in] ]; @p in and @p out may be the same.
      * @return the local part of Σ_q symbol |f~|², that is of the grid mean of

@@ -109,6 +109,12 @@ namespace strait
      *  unless the window crosses the seam. */
     std::array<double, 2> position(int w, int ix, int iy) const;
 
+    /** Call visit(a, b, k) for the points of its parent that window @p w covers, and for
+     *  @p margin more on all sides: column and row, counted from the first one that is
+     *  covered, and the position of its value. Of the grid, those of this rank. */
+    template <class Visit>
+    void for_each_around(int w, int margin, const Visit &visit) const;
+
     /** Call visit(k_parent, k_window) with the positions of the values of both for each
      *  point of this rank that window @p w covers. */
     template <class Visit>
@@ -157,26 +163,35 @@ namespace strait
 
   template <class Visit>
   void
-  SlabLayout::for_each_covered(const int w, const Visit &visit) const
+  SlabLayout::for_each_around(const int w, const int margin, const Visit &visit) const
   {
     const ZoomWindow &window  = zoom_windows[w];
     const bool        on_grid = window.parent < 0;
     const int         nx = periodic_grid.nx, ny = periodic_grid.ny;
-    const int         n_parent = on_grid ? nx : zoom_windows[window.parent].n_columns();
-    for (int b = 0; b < window.ny; ++b)
+    for (int b = -margin; b < window.ny + margin; ++b)
       {
         const int row = on_grid ? (window.y + b + ny) % ny - first_row() : window.y + b;
         if (on_grid && (row < 0 || row >= n_rows()))
           continue;
-        const std::size_t parent_row = (on_grid ? 0 : starts_of_windows[window.parent]) +
-                                       static_cast<std::size_t>(row) * n_parent;
-        const std::size_t window_row =
-          starts_of_windows[w] +
-          static_cast<std::size_t>(3 * b + 1) * window.n_columns() + 1;
-        for (int a = 0; a < window.nx; ++a)
-          visit(parent_row + (on_grid ? (window.x + a + nx) % nx : window.x + a),
-                window_row + 3 * a);
+        const std::size_t begin = on_grid ? static_cast<std::size_t>(row) * nx
+                                          : starts_of_windows[window.parent] +
+                                              static_cast<std::size_t>(row) *
+                                                zoom_windows[window.parent].n_columns();
+        for (int a = -margin; a < window.nx + margin; ++a)
+          visit(a, b, begin + (on_grid ? (window.x + a + nx) % nx : window.x + a));
       }
+  }
+
+  template <class Visit>
+  void
+  SlabLayout::for_each_covered(const int w, const Visit &visit) const
+  {
+    for_each_around(w, 0, [&](const int a, const int b, const std::size_t k) {
+      visit(k,
+            starts_of_windows[w] +
+              static_cast<std::size_t>(3 * b + 1) * zoom_windows[w].n_columns() + 3 * a +
+              1);
+    });
   }
 
   /** Layouts are shared by the fields that use them. */

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace strait
@@ -38,14 +39,15 @@ namespace strait
     /** A list of texts, of any length. */
     void value(std::vector<std::string> &texts);
 
-    /** A whole number that a double holds exactly. */
-    void value(int &number);
-
-    /** The same. */
-    void value(long &number);
-
-    /** A yes or no. */
-    void value(bool &flag);
+    /** A whole number that a double holds exactly, or a yes or no. */
+    template <typename Number>
+    std::enable_if_t<std::is_integral_v<Number>>
+    value(Number &number)
+    {
+      auto exact = static_cast<double>(number);
+      value(exact);
+      number = static_cast<Number>(exact);
+    }
 
     /** Several of all these, one after the other. */
     template <typename... Values>
@@ -58,11 +60,10 @@ namespace strait
     /** A field on the grid of @p layout, which may be empty(), with its windows. */
     void field(SlabField &values, const SlabLayoutPtr &layout);
 
-    /** The values of a field like @p layout, windows included, or none on any rank. */
-    void field(std::vector<double> &values, const SlabLayout &layout);
-
-    /** The same in single precision. */
-    void field(std::vector<float> &values, const SlabLayout &layout);
+    /** The values, double or float, of a field like @p layout, windows included, or none
+     * on any rank. */
+    template <typename Number>
+    void field(std::vector<Number> &values, const SlabLayout &layout);
 
   protected:
     /** All points of this rank, each of @p point_size bytes. */
@@ -71,8 +72,6 @@ namespace strait
   private:
     template <typename Number>
     void all_values(Number *local, const SlabLayout &layout);
-    template <typename Number>
-    void field_of(std::vector<Number> &values, const SlabLayout &layout);
   };
 
   /** A list of any length; @p transfer_item puts or takes each of its items. Collective.

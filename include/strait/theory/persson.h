@@ -61,6 +61,21 @@ namespace strait
     double plastic; // under the hardness
   };
 
+  /** How finely the integrals are computed. */
+  struct TheoryResolution
+  {
+    int    layers      = 1024;
+    double panel_width = .5;  // of ln v, with eight Gauss points
+    int    per_decade  = 100; // bins of the gap
+
+    /** Half as fine: the difference to it is an estimate of the error. */
+    TheoryResolution
+    coarser() const
+    {
+      return {layers / 2, 2 * panel_width, per_decade / 2};
+    }
+  };
+
   /**
    * Persson's theory of rough contact, with the gaps of Almqvist, Campañá, Prodanov and
    * Persson, J. Mech. Phys. Solids 59 (2011) 2355.
@@ -73,31 +88,11 @@ namespace strait
   class PerssonTheory
   {
   public:
-    /** How finely the integrals are computed. */
-    struct Resolution
-    {
-      int    layers      = 1024;
-      double panel_width = .5;  // of ln v, with eight Gauss points
-      int    per_decade  = 100; // bins of the gap
-
-      /** Half as fine: the difference to it is an estimate of the error. */
-      Resolution
-      coarser() const
-      {
-        return {layers / 2, 2 * panel_width, per_decade / 2};
-      }
-    };
-
     /** @p gamma: share of the elastic energy at low loads, about 0.45. */
-    PerssonTheory(RadialSpectrum    spectrum,
-                  double            effective_modulus,
-                  double            gamma,
-                  const Resolution &resolution);
-
-    PerssonTheory(RadialSpectrum spectrum, double effective_modulus, double gamma = .45)
-      : PerssonTheory(std::move(spectrum), effective_modulus, gamma, Resolution())
-    {
-    }
+    PerssonTheory(RadialSpectrum          spectrum,
+                  double                  effective_modulus,
+                  double                  gamma      = .45,
+                  const TheoryResolution &resolution = {});
 
     const RadialSpectrum &
     spectrum() const
@@ -134,7 +129,7 @@ namespace strait
     RadialSpectrum      waves;
     double              modulus;
     CompressionIntegral compression;
-    Resolution          resolution;
+    TheoryResolution    resolution;
   };
 } // namespace strait
 

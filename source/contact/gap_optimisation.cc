@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/contact/gap_descent.h>
+#include <strait/contact/gap_optimisation.h>
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,7 @@ namespace strait
     , curvature(problem_.size())
     , problem(problem_)
     , constraint(constraint_)
-    , pressure(constraint_.fixes_mean_gap() ? 0. : constraint_.value)
+    , pressure(constraint_.fixes_mean_gap ? 0. : constraint_.value)
   {
   }
 
@@ -65,7 +65,7 @@ namespace strait
       values[i] = std::max(values[i], 0.);
       sums[0] += values[i];
     });
-    if (!constraint.fixes_mean_gap())
+    if (!constraint.fixes_mean_gap)
       return;
     // A factor keeps closed points closed.
     const double factor = sum > 0 ? constraint.value / sum : 0.;
@@ -87,7 +87,7 @@ namespace strait
         });
       });
     elastic_energy = .5 * work;
-    if (!constraint.fixes_mean_gap())
+    if (!constraint.fixes_mean_gap)
       elastic_energy += pressure * mean.over_ranks(problem)[0];
     evaluate();
   }
@@ -107,25 +107,9 @@ namespace strait
         g[i] = std::max(g[i] + length * direction[i], 0.);
       });
     elastic_energy += length * (along_e + .5 * length * work);
-    if (!constraint.fixes_mean_gap())
+    if (!constraint.fixes_mean_gap)
       elastic_energy += length * pressure * along;
     evaluate();
-  }
-
-  void
-  GapIterate::project(double *values) const
-  {
-    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
-      values[i] = is_free(i) ? values[i] : 0.;
-    if (!constraint.fixes_mean_gap())
-      return;
-    const auto [sum, area] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
-      sums[0] += values[i];
-      sums[1] += is_free(i) ? 1. : 0.;
-    });
-    const double mean      = area > 0 ? sum / area : 0.;
-    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
-      values[i] -= is_free(i) ? mean : 0.;
   }
 
   /** All that follows from the gap and K w. */
@@ -155,7 +139,7 @@ namespace strait
     std::array<double, 3> sums = {{energy, open_force, open_area}};
     problem.sum_over_ranks(sums.data(), 3);
     adhesive_energy = sums[0];
-    if (constraint.fixes_mean_gap())
+    if (constraint.fixes_mean_gap)
       pressure = sums[2] > 0 ? -sums[1] / sums[2] : 0.;
     const double p0    = pressure;
     double       worst = 0;
@@ -172,7 +156,7 @@ namespace strait
   bool
   GapIterate::is_detached() const
   {
-    return !constraint.fixes_mean_gap() && pressure < 0 && smallest_gap > 0 &&
+    return !constraint.fixes_mean_gap && pressure < 0 && smallest_gap > 0 &&
            problem.adhesion().at(smallest_gap).traction < -.5 * pressure;
   }
 
@@ -185,19 +169,17 @@ namespace strait
     solution.detached         = is_detached();
   }
 
-  GapDescent::GapDescent(GapProblem          &problem_,
-                         const GapConstraint &constraint,
-                         const GapTolerance  &tolerance_,
-                         RelaxationObserver   observer_)
+  GapOptimiser::GapOptimiser(GapProblem             &problem_,
+                             const GapConstraint    &constraint,
+                             const ContactTolerance &tolerance_)
     : problem(problem_)
     , iterate(problem_, constraint)
     , tolerance(tolerance_)
-    , observer(std::move(observer_))
   {
   }
 
   GapSolution
-  GapDescent::solve(double *gap)
+  GapOptimiser::solve(double *gap)
   {
     begin();
     iterate.start(gap);
@@ -205,11 +187,10 @@ namespace strait
     Stagnation  stagnation;
     while (true)
       {
-        solution.residual  = iterate.violation() / tolerance.traction;
+        solution.residual  = iterate.violation() / tolerance.unit;
         solution.converged = solution.residual <= tolerance.residual;
-        if (observer)
-          observer(
-            {solution.iterations, iterate.energy(), solution.residual, step_length});
+        solution.way.push_back(
+          {solution.iterations, iterate.energy(), solution.residual, step_length});
         if (solution.converged || solution.iterations >= tolerance.max_iterations ||
             !std::isfinite(solution.residual) || iterate.is_detached() ||
             stagnation.is_reached(solution.iterations,
