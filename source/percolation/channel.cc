@@ -200,7 +200,7 @@ namespace strait
         const std::size_t last  = m + 1 == minima.size()
                                     ? gaps.size() - 1
                                     : widest_between(gaps, minima[m], minima[m + 1]);
-        result.push_back({first, last});
+        result.push_back({first, last, minima[m]});
       }
     return result;
   }
@@ -212,10 +212,7 @@ namespace strait
     for (const FlowPath &path : channel.paths)
       for (const Constriction &c : divide_into_constrictions(path.gaps))
         {
-          const auto first     = path.gaps.begin() + static_cast<std::ptrdiff_t>(c.first);
-          const auto last      = path.gaps.begin() + static_cast<std::ptrdiff_t>(c.last);
-          const auto narrowest = std::min_element(first, last + 1) - path.gaps.begin();
-          const GridPoint &point   = path.points[narrowest];
+          const GridPoint &point   = path.points[c.narrowest];
           const auto       is_here = [&point](const ThroatOnPath &other) {
             return other.point == point;
           };
