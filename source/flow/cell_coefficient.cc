@@ -1,205 +1,246 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/cell_coefficient.h>
-#include <strait/flow/seal_triangulation.h>
+#include <strait/flow/element_matrix.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace strait
 {
   using namespace dealii;
 
-  GridCoefficient::GridCoefficient(const FlowMesh             &mesh_,
-                                   const MomentSet            &set,
-                                   const GapField::Coefficient coefficient_)
-    : mesh(mesh_)
-    , element(set)
-    , coefficient(coefficient_)
-    , answers(set.size(), 0)
+  namespace
   {
-  }
-
-  void
-  GridCoefficient::update(const GapField &gap)
-  {
-    cells   = mesh.owned_grid_cells();
-    answers = gap.ask(coefficient, cells);
-  }
-
-  double
-  GridCoefficient::mean(const std::size_t cell) const
-  {
-    return answers[cell][0];
-  }
-
-  void
-  GridCoefficient::stiffness(const std::size_t cell, FullMatrix<double> &matrix) const
-  {
-    element.stiffness(answers[cell],
-                      mesh.width(cells[cell]),
-                      mesh.height(cells[cell]),
-                      matrix);
-  }
-
-  ChildCoefficient::ChildCoefficient(const FlowMesh             &mesh_,
-                                     const GapField::Coefficient coefficient_)
-    : mesh(mesh_)
-    , element(MomentSet(1))
-    , coefficient(coefficient_)
-    , answers(MomentSet(1).size(), 0)
-  {
-  }
-
-  void
-  ChildCoefficient::update(const GapField &gap)
-  {
-    cells = mesh.owned_grid_cells();
-    std::vector<GridCell> children;
-    for (const GridCell &parent : cells)
-      for (int child = 0; child < 4; ++child)
-        children.push_back(
-          {parent.exponent - 1, 2 * parent.i + child % 2, 2 * parent.j + child / 2});
-    answers = gap.ask(coefficient, children);
-  }
-
-  double
-  ChildCoefficient::mean(const std::size_t cell) const
-  {
-    double sum = 0;
-    for (std::size_t child = 0; child < 4; ++child)
-      sum += answers[4 * cell + child][0];
-    return .25 * sum;
-  }
-
-  void
-  ChildCoefficient::stiffness(const std::size_t cell, FullMatrix<double> &matrix) const
-  {
-    FullMatrix<double> small(4, 4);
-    matrix = 0.;
-    for (std::size_t child = 0; child < 4; ++child)
+    /**
+     * On cells of the grid's quadtree, from the moments that the bridge knows; for
+     * potentials that are polynomials on the cell or, if the coefficient is one of
+     * children, bilinear on each of its four children.
+     */
+    class GridCoefficient : public CellCoefficient
+    {
+    public:
+      GridCoefficient(const FlowMesh             &mesh_,
+                      const MomentSet            &set,
+                      const GapField::Coefficient coefficient_,
+                      const bool                  of_children_)
+        : mesh(mesh_)
+        , element(set)
+        , coefficient(coefficient_)
+        , of_children(of_children_)
+        , answers(set.size(), 0)
       {
-        element.stiffness(answers[4 * cell + child],
-                          mesh.width(cells[cell]),
-                          mesh.height(cells[cell]),
-                          small);
-        for (unsigned int i = 0; i < 4; ++i)
-          for (unsigned int j = 0; j < 4; ++j)
-            matrix(corners[child][i], corners[child][j]) += small(i, j);
       }
-  }
 
-  MappedCoefficient::MappedCoefficient(const FlowMesh             &mesh_,
-                                       const FiniteElement<2>     &fe_,
-                                       const GapField::Coefficient coefficient_,
-                                       const int                   fewest_parts_)
-    : mesh(mesh_)
-    , fe(fe_)
-    , coefficient(coefficient_)
-    , fewest_parts(fewest_parts_)
-    , n(fe.n_dofs_per_cell())
-  {
-  }
-
-  FEValues<2> &
-  MappedCoefficient::values_on(const Cell &cell, const int n_parts)
-  {
-    // Without a curved edge the map is bilinear, which costs less to say so.
-    bool is_curved = false;
-    for (const unsigned int f : cell->face_indices())
-      is_curved = is_curved || cell->face(f)->manifold_id() != numbers::flat_manifold_id;
-    std::unique_ptr<FEValues<2>> &entry = values[{n_parts, is_curved}];
-    if (!entry)
-      entry = std::make_unique<FEValues<2>>(
-        is_curved ? mesh.mapping() : static_cast<const Mapping<2> &>(bilinear),
-        fe,
-        QIterated<2>(QGauss<1>(fe.degree / fewest_parts + 1), n_parts),
-        update_quadrature_points | update_gradients | update_JxW_values);
-    entry->reinit(cell);
-    return *entry;
-  }
-
-  double
-  MappedCoefficient::integrate(const GapField      &gap,
-                               const GapRows       &rows,
-                               const FEValues<2>   &at,
-                               std::vector<double> &sums) const
-  {
-    double area = 0., total = 0.;
-    sums.assign(n * (n + 1) / 2, 0.);
-    for (const unsigned int q : at.quadrature_point_indices())
+      void
+      update(const GapField &gap) override
       {
-        const Point<2> &x = at.quadrature_point(q);
-        const double    c = gap.coefficient_of(coefficient, rows(x[0], x[1])) * at.JxW(q);
-        area += at.JxW(q);
-        total += c;
-        if (!(c > 0))
-          continue;
-        double *entry = sums.data();
+        cells = mesh.owned_grid_cells();
+        std::vector<GridCell> children;
+        if (of_children)
+          for (const GridCell &parent : cells)
+            for (int child = 0; child < 4; ++child)
+              children.push_back({parent.exponent - 1,
+                                  2 * parent.i + child % 2,
+                                  2 * parent.j + child / 2});
+        answers = gap.ask(coefficient, of_children ? children : cells);
+      }
+
+      double
+      mean(const std::size_t cell) const override
+      {
+        if (!of_children)
+          return answers[cell][0];
+        double sum = 0;
+        for (std::size_t child = 0; child < 4; ++child)
+          sum += answers[4 * cell + child][0];
+        return .25 * sum;
+      }
+
+      void
+      stiffness(const std::size_t cell, FullMatrix<double> &matrix) const override
+      {
+        // Of children as well: it depends on the ratio of both only.
+        const double width = mesh.width(cells[cell]), height = mesh.height(cells[cell]);
+        if (!of_children)
+          {
+            element.stiffness(answers[cell], width, height, matrix);
+            return;
+          }
+        FullMatrix<double> small(4, 4);
+        matrix = 0.;
+        for (std::size_t child = 0; child < 4; ++child)
+          {
+            element.stiffness(answers[4 * cell + child], width, height, small);
+            for (unsigned int i = 0; i < 4; ++i)
+              for (unsigned int j = 0; j < 4; ++j)
+                matrix(child_corners[child][i], child_corners[child][j]) += small(i, j);
+          }
+      }
+
+    private:
+      const FlowMesh       &mesh;
+      ElementMatrix         element;
+      GapField::Coefficient coefficient;
+      bool                  of_children;
+      std::vector<GridCell> cells;
+      CellAnswers           answers; // of children four after four
+    };
+
+    /**
+     * On the cells of a seal mesh, by Gauss quadrature of the gap in parts of at most one
+     * grid spacing, and in cells that are smaller than four in quarters of one, enlarged
+     * by what twice as large parts find otherwise. Along an edge there are at least
+     * @p fewest_parts, a power of two.
+     */
+    class MappedCoefficient : public CellCoefficient
+    {
+    public:
+      MappedCoefficient(const FlowMesh             &mesh_,
+                        const FiniteElement<2>     &fe_,
+                        const GapField::Coefficient coefficient_,
+                        const int                   fewest_parts_)
+        : mesh(mesh_)
+        , fe(fe_)
+        , coefficient(coefficient_)
+        , fewest_parts(fewest_parts_)
+        , n(fe.n_dofs_per_cell())
+      {
+      }
+
+      void update(const GapField &gap) override;
+
+      double
+      mean(const std::size_t cell) const override
+      {
+        return means[cell];
+      }
+
+      void
+      stiffness(const std::size_t cell, FullMatrix<double> &matrix) const override
+      {
+        const double *entry = entries.data() + cell * (n * (n + 1) / 2);
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j <= i; ++j)
-            *entry++ += c * (at.shape_grad(i, q) * at.shape_grad(j, q));
+            matrix(i, j) = matrix(j, i) = *entry++;
       }
-    return total / area;
-  }
 
-  void
-  MappedCoefficient::update(const GapField &gap)
-  {
-    const auto &tria = mesh.triangulation();
-    double      low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const auto &cell : tria.active_cell_iterators())
-      if (cell->is_locally_owned())
+    private:
+      using Cell = FlowMesh::Triangulation::active_cell_iterator;
+
+      /** Shape functions at the points of a cell, those of n_parts × n_parts parts. */
+      FEValues<2> &values_on(const Cell &cell, int n_parts);
+
+      /** Find the lower half of the matrix of a cell. Returns the mean of the
+       *  coefficient. */
+      double integrate(const GapField      &gap,
+                       const GapRows       &rows,
+                       const FEValues<2>   &at,
+                       std::vector<double> &sums) const;
+
+      const FlowMesh         &mesh;
+      const MappingQ<2>       bilinear{1};
+      const FiniteElement<2> &fe;
+      GapField::Coefficient   coefficient;
+      int                     fewest_parts;
+      unsigned int            n; // unknowns of a cell
+      std::map<std::pair<int, bool>, std::unique_ptr<FEValues<2>>>
+                          values; // by number of parts, and for curved cells
+      std::vector<double> means;
+      std::vector<double> entries; // of the lower halves of the matrices
+    };
+
+    FEValues<2> &
+    MappedCoefficient::values_on(const Cell &cell, const int n_parts)
+    {
+      // Without a curved edge the map is bilinear, which costs less to say so.
+      bool is_curved = false;
+      for (const unsigned int f : cell->face_indices())
+        is_curved =
+          is_curved || cell->face(f)->manifold_id() != numbers::flat_manifold_id;
+      std::unique_ptr<FEValues<2>> &entry = values[{n_parts, is_curved}];
+      if (!entry)
+        entry = std::make_unique<FEValues<2>>(
+          is_curved ? mesh.mapping() : static_cast<const Mapping<2> &>(bilinear),
+          fe,
+          QIterated<2>(QGauss<1>(fe.degree / fewest_parts + 1), n_parts),
+          update_quadrature_points | update_gradients | update_JxW_values);
+      entry->reinit(cell);
+      return *entry;
+    }
+
+    double
+    MappedCoefficient::integrate(const GapField      &gap,
+                                 const GapRows       &rows,
+                                 const FEValues<2>   &at,
+                                 std::vector<double> &sums) const
+    {
+      double area = 0., total = 0.;
+      sums.assign(n * (n + 1) / 2, 0.);
+      for (const unsigned int q : at.quadrature_point_indices())
         {
-          const auto box = mesh.mapping().get_bounding_box(cell).get_boundary_points();
-          low            = std::min(low, box.first[1]);
-          high           = std::max(high, box.second[1]);
+          const Point<2> &x = at.quadrature_point(q);
+          const double c = gap.coefficient_of(coefficient, rows(x[0], x[1])) * at.JxW(q);
+          area += at.JxW(q);
+          total += c;
+          if (!(c > 0))
+            continue;
+          double *entry = sums.data();
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j <= i; ++j)
+              *entry++ += c * (at.shape_grad(i, q) * at.shape_grad(j, q));
         }
-    const GapRows rows = gap.rows(low, high);
-    means.clear();
-    entries.clear();
-    std::vector<double> sums;
-    for (const auto &cell : tria.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          // Cells of fewer spacings are integrated more finely, as the bracket rests on
-          // them. Half of it leaves more to the refinement, double of it costs four times
-          // as much in cells that do not need it.
-          constexpr double small   = 4.;
-          const double     size    = size_in_spacings(*cell, mesh.grid());
-          int              n_parts = fewest_parts;
-          while (n_parts < (size < small ? 2. * size : size))
-            n_parts *= 2; // about one for each grid spacing along a side
-          double mean = integrate(gap, rows, values_on(cell, n_parts), sums);
-          if (size < small)
-            {
-              const double coarser = mean;
-              mean = integrate(gap, rows, values_on(cell, 2 * n_parts), sums);
-              const double factor = mean > 0 ? 1. + std::abs(mean - coarser) / mean : 1.;
-              for (double &entry : sums)
-                entry *= factor;
-            }
-          means.push_back(mean);
-          entries.insert(entries.end(), sums.begin(), sums.end());
-        }
-  }
+      return total / area;
+    }
 
-  double
-  MappedCoefficient::mean(const std::size_t cell) const
-  {
-    return means[cell];
-  }
-
-  void
-  MappedCoefficient::stiffness(const std::size_t cell, FullMatrix<double> &matrix) const
-  {
-    const double *entry = entries.data() + cell * (n * (n + 1) / 2);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j <= i; ++j)
-        matrix(i, j) = matrix(j, i) = *entry++;
-  }
+    void
+    MappedCoefficient::update(const GapField &gap)
+    {
+      const auto &tria = mesh.triangulation();
+      double      low = std::numeric_limits<double>::infinity(), high = -low;
+      for (const auto &cell : tria.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const auto box = mesh.mapping().get_bounding_box(cell).get_boundary_points();
+            low            = std::min(low, box.first[1]);
+            high           = std::max(high, box.second[1]);
+          }
+      const GapRows rows = gap.rows(low, high);
+      means.clear();
+      entries.clear();
+      std::vector<double> sums;
+      for (const auto &cell : tria.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            // Cells of fewer spacings are integrated more finely, as the bracket rests on
+            // them. Half of it leaves more to the refinement, double of it costs four
+            // times as much in cells that do not need it.
+            constexpr double small   = 4.;
+            const double     size    = mesh.size_in_spacings(*cell);
+            int              n_parts = fewest_parts;
+            while (n_parts < (size < small ? 2. * size : size))
+              n_parts *= 2; // about one for each grid spacing along a side
+            double mean = integrate(gap, rows, values_on(cell, n_parts), sums);
+            if (size < small)
+              {
+                const double coarser = mean;
+                mean = integrate(gap, rows, values_on(cell, 2 * n_parts), sums);
+                const double factor =
+                  mean > 0 ? 1. + std::abs(mean - coarser) / mean : 1.;
+                for (double &entry : sums)
+                  entry *= factor;
+              }
+            means.push_back(mean);
+            entries.insert(entries.end(), sums.begin(), sums.end());
+          }
+    }
+  } // namespace
 
   std::unique_ptr<CellCoefficient>
   make_coefficient(const FlowMesh             &mesh,
@@ -208,8 +249,8 @@ namespace strait
                    const GapField::Coefficient coefficient)
   {
     if (mesh.seal() == nullptr)
-      return std::make_unique<GridCoefficient>(mesh, set, coefficient);
-    return std::make_unique<MappedCoefficient>(mesh, fe, coefficient);
+      return std::make_unique<GridCoefficient>(mesh, set, coefficient, false);
+    return std::make_unique<MappedCoefficient>(mesh, fe, coefficient, 1);
   }
 
   std::unique_ptr<CellCoefficient>
@@ -218,7 +259,7 @@ namespace strait
                          const GapField::Coefficient coefficient)
   {
     if (mesh.seal() == nullptr)
-      return std::make_unique<ChildCoefficient>(mesh, coefficient);
+      return std::make_unique<GridCoefficient>(mesh, MomentSet(1), coefficient, true);
     return std::make_unique<MappedCoefficient>(mesh, fe, coefficient, 2);
   }
 } // namespace strait

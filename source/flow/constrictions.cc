@@ -83,11 +83,8 @@ namespace strait
     double                     total    = 0;
     for (const Constriction &c : divide_into_constrictions(path.gaps))
       {
-        const auto first = path.gaps.begin() + static_cast<std::ptrdiff_t>(c.first);
-        const auto end   = path.gaps.begin() + static_cast<std::ptrdiff_t>(c.last) + 1;
-        const auto narrowest = std::min_element(first, end);
-        drops.push_back({path.points[narrowest - path.gaps.begin()],
-                         *narrowest,
+        drops.push_back({path.points[c.narrowest],
+                         path.gaps[c.narrowest],
                          std::max(pressure[c.first] - pressure[c.last], 0.)});
         total += drops.back().fraction;
       }

@@ -110,17 +110,6 @@ namespace strait
   }
 
   double
-  ElementMatrix::energy(const dealii::FullMatrix<double> &matrix,
-                        const std::vector<double>        &u)
-  {
-    double sum = 0;
-    for (unsigned int i = 1; i < matrix.m(); ++i)
-      for (unsigned int j = 1; j < matrix.n(); ++j)
-        sum += matrix(i, j) * (u[i] - u[0]) * (u[j] - u[0]);
-    return sum;
-  }
-
-  double
   ElementMatrix::gradient_times_curl(const std::vector<double> &u,
                                      const std::vector<double> &v) const
   {

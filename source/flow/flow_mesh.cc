@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/flow_mesh.h>
-#include <strait/flow/seal_triangulation.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ namespace strait
     if (seal_mesh == nullptr)
       make_box();
     else
-      make_triangulation(*seal_mesh, tria);
+      make_seal();
   }
 
   void
@@ -74,6 +75,35 @@ namespace strait
     tria.add_periodicity(pairs);
   }
 
+  /** Make the coarse mesh of the seal, with a manifold for each of its circles. */
+  void
+  FlowMesh::make_seal()
+  {
+    std::vector<dealii::Point<2>>    points = seal_mesh->points;
+    std::vector<dealii::CellData<2>> cells;
+    dealii::SubCellData              boundary;
+    for (const auto &corners : seal_mesh->cells)
+      {
+        cells.emplace_back();
+        cells.back().vertices = {corners[0], corners[1], corners[3], corners[2]};
+      }
+    for (const SealMesh::Edge &edge : seal_mesh->edges)
+      {
+        dealii::CellData<1> line;
+        line.vertices    = {edge.from, edge.to};
+        line.boundary_id = static_cast<dealii::types::boundary_id>(edge.part);
+        if (edge.circle >= 0)
+          line.manifold_id = static_cast<dealii::types::manifold_id>(edge.circle);
+        boundary.boundary_lines.push_back(line);
+      }
+    dealii::GridTools::delete_unused_vertices(points, cells, boundary);
+    dealii::GridTools::consistently_order_cells(cells);
+    tria.create_triangulation(points, cells, boundary);
+    for (std::size_t k = 0; k < seal_mesh->circles.size(); ++k)
+      tria.set_manifold(static_cast<dealii::types::manifold_id>(k),
+                        dealii::SphericalManifold<2>(seal_mesh->circles[k].centre));
+  }
+
   GridCell
   FlowMesh::grid_cell(const dealii::CellAccessor<2> &cell) const
   {
@@ -96,15 +126,33 @@ namespace strait
     return cells;
   }
 
+  double
+  FlowMesh::size_in_spacings(const dealii::CellAccessor<2> &cell) const
+  {
+    double longest = 0.;
+    for (const unsigned int f : cell.face_indices())
+      {
+        const auto edge = cell.face(f)->vertex(1) - cell.face(f)->vertex(0);
+        longest         = std::max(longest,
+                           std::hypot(edge[0] / periodic_grid.dx(),
+                                      edge[1] / periodic_grid.dy()));
+      }
+    return longest;
+  }
+
   void
   FlowMesh::refine_uniformly(const int exponent)
   {
+    int n = root_exponent - exponent;
     if (seal_mesh != nullptr)
       {
-        refine_to_size(tria, periodic_grid, std::exp2(exponent));
-        return;
+        double largest = 0.;
+        for (const auto &cell : tria.active_cell_iterators())
+          if (cell->is_locally_owned())
+            largest = std::max(largest, size_in_spacings(*cell));
+        largest = dealii::Utilities::MPI::max(largest, tria.get_communicator());
+        n       = static_cast<int>(std::ceil(std::log2(largest / std::exp2(exponent))));
       }
-    const int n = root_exponent - exponent;
     if (n > 0)
       tria.refine_global(n);
   }

@@ -1,41 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/grid_points.h>
 
+#include <deal.II/base/array_view.h>
+#include <deal.II/fe/mapping_q1.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace strait
 {
   namespace
   {
-    using dealii::Point;
-    using dealii::Tensor;
-
-    /** The unit coordinates of a point in a quadrilateral, by Newton's method. */
-    std::array<double, 2>
-    invert(const dealii::CellAccessor<2> &cell, const Point<2> &x)
-    {
-      // Half of it is enough for a parallelogram or what is nearly one, as Newton's
-      // method squares the error; double of it gives the same to rounding.
-      constexpr int      n_steps = 8;
-      const Tensor<1, 2> a       = cell.vertex(1) - cell.vertex(0),
-                         b       = cell.vertex(2) - cell.vertex(0),
-                         c       = cell.vertex(3) - cell.vertex(1) - b;
-      double s = .5, t = .5;
-      for (int step = 0; step < n_steps; ++step)
-        {
-          const Tensor<1, 2> off   = x - (cell.vertex(0) + s * a + t * b + s * t * c);
-          const Tensor<1, 2> along = a + t * c, up = b + s * c;
-          const double       det = along[0] * up[1] - along[1] * up[0];
-          if (det == 0)
-            break;
-          s += (off[0] * up[1] - off[1] * up[0]) / det;
-          t += (along[0] * off[1] - along[1] * off[0]) / det;
-        }
-      return {{s, t}};
-    }
-
     /** Of points at x0 + k·step those in a cell along one axis of the box, from the first
      *  to before the last. */
     struct Range
@@ -109,13 +84,21 @@ namespace strait
           std::min(static_cast<int>(std::floor(index(box.upper_bound(d) + margin))),
                    n_points[d] - 1);
       }
+    std::vector<dealii::Point<2>> positions;
     for (int j = first[1]; j <= last[1]; ++j)
       for (int i = first[0]; i <= last[0]; ++i)
+        positions.emplace_back(origin[0] + i * spacing[0], origin[1] + j * spacing[1]);
+    std::vector<dealii::Point<2>> unit(positions.size());
+    dealii::StaticMappingQ1<2>::mapping.transform_points_real_to_unit_cell(
+      dealii::Triangulation<2>::cell_iterator(cell),
+      dealii::make_array_view(positions),
+      dealii::make_array_view(unit));
+    auto x = unit.cbegin();
+    for (int j = first[1]; j <= last[1]; ++j)
+      for (int i = first[0]; i <= last[0]; ++i, ++x)
         {
-          const auto [s, t] =
-            invert(cell,
-                   Point<2>(origin[0] + i * spacing[0], origin[1] + j * spacing[1]));
-          const auto within = [s = s, t = t](const double d) {
+          const double s = (*x)[0], t = (*x)[1];
+          const auto   within = [s, t](const double d) {
             return s >= -d && s <= 1 + d && t >= -d && t <= 1 + d;
           };
           if (within(slack))

@@ -30,60 +30,6 @@ namespace strait
         }
     }
 
-    /** Owner of a distributed hypre vector. */
-    class HypreVector
-    {
-    public:
-      HypreVector(MPI_Comm comm, const int first, const int last)
-        : rows(last + 1 - first)
-      {
-        std::iota(rows.begin(), rows.end(), first);
-        check(HYPRE_IJVectorCreate(comm, first, last, &vector), "creating a vector");
-        HYPRE_IJVectorSetObjectType(vector, HYPRE_PARCSR);
-        check(HYPRE_IJVectorInitialize(vector), "initialising a vector");
-      }
-
-      ~HypreVector()
-      {
-        HYPRE_IJVectorDestroy(vector);
-      }
-
-      HypreVector(const HypreVector &)            = delete;
-      HypreVector &operator=(const HypreVector &) = delete;
-
-      HYPRE_ParVector
-      set(const double *values)
-      {
-        HYPRE_IJVectorSetValues(vector,
-                                static_cast<int>(rows.size()),
-                                rows.data(),
-                                values);
-        HYPRE_IJVectorAssemble(vector);
-        return handle();
-      }
-
-      HYPRE_ParVector
-      handle()
-      {
-        void *object = nullptr;
-        HYPRE_IJVectorGetObject(vector, &object);
-        return static_cast<HYPRE_ParVector>(object);
-      }
-
-      void
-      get(double *values)
-      {
-        HYPRE_IJVectorGetValues(vector,
-                                static_cast<int>(rows.size()),
-                                rows.data(),
-                                values);
-      }
-
-    private:
-      std::vector<int> rows;
-      HYPRE_IJVector   vector = nullptr;
-    };
-
     class BoomerAmg : public Multigrid
     {
     public:
@@ -99,8 +45,10 @@ namespace strait
         MPI_Scan(MPI_IN_PLACE, &end, 1, MPI_INT, MPI_SUM, comm);
         first = end - n_mine;
         last  = end - 1;
-        right = std::make_unique<HypreVector>(comm, first, last);
-        left  = std::make_unique<HypreVector>(comm, first, last);
+        rows.resize(n_mine);
+        std::iota(rows.begin(), rows.end(), first);
+        create_vector(right);
+        create_vector(left);
         copy_matrix(matrix);
         set_up_solver();
       }
@@ -109,30 +57,50 @@ namespace strait
       {
         HYPRE_BoomerAMGDestroy(solver);
         HYPRE_IJMatrixDestroy(ij_matrix);
+        HYPRE_IJVectorDestroy(left);
+        HYPRE_IJVectorDestroy(right);
       }
 
       BoomerAmg(const BoomerAmg &)            = delete;
       BoomerAmg &operator=(const BoomerAmg &) = delete;
 
       void
-      apply(const Vector &r, Vector &z) override
+      vmult(Vector &z, const Vector &r) override
       {
-        zeros.assign(last + 1 - first, 0.);
-        HYPRE_ParVector b = right->set(r.begin());
-        HYPRE_ParVector x = left->set(zeros.data());
-        HYPRE_BoomerAMGSolve(solver, parcsr, b, x);
+        const auto n_rows = static_cast<int>(rows.size());
+        HYPRE_IJVectorSetValues(right, n_rows, rows.data(), r.begin());
+        HYPRE_IJVectorAssemble(right);
+        HYPRE_ParVectorSetConstantValues(handle(left), 0.);
+        HYPRE_BoomerAMGSolve(solver, parcsr, handle(right), handle(left));
         // With a fixed number of cycles hypre reports that it did not converge.
         HYPRE_ClearAllErrors();
-        left->get(z.begin());
+        HYPRE_IJVectorGetValues(left, n_rows, rows.data(), z.begin());
       }
 
     private:
+      void
+      create_vector(HYPRE_IJVector &vector) const
+      {
+        check(HYPRE_IJVectorCreate(comm, first, last, &vector), "creating a vector");
+        HYPRE_IJVectorSetObjectType(vector, HYPRE_PARCSR);
+        check(HYPRE_IJVectorInitialize(vector), "initialising a vector");
+        HYPRE_IJVectorAssemble(vector);
+      }
+
+      static HYPRE_ParVector
+      handle(HYPRE_IJVector vector)
+      {
+        void *object = nullptr;
+        HYPRE_IJVectorGetObject(vector, &object);
+        return static_cast<HYPRE_ParVector>(object);
+      }
+
       void
       copy_matrix(const Matrix &matrix)
       {
         const Epetra_CrsMatrix &source = matrix.trilinos_matrix();
         const int               n_rows = source.NumMyRows();
-        std::vector<int>        sizes(n_rows), rows(n_rows), columns;
+        std::vector<int>        sizes(n_rows), columns;
         std::vector<double>     values;
         for (int row = 0; row < n_rows; ++row)
           {
@@ -140,7 +108,6 @@ namespace strait
             double *row_values    = nullptr;
             int    *local_columns = nullptr;
             source.ExtractMyRowView(row, n_entries, row_values, local_columns);
-            rows[row] = first + row;
             for (int k = 0; k < n_entries; ++k)
               if (row_values[k] != 0)
                 {
@@ -180,18 +147,18 @@ namespace strait
         HYPRE_BoomerAMGSetPMaxElmts(solver, 4);
         HYPRE_BoomerAMGSetStrongThreshold(solver, 0.25);
         HYPRE_BoomerAMGSetRelaxType(solver, symmetric_gauss_seidel);
-        check(HYPRE_BoomerAMGSetup(solver, parcsr, right->handle(), left->handle()),
+        check(HYPRE_BoomerAMGSetup(solver, parcsr, handle(right), handle(left)),
               "setting up BoomerAMG");
       }
 
-      MPI_Comm                     comm;
-      int                          first;
-      int                          last;
-      std::unique_ptr<HypreVector> right, left;
-      std::vector<double>          zeros;
-      HYPRE_IJMatrix               ij_matrix = nullptr;
-      HYPRE_ParCSRMatrix           parcsr    = nullptr;
-      HYPRE_Solver                 solver    = nullptr;
+      MPI_Comm           comm;
+      int                first;
+      int                last;
+      std::vector<int>   rows; // this rank's
+      HYPRE_IJVector     right = nullptr, left = nullptr;
+      HYPRE_IJMatrix     ij_matrix = nullptr;
+      HYPRE_ParCSRMatrix parcsr    = nullptr;
+      HYPRE_Solver       solver    = nullptr;
     };
 
     class Ml : public Multigrid
@@ -210,7 +177,7 @@ namespace strait
       }
 
       void
-      apply(const Vector &r, Vector &z) override
+      vmult(Vector &z, const Vector &r) override
       {
         amg.vmult(z, r);
       }
@@ -226,39 +193,5 @@ namespace strait
     if (kind == FlowPreconditioner::ml)
       return std::make_unique<Ml>(matrix);
     return std::make_unique<BoomerAmg>(matrix);
-  }
-
-  LinearSolve
-  solve_by_conjugate_gradients(const Multigrid::Matrix &A,
-                               Multigrid::Vector       &x,
-                               const Multigrid::Vector &b,
-                               Multigrid               &multigrid,
-                               const double             goal,
-                               const unsigned int       max_iterations)
-  {
-    Multigrid::Vector r(b), z(b), image(b);
-    A.vmult(image, x);
-    r -= image;
-    multigrid.apply(r, z);
-    Multigrid::Vector direction(z);
-
-    LinearSolve result;
-    result.error_energy = r * z;
-    while (result.error_energy > goal && result.iterations < max_iterations)
-      {
-        A.vmult(image, direction);
-        const double step = result.error_energy / (direction * image);
-        x.add(step, direction);
-        r.add(-step, image);
-        multigrid.apply(r, z);
-        const double next = r * z;
-        direction.sadd(next / result.error_energy, 1., z);
-        result.error_energy = next;
-        ++result.iterations;
-      }
-    // Written such that NaN is no success, nor is a negative one, by which rounding tells
-    // that the coefficients differ too much.
-    result.converged = std::abs(result.error_energy) <= goal;
-    return result;
   }
 } // namespace strait

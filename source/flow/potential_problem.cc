@@ -239,14 +239,17 @@ namespace strait
     // the system is solved: start from the energy of the right-hand side, which is
     // too large, and tighten the goal until both fit.
     Vector smoothed(right_hand_side);
-    multigrid->apply(right_hand_side, smoothed);
+    multigrid->vmult(smoothed, right_hand_side);
     double      goal = accuracy * (right_hand_side * smoothed);
     LinearSolve total;
     bool        goes_on = true;
     while (goes_on)
       {
+        Vector residual(right_hand_side), image(right_hand_side);
+        matrix.vmult(image, distributed);
+        residual -= image;
         const LinearSolve solve = solve_by_conjugate_gradients(
-          matrix, distributed, right_hand_side, *multigrid, goal, max_iterations);
+          matrix, distributed, residual, *multigrid, goal, max_iterations);
         total.iterations += solve.iterations;
         total.error_energy = solve.error_energy;
         complete_solution();

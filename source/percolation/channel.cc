@@ -1,65 +1,37 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/channel.h>
-#include <strait/percolation/local_clusters.h>
 #include <strait/spectral/fill_windows.h>
 #include <strait/spectral/rows_around.h>
 
 #include <algorithm>
 #include <limits>
-#include <set>
 #include <utility>
 
 namespace strait
 {
   namespace
   {
-    bool
-    is_dead_end(const NodeState state)
+    /** What the points are to the fluid if those on the seam leak that do so at the
+     *  outlet. */
+    std::vector<NodeState>
+    states_of_both_ends(const SlabLayout &layout, const Clusters &clusters)
     {
-      return state != NodeState::percolating && state != NodeState::closed;
+      const PeriodicGrid    &grid   = layout.grid();
+      std::vector<NodeState> states = clusters.states;
+      for (const auto &[ix, iy, window] : clusters.leaks)
+        if (const int row = iy % grid.ny - layout.first_row(); window >= 0)
+          states[layout.start_of_window(window) +
+                 static_cast<std::size_t>(iy) * layout.windows()[window].n_columns() +
+                 ix] = NodeState::percolating;
+        else if (row >= 0 && row < layout.n_rows())
+          states[static_cast<std::size_t>(row) * grid.nx + ix % grid.nx] =
+            NodeState::percolating;
+      return states;
     }
 
-    /** Close what does not percolate, in the whole box. */
+    /** Close what is outside of a region and far from what percolates in it. */
     void
-    close_the_rest(SlabField          &gap,
-                   const Clusters     &clusters,
-                   const FlowDirection direction)
-    {
-      const SlabLayout &layout = gap.layout();
-      const int         nx = gap.grid().nx, ny = gap.grid().ny;
-      const bool        has_first = layout.n_rows() > 0 && layout.first_row() == 0;
-      const bool        along_x   = direction == FlowDirection::x;
-      const std::size_t n_on_grid = layout.n_local_points();
-      const std::vector<SeamPoint> in_windows = seam_points(layout, direction);
-      std::set<std::size_t>        on_seam_of_windows;
-      for (const SeamPoint &seam : in_windows)
-        on_seam_of_windows.insert(seam.point);
-      const auto on_seam = [&](const std::size_t k) {
-        return k >= n_on_grid ? on_seam_of_windows.count(k) > 0
-               : along_x      ? k % nx == 0
-                              : has_first && k < static_cast<std::size_t>(nx);
-      };
-      for (std::size_t k = 0; k < gap.size(); ++k)
-        if (!on_seam(k) && is_dead_end(clusters.states[k]))
-          gap[k] = 0.;
-      // A point on the seam stays open if its copy at the outlet percolates, to which the
-      // point behind it leads.
-      const std::vector<double> last_row =
-        fetch_rows(gap,
-                   !along_x && has_first ? std::vector<int>{ny - 1} : std::vector<int>{});
-      for (std::size_t k = 0; k < n_on_grid; ++k)
-        if (on_seam(k) && is_dead_end(clusters.states[k]) &&
-            !((along_x ? gap[k + nx - 1] : last_row[k]) > 0))
-          gap[k] = 0.;
-      for (const SeamPoint &seam : in_windows)
-        if (is_dead_end(clusters.states[seam.point]) &&
-            !(seam.behind && gap[*seam.behind] > 0))
-          gap[seam.point] = 0.;
-    }
-
-    /** Close what does not percolate in a region, and what is far from it outside. */
-    void
-    close_the_rest_of_region(SlabField &gap, const Clusters &clusters)
+    close_far_outside(SlabField &gap, const Clusters &clusters)
     {
       // Points outside the outline, in spacings, from which the interpolant of an open
       // cell may take values. Half of it would change the gap at the outline, double of
@@ -67,30 +39,26 @@ namespace strait
       constexpr int       reach  = 2;
       const SlabLayout   &layout = gap.layout();
       const int           nx = gap.grid().nx, n_rows = layout.n_rows();
-      std::vector<double> states;
+      std::vector<double> leaks;
       for (const NodeState state : clusters.states)
-        states.push_back(static_cast<double>(state));
+        leaks.push_back(state == NodeState::percolating ? 1. : 0.);
       std::vector<int> rows;
       for (int row = -reach; n_rows > 0 && row < n_rows + reach; ++row)
         rows.push_back(layout.first_row() + row);
-      const std::vector<double> around = fetch_rows(layout, states.data(), nx, rows);
-      const auto                is_near_percolating = [&](const int ix, const int row) {
+      const std::vector<double> around       = fetch_rows(layout, leaks.data(), nx, rows);
+      const auto                is_near_leak = [&](const int ix, const int row) {
         for (int b = 0; b <= 2 * reach; ++b)
           for (int a = -reach; a <= reach; ++a)
-            if (around[static_cast<std::size_t>(row + b) * nx + (ix + a + nx) % nx] ==
-                static_cast<double>(NodeState::percolating))
+            if (around[static_cast<std::size_t>(row + b) * nx + (ix + a + nx) % nx] > 0)
               return true;
         return false;
       };
       for (int row = 0; row < n_rows; ++row)
         for (int ix = 0; ix < nx; ++ix)
-          {
-            const NodeState state =
-              clusters.states[static_cast<std::size_t>(row) * nx + ix];
-            if (gap(ix, row) > 0 && state != NodeState::percolating &&
-                !(state == NodeState::outside && is_near_percolating(ix, row)))
-              gap(ix, row) = 0.;
-          }
+          if (clusters.states[static_cast<std::size_t>(row) * nx + ix] ==
+                NodeState::outside &&
+              gap(ix, row) > 0 && !is_near_leak(ix, row))
+            gap(ix, row) = 0.;
     }
 
     /** @p value or, if it is closed, no less than minus the smallest open one around
@@ -158,10 +126,15 @@ namespace strait
   SlabField
   percolating_gap(SlabField open_gap, const Clusters &clusters, const FlowDomain &domain)
   {
+    const std::vector<NodeState> states =
+      domain.region != nullptr ? clusters.states
+                               : states_of_both_ends(open_gap.layout(), clusters);
+    for (std::size_t k = 0; k < open_gap.size(); ++k)
+      if (open_gap[k] > 0 && states[k] != NodeState::percolating &&
+          states[k] != NodeState::outside)
+        open_gap[k] = 0.;
     if (domain.region != nullptr)
-      close_the_rest_of_region(open_gap, clusters);
-    else
-      close_the_rest(open_gap, clusters, domain.direction);
+      close_far_outside(open_gap, clusters);
     limit_closed_values(open_gap);
     return open_gap;
   }
@@ -227,7 +200,7 @@ namespace strait
         const std::size_t last  = m + 1 == minima.size()
                                     ? gaps.size() - 1
                                     : widest_between(gaps, minima[m], minima[m + 1]);
-        result.push_back({first, last});
+        result.push_back({first, last, minima[m]});
       }
     return result;
   }
@@ -239,10 +212,7 @@ namespace strait
     for (const FlowPath &path : channel.paths)
       for (const Constriction &c : divide_into_constrictions(path.gaps))
         {
-          const auto first     = path.gaps.begin() + static_cast<std::ptrdiff_t>(c.first);
-          const auto last      = path.gaps.begin() + static_cast<std::ptrdiff_t>(c.last);
-          const auto narrowest = std::min_element(first, last + 1) - path.gaps.begin();
-          const GridPoint &point   = path.points[narrowest];
+          const GridPoint &point   = path.points[c.narrowest];
           const auto       is_here = [&point](const ThroatOnPath &other) {
             return other.point == point;
           };

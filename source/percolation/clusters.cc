@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/percolation/clusters.h>
-#include <strait/percolation/local_clusters.h>
+#include <strait/percolation/flow_lattice.h>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -14,98 +16,165 @@ namespace strait
     using Label              = std::int64_t;
     constexpr Label no_label = -1;
 
-    /** Labels that are right within each slab, and among the windows: the number of the
-     *  root, where the windows' points follow those of the whole grid. */
-    std::vector<Label>
-    label_slab(const SlabField &gap, const FlowDirection direction)
+    /** Union–find over 0 … n−1; the smallest member of a set is its root. */
+    class DisjointSets
     {
-      const SlabLayout &layout = gap.layout();
-      DisjointSets      sets   = join_open_points(gap, direction);
-      const Label first_label  = static_cast<Label>(layout.first_row()) * gap.grid().nx;
-      const Label of_windows =
-        static_cast<Label>(gap.grid().n_points() - layout.n_local_points());
-      std::vector<Label> labels(gap.size(), no_label);
-      for (std::size_t k = 0; k < gap.size(); ++k)
-        if (gap[k] > 0)
-          labels[k] = static_cast<Label>(sets.find(k)) +
-                      (k < layout.n_local_points() ? first_label : of_windows);
-      return labels;
-    }
+    public:
+      explicit DisjointSets(const std::size_t n)
+        : parent(n)
+      {
+        std::iota(parent.begin(), parent.end(), std::size_t(0));
+      }
 
-    /** The row of labels that follows this rank's last one. Collective. */
-    std::vector<double>
-    fetch_next_row(const SlabField &gap, const std::vector<Label> &labels)
-    {
-      // Labels are below 2^53, so that doubles carry them exactly.
-      const int           nx     = gap.grid().nx;
-      const SlabLayout   &layout = gap.layout();
-      std::vector<double> first_row(labels.begin(),
-                                    labels.begin() + (layout.n_rows() > 0 ? nx : 0));
-      std::vector<int>    wanted;
-      if (layout.n_rows() > 0)
-        wanted.push_back(layout.first_row() + layout.n_rows());
-      return fetch_rows(layout, first_row.data(), nx, wanted);
-    }
+      /** The root of the set of @p a. */
+      std::size_t
+      find(std::size_t a)
+      {
+        while (parent[a] != a)
+          a = parent[a] = parent[parent[a]];
+        return a;
+      }
 
-    /** Pairs of labels that meet at the end of this slab, or at points of the grid that
-     *  a window covers. Collective. */
-    std::vector<Label>
-    touching_labels(const SlabField          &gap,
-                    const std::vector<Label> &labels,
-                    const FlowDirection       direction)
-    {
-      const std::vector<double> next   = fetch_next_row(gap, labels);
-      const SlabLayout         &layout = gap.layout();
-      const int                 nx = gap.grid().nx, ny = gap.grid().ny;
-      const int                 n_rows = layout.n_rows();
-      std::vector<Label>        pairs;
-      std::pair<Label, Label>   last(no_label, no_label);
-      const auto                add = [&](const Label a, const Label b) {
-        if (a == no_label || b == no_label || last == std::make_pair(a, b))
-          return;
-        last = {a, b};
-        pairs.push_back(a);
-        pairs.push_back(b);
-      };
-      const int  end     = layout.first_row() + n_rows;
-      const bool at_seam = end == ny;
-      if (n_rows > 0 && !(at_seam && direction == FlowDirection::y))
-        {
-          const std::vector<int> here  = covering_windows(layout, -1, end - 1),
-                                 there = covering_windows(layout, -1, end % ny);
-          for (int ix = 0; ix < nx; ++ix)
-            if (!is_refined(here[ix], there[ix]))
-              add(labels[static_cast<std::size_t>(n_rows - 1) * nx + ix],
-                  static_cast<Label>(next[ix]));
-        }
-      for (std::size_t w = 0; w < layout.windows().size(); ++w)
-        if (layout.windows()[w].parent < 0)
-          layout.for_each_covered(static_cast<int>(w),
-                                  [&](const std::size_t k, const std::size_t in_window) {
-                                    add(labels[k], labels[in_window]);
-                                  });
-      return pairs;
-    }
+      /** Make the sets of @p a and @p b one. */
+      void
+      join(const std::size_t a, const std::size_t b)
+      {
+        const std::size_t root_a = find(a), root_b = find(b);
+        parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
+      }
 
-    /** Rename labels that belong together across slabs. Collective. */
+    private:
+      std::vector<std::size_t> parent;
+    };
+
     void
-    merge_slabs(const SlabField    &gap,
-                std::vector<Label> &labels,
-                const FlowDirection direction)
+    sort_unique(std::vector<Label> &labels)
     {
-      const std::vector<Label> pairs =
-        gather_all(gap.layout().communicator(), touching_labels(gap, labels, direction));
+      std::sort(labels.begin(), labels.end());
+      labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+    }
 
-      std::vector<Label> names(pairs);
-      std::sort(names.begin(), names.end());
-      names.erase(std::unique(names.begin(), names.end()), names.end());
+    /** Visit the open points that a rank labels: its own of the grid and, as all ranks
+     *  know them, those of the windows. */
+    template <class Visit>
+    void
+    for_each_open_point(const FlowLattice &gap, const Visit &visit)
+    {
+      const auto [first, end] = gap.grid_lines().own_points();
+      for (std::size_t k = first; k < end; ++k)
+        if (gap[k] > 0)
+          visit(k);
+      for (std::size_t k = gap.grid_lines().size(); k < gap.size(); ++k)
+        if (gap[k] > 0)
+          visit(k);
+    }
+
+    /** Labels of the clusters at the points of a lattice. */
+    class Labels
+    {
+    public:
+      /** Collective. */
+      explicit Labels(const FlowLattice &gap_)
+        : gap(gap_)
+        , labels(gap.size(), no_label)
+      {
+        label_here();
+        note_ghosts();
+        rename();
+        find_reservoirs();
+      }
+
+      /** What the first point of the cluster is called that point @p k is of; no_label if
+       * it is closed. */
+      Label
+      operator[](const std::size_t k) const
+      {
+        return labels[k];
+      }
+
+      /** What point @p k is to the fluid. */
+      NodeState
+      state(const std::size_t k) const
+      {
+        const bool in  = std::binary_search(inlet.begin(), inlet.end(), labels[k]);
+        const bool out = std::binary_search(outlet.begin(), outlet.end(), labels[k]);
+        return !(gap[k] > 0) ? NodeState::closed
+               : in && out   ? NodeState::percolating
+               : in          ? NodeState::inlet_side
+               : out         ? NodeState::outlet_side
+                             : NodeState::trapped;
+      }
+
+    private:
+      void label_here();
+      void note_ghosts();
+      void rename();
+      void find_reservoirs();
+
+      const FlowLattice                &gap;
+      std::vector<Label>                labels;
+      std::vector<std::array<Label, 2>> touching;      // are of one cluster
+      std::vector<Label>                inlet, outlet; // that touch them, sorted
+    };
+
+    /** Label by what this rank knows, grid and windows apart, so that the labels of the
+     *  latter are the same on all ranks. */
+    void
+    Labels::label_here()
+    {
+      DisjointSets                            sets(gap.size());
+      std::vector<std::array<std::size_t, 2>> into_windows;
+      for_each_open_point(gap, [&](const std::size_t k) {
+        if (gap.is_copy(k))
+          return;
+        gap.for_each_step(k, 4, [&](const FlowLattice::Step &step) {
+          // What joins two points is seen from the first of them.
+          if (step.point < k || !(gap[step.point] > 0))
+            return;
+          if (gap.in_window(step.point) == gap.in_window(k))
+            sets.join(k, step.point);
+          else
+            into_windows.push_back({{k, step.point}});
+        });
+      });
+      for_each_open_point(gap, [&](const std::size_t k) {
+        if (Label &label = labels[sets.find(k)]; label == no_label)
+          label = static_cast<Label>(gap.place_in_field(k));
+      });
+      for (std::size_t k = 0; k < labels.size(); ++k)
+        labels[k] = labels[sets.find(k)];
+      for (const auto &[from, to] : into_windows)
+        touching.push_back({{labels[from], labels[to]}});
+    }
+
+    /** Note which labels of other ranks those here meet. Collective. */
+    void
+    Labels::note_ghosts()
+    {
+      gap.grid_lines().for_each_ghost(labels,
+                                      [&](const std::size_t k, const Label label) {
+                                        if (labels[k] != no_label)
+                                          touching.push_back({{labels[k], label}});
+                                      });
+    }
+
+    /** Give labels that belong together the least of their names. Collective. */
+    void
+    Labels::rename()
+    {
+      touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+      const auto         pairs = gather_all(gap.communicator(), touching);
+      std::vector<Label> names;
+      for (const auto &pair : pairs)
+        names.insert(names.end(), pair.begin(), pair.end());
+      sort_unique(names);
       const auto number_of = [&names](const Label label) {
         return static_cast<std::size_t>(
           std::lower_bound(names.begin(), names.end(), label) - names.begin());
       };
       DisjointSets sets(names.size());
-      for (std::size_t k = 0; k < pairs.size(); k += 2)
-        sets.join(number_of(pairs[k]), number_of(pairs[k + 1]));
+      for (const auto &[a, b] : pairs)
+        sets.join(number_of(a), number_of(b));
       std::unordered_map<Label, Label> new_name;
       for (std::size_t k = 0; k < names.size(); ++k)
         if (sets.find(k) != k)
@@ -117,81 +186,69 @@ namespace strait
           label = found->second;
     }
 
-    struct ReservoirLabels
+    /** Collective. */
+    void
+    Labels::find_reservoirs()
     {
-      std::vector<Label> inlet, outlet; // sorted
-    };
-
-    std::vector<Label>
-    sorted_union(std::vector<Label> mine, MPI_Comm comm)
-    {
-      const auto sort_unique = [](std::vector<Label> &v) {
-        std::sort(v.begin(), v.end());
-        v.erase(std::unique(v.begin(), v.end()), v.end());
+      const auto labels_at = [this](const std::vector<std::size_t> &points) {
+        std::vector<Label> mine;
+        for (const std::size_t k : points)
+          if (gap[k] > 0)
+            mine.push_back(labels[k]);
+        sort_unique(mine);
+        std::vector<Label> all = gather_all(gap.communicator(), mine);
+        sort_unique(all);
+        return all;
       };
-      sort_unique(mine);
-      std::vector<Label> all = gather_all(comm, mine);
-      sort_unique(all);
-      return all;
+      inlet  = labels_at(gap.inlet_points());
+      outlet = labels_at(gap.outlet_points());
     }
 
-    /** Labels that touch each reservoir. Collective. */
-    ReservoirLabels
-    find_reservoir_labels(const SlabField          &gap,
-                          const std::vector<Label> &labels,
-                          const FlowDirection       direction)
+    /** The states at the points of a region, of copies across the seam that which carries
+     *  more. Collective. */
+    std::vector<NodeState>
+    states_in_region(const Labels        &labels,
+                     const FlowRegion    &region,
+                     const SlabLayoutPtr &layout)
     {
-      const SlabLayout  &layout = gap.layout();
-      const int          nx = gap.grid().nx, ny = gap.grid().ny, n_rows = layout.n_rows();
-      std::vector<Label> inlet, outlet;
-      const auto visit = [&](const int ix, const int row, std::vector<Label> &set) {
-        const Label label = labels[static_cast<std::size_t>(row) * nx + ix];
-        if (label != no_label)
-          set.push_back(label);
-      };
-      for (const SeamPoint &seam : seam_points(layout, direction))
-        if (gap[seam.point] > 0)
+      const PeriodicGrid &grid    = layout->grid();
+      const double        outside = static_cast<double>(NodeState::outside);
+      std::vector<double> whole(layout->rank() == 0 ? grid.n_points() : 0, outside);
+      for (std::size_t k = 0; k < region.size(); ++k)
+        if (region.is_inside(k))
           {
-            inlet.push_back(labels[seam.point]);
-            if (seam.behind && gap[*seam.behind] > 0)
-              outlet.push_back(labels[*seam.behind]);
+            const std::size_t width = grid.nx + 1;
+            double    &here  = whole[k / width % grid.ny * grid.nx + k % width % grid.nx];
+            const auto state = static_cast<double>(labels.state(k));
+            here             = here == outside ? state : std::max(here, state);
           }
-      // Where a window lies across the seam its own points tell.
-      const auto is_plain =
-        [&](const int ix_last, const int iy_last, const int ix, const int iy) {
-          return !is_refined(layout.covered_by(-1, ix_last, iy_last),
-                             layout.covered_by(-1, ix, iy));
-        };
-      if (direction == FlowDirection::x)
-        for (int row = 0; row < n_rows; ++row)
-          {
-            const int iy = layout.first_row() + row;
-            visit(0, row, inlet);
-            if (gap(0, row) > 0 && is_plain(nx - 1, iy, 0, iy))
-              visit(nx - 1, row, outlet);
-          }
-      else
+      std::vector<NodeState> states;
+      for (const double state : scatter_from_root(layout, whole))
+        states.push_back(static_cast<NodeState>(static_cast<int>(state)));
+      return states;
+    }
+
+    /** Call visit(k) with the point of @p lattice for each value of a field on @p layout,
+     *  on the seam that at the inlet; the outermost points of a window stand for those
+     *  inside of them. */
+    template <class Visit>
+    void
+    for_each_value(const SlabLayout  &layout,
+                   const FlowLattice &lattice,
+                   const Visit       &visit)
+    {
+      for (int row = 0; row < layout.n_rows(); ++row)
+        for (int ix = 0; ix < layout.grid().nx; ++ix)
+          visit(lattice.number_at({ix, layout.first_row() + row}));
+      for (int w = 0; w < static_cast<int>(layout.windows().size()); ++w)
         {
-          const bool has_first = n_rows > 0 && layout.first_row() == 0;
-          const bool has_last  = n_rows > 0 && layout.first_row() + n_rows == ny;
-          const auto seam =
-            fetch_rows(gap, has_last ? std::vector<int>{0} : std::vector<int>{});
-          for (int ix = 0; ix < nx; ++ix)
-            {
-              if (has_first)
-                visit(ix, 0, inlet);
-              if (has_last && seam[ix] > 0 && is_plain(ix, ny - 1, ix, 0))
-                visit(ix, n_rows - 1, outlet);
-            }
+          const int n_columns = layout.windows()[w].n_columns();
+          const int n_rows    = layout.windows()[w].n_rows();
+          for (int iy = 0; iy < n_rows; ++iy)
+            for (int ix = 0; ix < n_columns; ++ix)
+              visit(lattice.number_at(
+                {std::clamp(ix, 1, n_columns - 2), std::clamp(iy, 1, n_rows - 2), w}));
         }
-      return {sorted_union(inlet, layout.communicator()),
-              sorted_union(outlet, layout.communicator())};
-    }
-
-    bool
-    contains(const std::vector<Label> &sorted, const Label label)
-    {
-      return std::binary_search(sorted.begin(), sorted.end(), label);
     }
   } // namespace
 
@@ -206,29 +263,28 @@ namespace strait
   Clusters
   find_clusters(const SlabField &open_gap, const FlowDomain &domain)
   {
+    const FlowLattice      lattice(open_gap, domain);
+    const Labels           labels(lattice);
+    Clusters               clusters;
+    std::vector<GridPoint> leaks;
+    for (const std::size_t k : lattice.outlet_points())
+      if (labels.state(k) == NodeState::percolating)
+        leaks.push_back(lattice.point(k));
+    clusters.leaks      = gather_all(lattice.communicator(), leaks);
+    clusters.percolates = !clusters.leaks.empty();
     if (domain.region != nullptr)
-      return find_clusters_in_region(open_gap, domain);
-    const FlowDirection direction = domain.direction;
-    std::vector<Label>  labels    = label_slab(open_gap, direction);
-    merge_slabs(open_gap, labels, direction);
-    const ReservoirLabels reservoirs = find_reservoir_labels(open_gap, labels, direction);
-
-    Clusters clusters;
-    clusters.states.assign(labels.size(), NodeState::closed);
-    for (std::size_t k = 0; k < labels.size(); ++k)
-      if (labels[k] != no_label)
-        {
-          const bool in      = contains(reservoirs.inlet, labels[k]);
-          const bool out     = contains(reservoirs.outlet, labels[k]);
-          clusters.states[k] = in && out ? NodeState::percolating
-                               : in      ? NodeState::inlet_side
-                               : out     ? NodeState::outlet_side
-                                         : NodeState::trapped;
-        }
-    clusters.percolates =
-      std::any_of(reservoirs.inlet.begin(),
-                  reservoirs.inlet.end(),
-                  [&](const Label label) { return contains(reservoirs.outlet, label); });
+      {
+        clusters.states =
+          states_in_region(labels, *domain.region, open_gap.layout_pointer());
+        return clusters;
+      }
+    for_each_value(open_gap.layout(), lattice, [&](const std::size_t k) {
+      clusters.states.push_back(labels.state(k));
+    });
+    // On the outermost points of windows the gap itself may be closed.
+    for (std::size_t k = 0; k < open_gap.size(); ++k)
+      if (!(open_gap[k] > 0))
+        clusters.states[k] = NodeState::closed;
     return clusters;
   }
 
@@ -237,11 +293,13 @@ namespace strait
                  const Clusters     &clusters,
                  const FlowDirection direction)
   {
-    std::vector<Label> labels = label_slab(open_gap, direction);
-    merge_slabs(open_gap, labels, direction);
-    for (std::size_t k = 0; k < labels.size(); ++k)
-      if (clusters.states[k] != NodeState::trapped)
-        labels[k] = no_label;
-    return labels;
+    const FlowLattice         lattice(open_gap, direction);
+    const Labels              labels(lattice);
+    std::vector<std::int64_t> result;
+    for_each_value(open_gap.layout(), lattice, [&](const std::size_t k) {
+      const bool is_trapped = clusters.states[result.size()] == NodeState::trapped;
+      result.push_back(is_trapped ? labels[k] : no_label);
+    });
+    return result;
   }
 } // namespace strait

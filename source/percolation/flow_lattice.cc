@@ -40,8 +40,14 @@ namespace strait
       return region->is_outlet(k);
     const Place  p     = place_of(k);
     const Level &level = levels[p.level];
-    return p.level == 0 ? p.along == level.n_along - 1
-                        : level.ends_at_outlet && p.along == level.n_along - 2;
+    return level.ends_at_outlet && p.along == level.n_along - 1 - level.rim();
+  }
+
+  std::size_t
+  FlowLattice::number_at(const GridPoint &p) const
+  {
+    return p.window < 0 ? finest(lines.number_of(p.iy, p.ix))
+                        : number_of(levels.finest(levels.place(p)));
   }
 
   std::size_t
@@ -130,27 +136,27 @@ namespace strait
   }
 
   std::vector<std::size_t>
-  FlowLattice::inlet_points() const
+  FlowLattice::points_at(const bool outlet) const
   {
     std::vector<std::size_t> points;
-    const auto               add = [&](const std::size_t k) {
-      if (is_covered.empty() || !is_covered[k])
-        points.push_back(k);
-    };
     if (region != nullptr)
       {
         for (std::size_t k = 0; k < lines.size(); ++k)
-          if (region->is_inlet(k))
-            add(k);
+          if (outlet ? region->is_outlet(k) : region->is_inlet(k))
+            points.push_back(k);
         return points;
       }
-    const auto [first, end] = lines.own_points();
-    for (std::size_t k = first; k < end; k += levels.along_x ? lines.length() : 1)
-      if (place_of(k).along == 0)
-        add(k);
-    for (int l = 1; layout->rank() == 0 && l < levels.size(); ++l)
-      for (int b = 1; levels[l].begins_at_inlet && b < levels[l].n_across - 1; ++b)
-        add(number_of({l, 1, b}));
+    for (int l = 0; l < levels.size(); ++l)
+      {
+        const Level &level = levels[l];
+        if (!(outlet ? level.ends_at_outlet : level.begins_at_inlet))
+          continue;
+        const int along = outlet ? level.n_along - 1 - level.rim() : level.rim();
+        for (int across = level.rim(); across < level.n_across - level.rim(); ++across)
+          if (const std::size_t k = number_of_copy({l, along, across}, 0);
+              k != none && is_own(k) && (is_covered.empty() || !is_covered[k]))
+            points.push_back(k);
+      }
     return points;
   }
 

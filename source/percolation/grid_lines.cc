@@ -49,29 +49,17 @@ namespace strait
       }
     const int n_rows = layout->n_rows();
     for (int row = 0; row < n_rows; ++row)
-      for (int i = 0; i < n_along_line; ++i)
-        result[own[0] + static_cast<std::size_t>(row) * n_along_line + i] =
-          field(i % nx, row);
+      {
+        double *line = &result[own[0] + static_cast<std::size_t>(row) * n_along_line];
+        std::copy_n(field.data() + static_cast<std::size_t>(row) * nx, nx, line);
+        line[n_along_line - 1] = field((n_along_line - 1) % nx, row);
+      }
     const bool has_copy  = n_rows > 0 && end() > ny && n_along_line == nx;
     const auto first_row = fetch_rows(field, std::vector<int>(has_copy ? 1 : 0, 0));
     std::copy(first_row.rbegin(), first_row.rend(), result.rbegin());
-    update_ghosts(result);
+    for_each_ghost(result, [&result](const std::size_t k, const double value) {
+      result[k] = value;
+    });
     return result;
-  }
-
-  void
-  GridLines::update_ghosts(std::vector<double> &numbers) const
-  {
-    if (region != nullptr)
-      return;
-    std::vector<int> wanted;
-    if (own[0] > 0)
-      wanted.push_back(first_line);
-    if (own[1] < size())
-      wanted.push_back(end() - 1);
-    const auto lines = fetch_rows(*layout, numbers.data() + own[0], n_along_line, wanted);
-    const auto middle = lines.begin() + static_cast<std::ptrdiff_t>(own[0]);
-    std::copy(lines.begin(), middle, numbers.begin());
-    std::copy(middle, lines.end(), numbers.begin() + static_cast<std::ptrdiff_t>(own[1]));
   }
 } // namespace strait

@@ -23,7 +23,11 @@ namespace strait
                       along_x ? line : 1,
                       -1,
                       0,
-                      0});
+                      0,
+                      -1,
+                      0,
+                      true,
+                      true});
     const int n_windows = static_cast<int>(layout.windows().size());
     for (int w = 0; w < n_windows; ++w)
       add_window(layout, w);
@@ -131,17 +135,23 @@ namespace strait
     return on_rim && p.along % 3 == 1 && p.across % 3 == 1;
   }
 
+  LatticeLevels::Place
+  LatticeLevels::place(const GridPoint &p) const
+  {
+    const int along = along_x ? p.ix : p.iy, across = along_x ? p.iy : p.ix;
+    const int level = level_with(p.window, along, false);
+    return {level, along - levels[level].first, across};
+  }
+
   GridPoint
   LatticeLevels::on_grid(const GridPoint &p) const
   {
     if (p.window < 0)
       return p;
-    const int along = along_x ? p.ix : p.iy, across = along_x ? p.iy : p.ix;
-    const int level = level_with(p.window, along, false);
-    Place     place = {level, along - levels[level].first, across};
-    while (place.level > 0)
-      place = parent_of(place);
-    return point(place);
+    Place on_parent = place(p);
+    while (on_parent.level > 0)
+      on_parent = parent_of(on_parent);
+    return point(on_parent);
   }
 
   GridPoint

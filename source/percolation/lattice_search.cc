@@ -54,19 +54,11 @@ namespace strait
   bool
   LatticeSearch::exchange()
   {
-    const GridLines                 &lines = lattice.grid_lines();
-    std::vector<std::vector<double>> known;
-    for (const auto &[begin, end] : lines.ghosts())
-      known.emplace_back(costs.begin() + static_cast<std::ptrdiff_t>(begin),
-                         costs.begin() + static_cast<std::ptrdiff_t>(end));
-    lines.update_ghosts(costs);
-    for (std::size_t side = 0; side < known.size(); ++side)
-      {
-        const std::size_t begin = lines.ghosts()[side][0];
-        for (std::size_t i = 0; i < known[side].size(); ++i)
-          if (costs[begin + i] < known[side][i])
-            improve(begin + i, costs[begin + i], start_of_way);
-      }
+    const GridLines &lines = lattice.grid_lines();
+    lines.for_each_ghost(costs, [this](const std::size_t k, const double cost) {
+      if (cost < costs[k])
+        improve(k, cost, start_of_way);
+    });
     if (lattice.size() > lines.size())
       exchange_in_windows();
     limit = minimum(lattice.communicator(), limit);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/percolation/gap_around.h>
+#include <strait/percolation/clusters.h>
 #include <strait/percolation/throat.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,89 +17,174 @@ namespace strait
     constexpr double unknown  = std::numeric_limits<double>::quiet_NaN();
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    /** Measures of a throat along straight lines through its narrowest point. */
-    class ThroatWalk
+    /** The open gap at any position, on all levels, on the grid in some rows alone. */
+    class GapAround
     {
     public:
-      ThroatWalk(GapAround &gap_, const SlabLayout &layout_, const GridPoint &point_)
+      /** Of the contact's @p gap, with the @p rows of the grid from @p first_row on. */
+      GapAround(const SlabField    &gap_,
+                const double        slip_length_,
+                const int           first_row_,
+                std::vector<double> rows_)
         : gap(gap_)
-        , layout(layout_)
-        , origin(layout_.position(point_.window, point_.ix, point_.iy))
-        , start(root(0., {{1., 0.}}, false))
+        , layout(gap_.layout())
+        , slip_length(slip_length_)
+        , first_row(first_row_)
+        , rows(std::move(rows_))
       {
       }
 
-      using Direction = std::array<double, 2>;
-
-      /** How far from the point the gap has doubled, in direction @p u. */
-      double
-      doubling_length(const Direction &u) const
+      /** Whether the rows were enough for all that was asked. */
+      bool
+      is_complete() const
       {
-        const double g0 = std::pow(start, 1.5);
-        double       t0 = 0., g = g0;
-        while (g > 0 && t0 < longest())
+        return complete;
+      }
+
+      /** At a point; not a number, and is_complete() no more, beyond the rows. */
+      double
+      at(const int window, const int ix, const int iy)
+      {
+        if (window >= 0)
+          return open_gap(
+            gap[layout.start_of_window(window) +
+                static_cast<std::size_t>(iy) * layout.windows()[window].n_columns() + ix],
+            slip_length);
+        const int         nx    = layout.grid().nx;
+        const std::size_t place = static_cast<std::size_t>(iy - first_row) * nx;
+        complete                = complete && iy >= first_row && place < rows.size();
+        return complete ? open_gap(rows[place + ((ix % nx) + nx) % nx], slip_length)
+                        : unknown;
+      }
+
+      /** The window of finest points around a position, −1 if there is none. */
+      int
+      window_at(const double x, const double y) const
+      {
+        int result = -1;
+        for (int w = 0; w < static_cast<int>(layout.windows().size()); ++w)
           {
-            const double t1   = t0 + step(t0, u);
-            const double next = std::pow(root(t1, u, false), 1.5);
-            if (next >= 2 * g0)
-              return std::sqrt(t0 * t0 + (2 * g0 - g) / (next - g) * (t1 * t1 - t0 * t0));
-            t0 = t1;
-            g  = next;
+            const ZoomWindow &window = layout.windows()[w];
+            const auto [a, b]        = indices(w, x, y);
+            if ((result < 0 || window.level > layout.windows()[result].level) && a >= 1 &&
+                a <= window.n_columns() - 2 && b >= 1 && b <= window.n_rows() - 2)
+              result = w;
           }
-        return unknown;
+        return result;
       }
 
       /**
-       * How far from the point the gap vanishes, in direction @p u: g^(2/3), which is
-       * linear in t² in the gap (w² − t²)^(3/2) between two lines of contact,
-       * extrapolated from the last two positions between open points.
+       * g^(2/3) at a position, which goes to zero linearly at the line of contact, and is
+       * interpolated between points of the finest level around it: by cubic polynomials
+       * where they are all open, bilinearly beside closed ones.
        */
       double
-      half_width(const Direction &u) const
+      root_at(const double x, const double y)
       {
-        double t0 = 0., t1 = 0., q0 = 0., q1 = start;
-        while (t1 < longest())
-          {
-            const double t2 = t1 + step(t1, u), q2 = root(t2, u, true);
-            if (!(q2 > 0)) // closed, or unknown
-              break;
-            t0 = std::exchange(t1, t2);
-            q0 = std::exchange(q1, q2);
-          }
-        if (!(t0 > 0) || !(q0 > q1) || t1 >= longest())
-          return unknown;
-        const double t = std::sqrt(t1 * t1 + q1 / (q0 - q1) * (t1 * t1 - t0 * t0));
-        return t >= 3 * step(0., u) ? t : unknown;
+        const int window  = window_at(x, y);
+        const auto [a, b] = indices(window, x, y);
+        const int    ix   = static_cast<int>(std::floor(a));
+        const int    iy   = static_cast<int>(std::floor(b));
+        const double s = a - ix, t = b - iy;
+        if (const auto cubic =
+              interpolate(window, ix, iy, cubic_weights(s), cubic_weights(t)))
+          return *cubic;
+        return *interpolate(
+          window, ix, iy, {{0., 1 - s, s, 0.}}, {{0., 1 - t, t, 0.}}, true);
       }
 
     private:
-      /** Lines end half-way round the box. */
-      double
-      longest() const
+      /** Of the point before a position, and of its neighbours: −1, 0, 1 and 2. */
+      using Weights = std::array<double, 4>;
+
+      static Weights
+      cubic_weights(const double s)
       {
-        return .5 * std::min(layout.grid().lx, layout.grid().ly);
+        return {{-s * (s - 1) * (s - 2) / 6,
+                 (s + 1) * (s - 1) * (s - 2) / 2,
+                 -(s + 1) * s * (s - 2) / 2,
+                 (s + 1) * s * (s - 1) / 6}};
       }
 
-      double
-      root(const double t, const Direction &u, const bool open_only) const
+      /** Nothing if a point that counts is closed, unless @p with_closed. */
+      std::optional<double>
+      interpolate(const int      window,
+                  const int      ix,
+                  const int      iy,
+                  const Weights &along_x,
+                  const Weights &along_y,
+                  const bool     with_closed = false)
       {
-        return gap.root_at(origin[0] + t * u[0], origin[1] + t * u[1], open_only);
+        double value = 0.;
+        for (int j = 0; j < 4; ++j)
+          for (int i = 0; i < 4; ++i)
+            if (const double weight = along_x[i] * along_y[j]; weight != 0.)
+              {
+                const double g = at(window, ix + i - 1, iy + j - 1);
+                if (g <= 0 && !with_closed)
+                  return {};
+                value += weight * std::pow(std::max(g, 0.), 2. / 3.);
+              }
+        return value;
       }
 
-      /** To the next position, which is the next point on lines along the grid. */
-      double
-      step(const double t, const Direction &u) const
+      /** Column and row of a position among the points of a window or the grid, whole
+       *  numbers at points. */
+      std::array<double, 2>
+      indices(const int window, const double x, const double y) const
       {
-        const auto [dx, dy] =
-          layout.spacing(gap.window_at(origin[0] + t * u[0], origin[1] + t * u[1]));
-        return 1. / std::max(std::abs(u[0]) / dx, std::abs(u[1]) / dy);
+        const auto [x0, y0]          = layout.position(window, 0, 0);
+        const auto [dx, dy]          = layout.spacing(window);
+        const PeriodicGrid   &grid   = layout.grid();
+        std::array<double, 2> result = {{(x - x0) / dx, (y - y0) / dy}};
+        if (window >= 0)
+          {
+            result[0] -= std::floor((x - x0) / grid.lx + 1e-9) * grid.lx / dx;
+            result[1] -= std::floor((y - y0) / grid.ly + 1e-9) * grid.ly / dy;
+          }
+        for (double &index : result)
+          if (std::abs(index - std::round(index)) < 1e-6)
+            index = std::round(index);
+        return result;
       }
 
-      GapAround            &gap;
-      const SlabLayout     &layout;
-      std::array<double, 2> origin;
-      double                start;
+      const SlabField    &gap;
+      const SlabLayout   &layout;
+      double              slip_length;
+      int                 first_row;
+      std::vector<double> rows;
+      bool                complete = true;
     };
+
+    /** How far from @p point the gap has doubled, along a straight line in direction @p
+     * u; not a number if it does not within half the box, or where it is unknown. */
+    double
+    doubling_length(GapAround                   &gap,
+                    const SlabLayout            &layout,
+                    const GridPoint             &point,
+                    const std::array<double, 2> &u)
+    {
+      const auto   origin  = layout.position(point.window, point.ix, point.iy);
+      const double longest = .5 * std::min(layout.grid().lx, layout.grid().ly);
+      const auto   gap_at  = [&](const double t) {
+        return std::pow(gap.root_at(origin[0] + t * u[0], origin[1] + t * u[1]), 1.5);
+      };
+      const double g0 = gap_at(0.);
+      double       t0 = 0., g = g0;
+      while (g > 0 && t0 < longest)
+        {
+          // To the next position, which is the next point on lines along the grid.
+          const auto [dx, dy] =
+            layout.spacing(gap.window_at(origin[0] + t0 * u[0], origin[1] + t0 * u[1]));
+          const double t1 = t0 + 1. / std::max(std::abs(u[0]) / dx, std::abs(u[1]) / dy);
+          const double next = gap_at(t1);
+          if (next >= 2 * g0)
+            return std::sqrt(t0 * t0 + (2 * g0 - g) / (next - g) * (t1 * t1 - t0 * t0));
+          t0 = t1;
+          g  = next;
+        }
+      return unknown;
+    }
 
     /** All of a throat that @p gap tells. */
     Throat
@@ -125,13 +211,10 @@ namespace strait
       throat.width  = across < 0 ? std::sqrt(-2 * g0 / across) : unknown;
       if (g0 > 0)
         {
-          const ThroatWalk walk(gap, layout, point);
-          const double     angle = .5 * std::atan2(2 * xy, xx - yy);
-          const double     c = std::cos(angle), s = std::sin(angle);
-          throat.doubling_length =
-            .5 * (walk.doubling_length({{c, s}}) + walk.doubling_length({{-c, -s}}));
-          throat.half_width =
-            .5 * (walk.half_width({{-s, c}}) + walk.half_width({{s, -c}}));
+          const double angle = .5 * std::atan2(2 * xy, xx - yy);
+          const double c = std::cos(angle), s = std::sin(angle);
+          throat.doubling_length = .5 * (doubling_length(gap, layout, point, {{c, s}}) +
+                                         doubling_length(gap, layout, point, {{-c, -s}}));
         }
       const double length =
         std::isnan(throat.doubling_length) ? throat.length : throat.doubling_length;
@@ -167,8 +250,8 @@ namespace strait
           }
         MPI_Bcast(&is_complete, 1, MPI_INT, 0, layout.communicator());
       }
-    static_assert(sizeof(Throat) == 6 * sizeof(double));
-    MPI_Bcast(&throat, 6, MPI_DOUBLE, 0, layout.communicator());
+    static_assert(sizeof(Throat) == 5 * sizeof(double));
+    MPI_Bcast(&throat, 5, MPI_DOUBLE, 0, layout.communicator());
     return throat;
   }
 } // namespace strait

@@ -154,6 +154,8 @@ namespace strait
   fetch_rows(const SlabLayout &, const double *, int, const std::vector<int> &);
   template std::vector<float>
   fetch_rows(const SlabLayout &, const float *, int, const std::vector<int> &);
+  template std::vector<std::int64_t>
+  fetch_rows(const SlabLayout &, const std::int64_t *, int, const std::vector<int> &);
 
   void
   add_rows(const SlabLayout          &layout,

@@ -74,6 +74,8 @@ namespace strait
       EXPECT_EQ(parts[0].first, 0U);
       EXPECT_EQ(parts[0].last, 4U);
       EXPECT_EQ(parts[1].last, 8U);
+      EXPECT_EQ(parts[0].narrowest, 1U);
+      EXPECT_EQ(parts[1].narrowest, 5U);
       EXPECT_EQ(divide_into_constrictions({1, 1, 1}).size(), 1U);
       EXPECT_EQ(divide_into_constrictions({4, 3, 2, 1}).size(), 1U);
     }

@@ -31,8 +31,16 @@ namespace strait
      * uᵀAu formed from differences to the first value, so that a small gradient on
      * a large constant loses no digits.
      */
-    static double energy(const dealii::FullMatrix<double> &matrix,
-                         const std::vector<double>        &u);
+    template <class Values>
+    static double
+    energy(const dealii::FullMatrix<double> &matrix, const Values &u)
+    {
+      double sum = 0;
+      for (unsigned int i = 1; i < matrix.m(); ++i)
+        for (unsigned int j = 1; j < matrix.n(); ++j)
+          sum += matrix(i, j) * (u[i] - u[0]) * (u[j] - u[0]);
+      return sum;
+    }
 
     /** ∫ ∇u·curl v with curl v = (∂v/∂y, −∂v/∂x); the same on any rectangle. */
     double gradient_times_curl(const std::vector<double> &u,

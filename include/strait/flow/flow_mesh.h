@@ -109,6 +109,9 @@ namespace strait
       return std::ldexp(periodic_grid.dy(), cell.exponent);
     }
 
+    /** The length of the longest edge of @p cell in spacings of the grid. */
+    double size_in_spacings(const dealii::CellAccessor<2> &cell) const;
+
     /** Refine to the coarse mesh that an adaptive cycle starts from: cells of 64
      * spacings, unless that makes too few of them. */
     void refine_to_start();
@@ -129,6 +132,7 @@ namespace strait
     }
 
     void make_box();
+    void make_seal();
 
     PeriodicGrid        periodic_grid;
     FlowDirection       flow_direction;

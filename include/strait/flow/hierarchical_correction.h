@@ -3,11 +3,12 @@
 #define strait_flow_hierarchical_correction_h
 
 #include <strait/flow/potential_problem.h>
-#include <strait/flow/rim_systems.h>
 
 #include <deal.II/fe/fe_q_iso_q1.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace strait
@@ -24,6 +25,33 @@ namespace strait
     std::vector<Nodes>  values;
     std::vector<double> cell_energies;
     double              energy = 0.; // of all ranks
+  };
+
+  /** The nodes that a correction frees, as the owned cells see them. */
+  struct CorrectionNodes
+  {
+    /** A node on the rim of a cell depends on this freed one. */
+    struct Dependence
+    {
+      unsigned int node;
+      unsigned int column; // position in the list of the cell's freed nodes
+      double       weight;
+    };
+
+    /** The freed nodes of one coarse cell. */
+    struct Cell
+    {
+      std::size_t  first_index      = 0;
+      unsigned int n_indices        = 0;
+      std::size_t  first_dependence = 0;
+      unsigned int n_dependences    = 0;
+      unsigned int at_reservoir     = 0; // bit f: face f is at inlet or outlet
+      unsigned int at_wall          = 0; // likewise
+    };
+
+    std::vector<Cell>         cells;
+    std::vector<unsigned int> indices; // positions in this rank's part of a vector
+    std::vector<Dependence>   dependences;
   };
 
   /**
@@ -51,7 +79,7 @@ namespace strait
                                const CorrectedSolution::Nodes &v) const;
 
   private:
-    using Vector = RimSystems::Vector;
+    using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
     using Nodes  = CorrectedSolution::Nodes;
 
     void list_nodes();

@@ -7,6 +7,7 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <cmath>
 #include <memory>
 
 namespace strait
@@ -21,7 +22,7 @@ namespace strait
     virtual ~Multigrid() = default;
 
     /** z = M⁻¹ r. Collective. */
-    virtual void apply(const Vector &r, Vector &z) = 0;
+    virtual void vmult(Vector &z, const Vector &r) = 0;
   };
 
   /**
@@ -45,20 +46,46 @@ namespace strait
   };
 
   /**
-   * Preconditioned conjugate gradients for A x = b from the start value in @p x,
-   * until r·M⁻¹r <= @p goal with the residual r = b − A x.
+   * Preconditioned conjugate gradients for A x = b from the start value in @p x and its
+   * residual @p r = b − A x, which is brought up to date with it, until r·M⁻¹r <= @p
+   * goal.
    *
-   * That is the energy of the error, as far as the multigrid cycle M⁻¹ resembles
-   * A⁻¹, hence the error of a dissipated power. The residual itself says little:
-   * across a constriction the conductivity changes by many orders of magnitude, and
-   * the rows that decide about the leak rate are the smallest of all. Collective.
+   * That is the energy of the error, as far as the preconditioner M⁻¹ resembles A⁻¹,
+   * hence the error of a dissipated power. The residual itself says little: across a
+   * constriction the conductivity changes by many orders of magnitude, and the rows that
+   * decide about the leak rate are the smallest of all. Collective.
    */
-  LinearSolve solve_by_conjugate_gradients(const Multigrid::Matrix &A,
-                                           Multigrid::Vector       &x,
-                                           const Multigrid::Vector &b,
-                                           Multigrid               &multigrid,
-                                           double                   goal,
-                                           unsigned int             max_iterations);
+  template <class Matrix, class Vector, class Preconditioner>
+  LinearSolve
+  solve_by_conjugate_gradients(const Matrix      &A,
+                               Vector            &x,
+                               Vector            &r,
+                               Preconditioner    &preconditioner,
+                               const double       goal,
+                               const unsigned int max_iterations)
+  {
+    Vector z(r), image(r);
+    preconditioner.vmult(z, r);
+    Vector      direction(z);
+    LinearSolve result;
+    result.error_energy = r * z;
+    while (result.error_energy > goal && result.iterations < max_iterations)
+      {
+        A.vmult(image, direction);
+        const double step = result.error_energy / (direction * image);
+        x.add(step, direction);
+        r.add(-step, image);
+        preconditioner.vmult(z, r);
+        const double next = r * z;
+        direction.sadd(next / result.error_energy, 1., z);
+        result.error_energy = next;
+        ++result.iterations;
+      }
+    // Written such that NaN is no success, nor is a negative one, by which rounding tells
+    // that the coefficients differ too much.
+    result.converged = std::abs(result.error_energy) <= goal;
+    return result;
+  }
 } // namespace strait
 
 #endif

@@ -26,7 +26,7 @@ namespace strait
    */
   struct SealMesh
   {
-    /** Parts of the boundary. */
+    /** Parts of the boundary, in the order of their boundary ids. */
     enum class Part
     {
       inlet,

@@ -52,8 +52,9 @@ namespace strait
   /** A stretch of a path with one narrowest point. */
   struct Constriction
   {
-    std::size_t first = 0; // position on the path
-    std::size_t last  = 0; // the first of the next stretch, or the end of the path
+    std::size_t first     = 0; // position on the path
+    std::size_t last      = 0; // the first of the next stretch, or the end of the path
+    std::size_t narrowest = 0;
   };
 
   /**

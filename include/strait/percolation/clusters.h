@@ -3,6 +3,7 @@
 #define strait_percolation_clusters_h
 
 #include <strait/percolation/flow_region.h>
+#include <strait/percolation/grid_point.h>
 #include <strait/spectral/slab_field.h>
 
 #include <cstdint>
@@ -39,6 +40,7 @@ namespace strait
   struct Clusters
   {
     std::vector<NodeState> states; // one per value of a field
+    std::vector<GridPoint> leaks;  // percolating points at the outlet, on all ranks
     bool                   percolates = false;
   };
 
@@ -61,16 +63,12 @@ namespace strait
 
   /**
    * Which cluster a trapped point of @p open_gap belongs to, as find_clusters() found
-   * them in the box: the least global number of its points, so that it does not depend on
-   * the number of ranks; −1 where no fluid is trapped. Collective.
+   * them in the box: the number of its first point, so that it does not depend on the
+   * number of ranks; −1 where no fluid is trapped. Collective.
    */
   std::vector<std::int64_t> trapped_labels(const SlabField &open_gap,
                                            const Clusters  &clusters,
                                            FlowDirection    direction);
-
-  /** find_clusters() for a @p domain that is a region, on rank 0, whose memory it needs
-   *  for 17 B a grid point. Collective. */
-  Clusters find_clusters_in_region(const SlabField &open_gap, const FlowDomain &domain);
 } // namespace strait
 
 #endif

@@ -72,8 +72,25 @@ namespace strait
     /** Whether the fluid leaves at point @p k. */
     bool is_outlet(std::size_t k) const;
 
-    /** This rank's points where the fluid enters. */
-    std::vector<std::size_t> inlet_points() const;
+    /** Whether point @p k is the outlet's copy of one on the seam. */
+    bool
+    is_copy(const std::size_t k) const
+    {
+      return region == nullptr && is_outlet(k);
+    }
+
+    /** This rank's own points where the fluid enters, and those where it leaves. */
+    std::vector<std::size_t>
+    inlet_points() const
+    {
+      return points_at(false);
+    }
+
+    std::vector<std::size_t>
+    outlet_points() const
+    {
+      return points_at(true);
+    }
 
     /** From a point to one of the eight around it on the same level. */
     struct Step
@@ -113,7 +130,16 @@ namespace strait
       return global_number(place_of(k));
     }
 
-    /** Its inverse; none if this rank does not own the point. */
+    /** The same in the order of a field: row by row, and those of windows last. */
+    std::size_t
+    place_in_field(const std::size_t k) const
+    {
+      return in_window(k)
+               ? global_number(k)
+               : k + static_cast<std::ptrdiff_t>(lines.first()) * lines.length();
+    }
+
+    /** The inverse of global_number(); none if this rank does not own the point. */
     std::size_t own_number(std::size_t global) const;
 
     /** The global number of the point where the step @p number began that led to point
@@ -137,6 +163,10 @@ namespace strait
     {
       return lines.n_blocks() + levels.size() - 1;
     }
+
+    /** The point that is @p p of the grid or a window, on the seam that at the inlet;
+     *  none if this rank does not know it. */
+    std::size_t number_at(const GridPoint &p) const;
 
     /** The block that point @p k is in. */
     std::size_t
@@ -176,6 +206,10 @@ namespace strait
     }
 
     std::size_t global_number(const Place &p) const;
+
+    /** This rank's own points where the fluid leaves if @p outlet, else where it enters.
+     */
+    std::vector<std::size_t> points_at(bool outlet) const;
 
     /** Number of point @p p; none if it is one of the grid that this rank does not know.
      */
@@ -227,10 +261,9 @@ namespace strait
                            const int         n_directions,
                            const Action     &action) const
   {
-    const Level &level = levels[p.level];
-    // The outermost points of a window are there for interpolation only.
-    const int  rim            = p.level == 0 ? 0 : 1;
-    const bool from_is_finest = is_covered.empty() || !is_covered[from];
+    const Level &level          = levels[p.level];
+    const int    rim            = level.rim();
+    const bool   from_is_finest = is_covered.empty() || !is_covered[from];
     // Across the flow the lines wrap around by their ghosts, points of a line here.
     const bool wraps       = p.level == 0 && !levels.along_x;
     const int  first       = p.level > 0 || wraps ? rim : lines.first();

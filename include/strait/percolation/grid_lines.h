@@ -95,16 +95,10 @@ namespace strait
      *  Collective. */
     std::vector<double> values(const SlabField &field) const;
 
-    /** Give the ghosts among @p numbers, one for each point, their owners' values.
-     *  Collective. */
-    void update_ghosts(std::vector<double> &numbers) const;
-
-    /** The numbers of the ghosts before this rank's own points, and after them. */
-    std::array<std::array<std::size_t, 2>, 2>
-    ghosts() const
-    {
-      return {{{{0, own[0]}}, {{own[1], size()}}}};
-    }
+    /** Call visit(k, number) for each ghost @p k, with what its owner has of @p numbers,
+     *  one for each point. Collective. */
+    template <class Number, class Visit>
+    void for_each_ghost(const std::vector<Number> &numbers, const Visit &visit) const;
 
     /** Points that lie together are in the same one of so many blocks. */
     std::size_t
@@ -132,6 +126,23 @@ namespace strait
     std::array<std::size_t, 2>        own = {{0, 0}};
     std::size_t                       blocks_per_line;
   };
+
+  template <class Number, class Visit>
+  void
+  GridLines::for_each_ghost(const std::vector<Number> &numbers, const Visit &visit) const
+  {
+    if (region != nullptr)
+      return;
+    std::vector<int> wanted;
+    if (own[0] > 0)
+      wanted.push_back(first_line);
+    if (own[1] < size())
+      wanted.push_back(end() - 1);
+    const std::vector<Number> lines =
+      fetch_rows(*layout, numbers.data() + own[0], n_along_line, wanted);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      visit(i < own[0] ? i : i - own[0] + own[1], lines[i]);
+  }
 } // namespace strait
 
 #endif

@@ -36,6 +36,13 @@ namespace strait
       int  first           = 0; // its first column, along the flow, in the window
       bool begins_at_inlet = false;
       bool ends_at_outlet  = false;
+
+      /** How many points to each side are there for interpolation only. */
+      int
+      rim() const
+      {
+        return window < 0 ? 0 : 1;
+      }
     };
 
     /** A point by its level, column along the flow and row across it. */
@@ -106,6 +113,9 @@ namespace strait
 
     /** The point of the parent that stands for a point of a window. */
     Place parent_of(const Place &p) const;
+
+    /** The place of point @p p, on the seam that at the inlet. */
+    Place place(const GridPoint &p) const;
 
     /** The point of the grid or of a window at a place. */
     GridPoint point(const Place &p) const;

@@ -18,11 +18,11 @@ namespace strait
    * these do not tell of a saddle.
    *
    * Close to the walls the gap of a contact follows another law, g ~ (t0 − t)^(3/2).
-   * Where points resolve that, two distances are measured along straight lines through
-   * the point as well, in the directions of the largest and the smallest second
-   * derivative: means of both sides, not a number where one is unknown. In a saddle of
-   * that law, turned and shifted against the points at will, they are off by at most
-   * 0.7 % with five points from the middle to the wall, and 0.2 % with ten; a length from
+   * Where points resolve that, the distance at which the gap doubles is measured along a
+   * straight line through the point as well, in the direction of the largest second
+   * derivative: the mean of both sides, not a number where one is unknown. In a saddle of
+   * that law, turned and shifted against the points at will, it is off by at most 0.7 %
+   * with five points from the middle to the wall, and 0.2 % with ten; a length from
    * second differences by 2.5 % and 0.6 %.
    */
   struct Throat
@@ -31,7 +31,6 @@ namespace strait
     double length          = 0.;
     double width           = 0.;
     double doubling_length = std::numeric_limits<double>::quiet_NaN();
-    double half_width      = std::numeric_limits<double>::quiet_NaN(); // ≥ 3 points
 
     /** Spacings of its level from there to where the gap has doubled: 0 if the points do
      *  not tell, infinite if the gap does not grow along the channel. */

@@ -141,8 +141,8 @@ namespace strait
    */
   std::vector<double> fetch_rows(const SlabField &field, const std::vector<int> &rows);
 
-  /** The same of any array of @p row_length numbers a row, double or float, laid out like
-   *  @p layout. */
+  /** The same of any array of @p row_length numbers a row, double, float or std::int64_t,
+   *  laid out like @p layout. */
   template <class Number>
   std::vector<Number> fetch_rows(const SlabLayout       &layout,
                                  const Number           *local_rows,
