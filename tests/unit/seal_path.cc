@@ -143,4 +143,23 @@ namespace
     path.here = start;
     EXPECT_EQ(path.to(1.2).state->contact->mean_gap, once);
   }
+
+  TEST(SealState, HoldsUnderWhatItDoesNotDependOn)
+  {
+    SealState given;
+    EXPECT_TRUE(holds_under({2., 1., -1e-3}, given));
+
+    SealState dry;
+    dry.contact.emplace();
+    dry.control = {1., 0., 0.};
+    EXPECT_TRUE(holds_under({1., 2., -1e-3}, dry));
+    EXPECT_FALSE(holds_under({2., 0., 0.}, dry));
+
+    // Of two slip lengths without a pressure at the inlet the second is another state.
+    SealState wet = dry;
+    wet.fluid.emplace();
+    EXPECT_TRUE(holds_under({1., 0., 0.}, wet));
+    EXPECT_FALSE(holds_under({1., 0., -1e-3}, wet));
+    EXPECT_FALSE(holds_under({1., 2., 0.}, wet));
+  }
 } // namespace

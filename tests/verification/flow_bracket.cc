@@ -114,6 +114,20 @@ namespace strait
       EXPECT_LE(flow.unknowns, 60000U);
     }
 
+    // Eight roll-off wavelengths in the box: other channels have scores of constrictions as
+    // well, and coarse cells that bar one of them each take a small part of the drop.
+    TEST(FlowBracket, LongChannelsNeedFewUnknowns)
+    {
+      SurfaceParameters surface;
+      surface.seed                     = 2;
+      surface.roll_off_wavelength      = 1. / 8;
+      surface.short_cut_off_wavelength = 8. / 512;
+      const SlabField gap              = contact_gap(surface, 512, .17);
+      const Leakage   flow             = leak(gap, plain_fluid(3e-2));
+      EXPECT_EQ(flow.status, "ok");
+      EXPECT_LE(flow.unknowns, 120000U);
+    }
+
     // Extremes of K in place of quadrature: the bracket contains the asymptotic one.
     TEST(FlowBracket, RigorousBoundsEncloseTheOthers)
     {
