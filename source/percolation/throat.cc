@@ -17,7 +17,8 @@ namespace strait
     constexpr double unknown  = std::numeric_limits<double>::quiet_NaN();
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    /** The open gap at any position, on all levels, on the grid in some rows alone. */
+    /** The open gap at any position, on all levels, on the grid in this rank's rows and
+     *  some others alone. */
     class GapAround
     {
     public:
@@ -50,11 +51,14 @@ namespace strait
             gap[layout.start_of_window(window) +
                 static_cast<std::size_t>(iy) * layout.windows()[window].n_columns() + ix],
             slip_length);
-        const int         nx    = layout.grid().nx;
+        const int nx = layout.grid().nx, ny = layout.grid().ny;
+        const int column = ((ix % nx) + nx) % nx;
+        const int own    = ((iy % ny) + ny) % ny - layout.first_row();
+        if (own >= 0 && own < layout.n_rows())
+          return open_gap(gap(column, own), slip_length);
         const std::size_t place = static_cast<std::size_t>(iy - first_row) * nx;
         complete                = complete && iy >= first_row && place < rows.size();
-        return complete ? open_gap(rows[place + ((ix % nx) + nx) % nx], slip_length)
-                        : unknown;
+        return complete ? open_gap(rows[place + column], slip_length) : unknown;
       }
 
       /** The window of finest points around a position, −1 if there is none. */
@@ -235,13 +239,14 @@ namespace strait
     const int row =
       static_cast<int>(std::floor(layout.position(point.window, 0, point.iy)[1] / dy));
     Throat throat;
-    // Rank 0 asks for more rows until those suffice.
+    // Rank 0 asks the others for more rows until those suffice.
     int is_complete = 0;
     for (int reach = 16; is_complete == 0; reach *= 2)
       {
         std::vector<int> rows;
-        for (int k = row - reach; layout.rank() == 0 && k <= row + reach; ++k)
-          rows.push_back(k);
+        if (layout.rank() == 0 && layout.n_ranks() > 1)
+          for (int k = row - reach; k <= row + reach; ++k)
+            rows.push_back(k);
         GapAround around(gap, slip_length, row - reach, fetch_rows(gap, rows));
         if (layout.rank() == 0)
           {

@@ -268,7 +268,7 @@ namespace strait
       : scene.contact.yields() ? "on, yields"
                                : "on",
       scene.fluid.enabled ? "on" : "off",
-      scene.contact.enabled ? scene.programme.pressures.size() : 1));
+      plan_stops(scene, {}).size()));
     if (scene.programme.find_threshold)
       log.line("the threshold is searched to a relative width of " +
                to_text(scene.programme.threshold_tolerance) + "; " +
