@@ -114,8 +114,8 @@ namespace strait
       EXPECT_LE(flow.unknowns, 60000U);
     }
 
-    // Eight roll-off wavelengths in the box: other channels have scores of constrictions as
-    // well, and coarse cells that bar one of them each take a small part of the drop.
+    // Eight roll-off wavelengths in the box: other channels have scores of constrictions
+    // as well, and coarse cells that bar one of them each take a small part of the drop.
     TEST(FlowBracket, LongChannelsNeedFewUnknowns)
     {
       SurfaceParameters surface;
