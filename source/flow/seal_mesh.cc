@@ -176,7 +176,7 @@ namespace strait
       text = content.str();
     });
     SealMesh mesh = make_seal_mesh(parse_mesh_file(broadcast(comm, text), path), path);
-    const double slack = precision_of_meshes * std::min(grid.dx(), grid.dy());
+    const double slack = 1e-9 * std::max(grid.lx, grid.ly);
     for (const OutlineEdge &e : mesh.outline(.25 * std::min(grid.dx(), grid.dy())))
       if (!(e.x0 >= -slack && e.x0 <= grid.lx + slack && e.y0 >= -slack &&
             e.y0 <= grid.ly + slack))
