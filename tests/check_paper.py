@@ -49,6 +49,14 @@ class Paper(unittest.TestCase):
         self.assertIn(done.returncode, (0, 1), done.stderr)
         return output
 
+    def test_commands(self):
+        """Each command at the head of a scene is one that strait accepts."""
+        done = subprocess.run(
+            [os.path.join(self.scenes, "..", "..", "tools", "paper"), "--program", self.program,
+             "--", "--dry-run"], capture_output=True, text=True, timeout=250, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertGreater(done.stdout.count("exit status 0"), 30)
+
     def by_reduced_load(self, folder, slip_length=None):
         """The rows of leakage.csv with a reduced load, by that."""
         return {round(row["reduced_load"], 6): row for row in read(folder, "leakage")
@@ -216,6 +224,37 @@ class Paper(unittest.TestCase):
             **short, "Load programme/Path": "unloading", "Load programme/Reduced loads": ""},
             "_opening")
         self.assertAlmostEqual(self.critical_load(opening), .995, delta=.01)
+
+    def test_fig4_seeds(self):
+        """Each surface leaks at its threshold, and opens under less load than it closes."""
+        common = {"Contact/Grid points": 128, "Surface/Short cut-off wavelength": .25,
+                  "Contact/Adhesion/Tabor number": 1.5, "Realisations/Seeds": "1, 2",
+                  "Load programme/Pressures": .02, "Load programme/Threshold tolerance": 3e-3}
+        closing = self.run_scene("fig4_seeds", {
+            **common, "Load programme/Reduced loads": "0.3, 0.1, 0.03"}, "_closing")
+        opening = self.run_scene("fig4_seeds", {
+            **common, "Load programme/Path": "unloading", "Load programme/Pressures": "",
+            "Load programme/Reduced loads": ""}, "_opening")
+        for number in (1, 2):
+            one = os.path.join(closing, f"realisation-{number}")
+            rows = self.by_reduced_load(one)
+            self.assertGreater(self.exponent(rows, .3, .1), self.exponent(rows, .1, .03))
+            self.assertLess(self.exponent(rows, .1, .03), 1.3)
+            self.assertLess(
+                self.critical_load(os.path.join(opening, f"realisation-{number}")),
+                .97 * self.critical_load(one))
+
+    def test_fig5_exponent(self):
+        """The local exponent falls through one; less what leaks at the jump it is about one."""
+        folder = self.run_scene("fig5_exponent", {
+            "Contact/Grid points": 128, "Fluid/Target accuracy": .02,
+            "Load programme/Reduced loads": "0.2, 0.1, 0.02, 0.001"})
+        rows = self.by_reduced_load(folder)
+        self.between(1.2, self.exponent(rows, .2, .1), 1.8)
+        self.assertLess(self.exponent(rows, .02, .001), .6)
+        end = rows[.001]["leak_rate"]
+        self.between(1., math.log((rows[.2]["leak_rate"] - end) / (rows[.02]["leak_rate"] - end))
+                     / math.log(10.), 1.5)
 
     def test_theory_crossover(self):
         """The corrected effective medium turns where the leak rate does, within a tenth."""
