@@ -53,7 +53,7 @@ class Paper(unittest.TestCase):
         """Each command at the head of a scene is one that strait accepts."""
         done = subprocess.run(
             [os.path.join(self.scenes, "..", "..", "tools", "paper"), "--program", self.program,
-             "--", "--dry-run"], capture_output=True, text=True, timeout=250, check=False)
+             "--dry-run"], capture_output=True, text=True, timeout=250, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertGreater(done.stdout.count("exit status 0"), 30)
 
