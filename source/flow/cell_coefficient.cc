@@ -5,10 +5,13 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -18,6 +21,18 @@ namespace strait
 
   namespace
   {
+    struct GridCellHash
+    {
+      std::size_t
+      operator()(const GridCell &cell) const
+      {
+        std::size_t seed = 0;
+        for (const int part : {cell.exponent, cell.i, cell.j})
+          boost::hash_combine(seed, part);
+        return seed;
+      }
+    };
+
     /**
      * On cells of the grid's quadtree, from the moments that the bridge knows; for
      * potentials that are polynomials on the cell or, if the coefficient is one of
@@ -34,22 +49,30 @@ namespace strait
         , element(set)
         , coefficient(coefficient_)
         , of_children(of_children_)
-        , answers(set.size(), 0)
+        , set_size(set.size())
+        , answers(set_size, 0)
       {
       }
 
       void
       update(const GapField &gap) override
       {
-        cells = mesh.owned_grid_cells();
-        std::vector<GridCell> children;
+        std::vector<GridCell> wanted = mesh.owned_grid_cells();
         if (of_children)
-          for (const GridCell &parent : cells)
-            for (int child = 0; child < 4; ++child)
-              children.push_back({parent.exponent - 1,
-                                  2 * parent.i + child % 2,
-                                  2 * parent.j + child / 2});
-        answers = gap.ask(coefficient, of_children ? children : cells);
+          {
+            std::vector<GridCell> children;
+            for (const GridCell &parent : wanted)
+              for (int child = 0; child < 4; ++child)
+                children.push_back({parent.exponent - 1,
+                                    2 * parent.i + child % 2,
+                                    2 * parent.j + child / 2});
+            wanted = std::move(children);
+          }
+        if (gap.revision() != revision)
+          cells.clear();
+        revision = gap.revision();
+        ask(gap, wanted);
+        cells = std::move(wanted);
       }
 
       double
@@ -66,8 +89,9 @@ namespace strait
       void
       stiffness(const std::size_t cell, FullMatrix<double> &matrix) const override
       {
-        // Of children as well: it depends on the ratio of both only.
-        const double width = mesh.width(cells[cell]), height = mesh.height(cells[cell]);
+        // Of cells and of children alike: it depends on the ratio of both only.
+        const double width  = mesh.width(cells.front()),
+                     height = mesh.height(cells.front());
         if (!of_children)
           {
             element.stiffness(answers[cell], width, height, matrix);
@@ -85,12 +109,39 @@ namespace strait
       }
 
     private:
+      /** Make the answers those on the @p wanted cells. What is known from the mesh
+       * before is not asked again: most of its cells are still there. */
+      void
+      ask(const GapField &gap, const std::vector<GridCell> &wanted)
+      {
+        std::unordered_map<GridCell, std::size_t, GridCellHash> known(cells.size());
+        for (std::size_t c = 0; c < cells.size(); ++c)
+          known.emplace(cells[c], c);
+        std::vector<GridCell> others;
+        for (const GridCell &cell : wanted)
+          if (known.count(cell) == 0)
+            others.push_back(cell);
+        const CellAnswers found = gap.ask(coefficient, others);
+        CellAnswers       all(set_size, wanted.size());
+        std::size_t       n_others = 0;
+        for (std::size_t c = 0; c < wanted.size(); ++c)
+          {
+            const auto    before = known.find(wanted[c]);
+            const double *answer =
+              before == known.end() ? found[n_others++] : answers[before->second];
+            std::copy_n(answer, set_size, all[c]);
+          }
+        answers = std::move(all);
+      }
+
       const FlowMesh       &mesh;
       ElementMatrix         element;
       GapField::Coefficient coefficient;
       bool                  of_children;
+      int                   set_size;
       std::vector<GridCell> cells;
-      CellAnswers           answers; // of children four after four
+      CellAnswers           answers;      // of children four after four
+      unsigned int          revision = 0; // of the gap that they are of
     };
 
     /**

@@ -218,24 +218,32 @@ namespace strait
         }
   }
 
+  CellCoefficient &
+  HierarchicalCorrection::coefficient_on_children(const GapField::Coefficient kind)
+  {
+    std::unique_ptr<CellCoefficient> &result = on_children[kind];
+    if (!result)
+      result = make_child_coefficient(mesh, fe, kind);
+    return *result;
+  }
+
   CorrectedSolution
-  HierarchicalCorrection::relax(const PotentialProblem &problem,
-                                const GapField         &gap) const
+  HierarchicalCorrection::relax(const PotentialProblem &problem, const GapField &gap)
   {
     // Half as many steps leave a wider bracket and hence more cells, twice as many cost
     // more than the cells that they save; each costs about as much as the one before.
     constexpr unsigned int n_steps = 4;
-    const bool is_pressure         = problem.kind() == PotentialProblem::Kind::pressure;
-    const auto coefficient = make_child_coefficient(mesh, fe, problem.coefficient_kind());
-    coefficient->update(gap);
+    const bool       is_pressure   = problem.kind() == PotentialProblem::Kind::pressure;
+    CellCoefficient &coefficient   = coefficient_on_children(problem.coefficient_kind());
+    coefficient.update(gap);
     CorrectedSolution   result;
     Vector              x(layout), r(layout), diagonal(layout);
     RimSystems          systems(nodes);
     std::vector<double> vertices;
-    const auto is_open = [&](const std::size_t c) { return coefficient->mean(c) > 0; };
+    const auto is_open = [&](const std::size_t c) { return coefficient.mean(c) > 0; };
     FullMatrix<double> matrix(n_rim + 1, n_rim + 1);
     const auto         find_matrix = [&](const std::size_t c) {
-      coefficient->stiffness(c, matrix);
+      coefficient.stiffness(c, matrix);
       matrix *= problem.coefficient_weight(c);
     };
     result.values.reserve(nodes.cells.size());

@@ -67,11 +67,11 @@ namespace strait
   }
 
   void
-  bound_rarefied(FlowMesh                     &mesh,
-                 const GapField               &gap,
-                 const LinearAccuracy         &accuracy,
-                 const HierarchicalCorrection *correction,
-                 Leakage                      &leakage)
+  bound_rarefied(FlowMesh               &mesh,
+                 const GapField         &gap,
+                 const LinearAccuracy   &accuracy,
+                 HierarchicalCorrection *correction,
+                 Leakage                &leakage)
   {
     using Coefficient       = GapField::Coefficient;
     const auto least_energy = [&](const Coefficient coefficient) {

@@ -68,6 +68,8 @@ namespace strait
       refine_to_target(channel, observer, tolerance_factor, most_unknowns);
     if (gap_field.gas() != nullptr)
       enclose_rarefied(channel, leakage);
+    if (correction)
+      correction->release();
     return leakage;
   }
 

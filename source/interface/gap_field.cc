@@ -73,6 +73,7 @@ namespace strait
   GapField::update(const SlabField &gap, const double conductivity_floor)
   {
     floor_value = conductivity_floor;
+    ++n_updates;
     levels.update(gap);
     forget_others();
     build(Coefficient::conductivity);

@@ -34,33 +34,29 @@ namespace strait
       return {limited_slope(left.low, right.low), limited_slope(left.high, right.high)};
     }
 
-    /** The control polygon, on t0 <= t <= t1, of the cubic from @p start to @p end with
-     *  these slopes on 0 <= t <= 1. */
-    std::array<double, 4>
-    control_polygon(const double start,
-                    const double slope_at_start,
-                    const double end,
-                    const double slope_at_end,
-                    const double t0,
-                    const double t1)
+    /** With these slopes at the ends. */
+    GapInterpolant::Cubic
+    hermite(const double start,
+            const double slope_at_start,
+            const double end,
+            const double slope_at_end)
     {
-      const std::array<double, 4> b = {
-        {start, start + slope_at_start / 3., end - slope_at_end / 3., end}};
-      const auto blossom = [&b](const double r, const double s, const double t) {
-        std::array<double, 4> c = b;
-        int                   n = 3;
-        for (const double at : {r, s, t})
-          {
-            for (int i = 0; i < n; ++i)
-              c[i] = (1. - at) * c[i] + at * c[i + 1];
-            --n;
-          }
-        return c[0];
-      };
-      return {{blossom(t0, t0, t0),
-               blossom(t0, t0, t1),
-               blossom(t0, t1, t1),
-               blossom(t1, t1, t1)}};
+      const double rise = end - start;
+      return {start,
+              slope_at_start,
+              3. * rise - 2. * slope_at_start - slope_at_end,
+              slope_at_start + slope_at_end - 2. * rise};
+    }
+
+    /** The control polygon, on t0 <= t <= t1, of a cubic. */
+    std::array<double, 4>
+    control_polygon(const GapInterpolant::Cubic &cubic, const double t0, const double t1)
+    {
+      const double start = cubic(t0), end = cubic(t1), third = (t1 - t0) / 3.;
+      return {{start,
+               start + third * cubic.derivative(t0),
+               end - third * cubic.derivative(t1),
+               end}};
     }
   } // namespace
 
@@ -86,7 +82,7 @@ namespace strait
       return {v1, rise, 0., 0.};
     const double left  = limited_slope(v1 - v0, rise),
                  right = limited_slope(rise, v3 - v2);
-    return {v1, left, 3. * rise - 2. * left - right, left + right - 2. * rise};
+    return hermite(v1, left, v2, right);
   }
 
   CellGap::CellGap(const GapInterpolant &interpolant_, const GapStencil &gap)
@@ -153,9 +149,9 @@ namespace strait
                    right = limited_slope(rise, difference(line[3], line[2]));
     const double t0 = second[0], t1 = second[1];
     const auto   lower =
-      control_polygon(line[1].low, left.low, line[2].low, right.high, t0, t1);
+      control_polygon(hermite(line[1].low, left.low, line[2].low, right.high), t0, t1);
     const auto upper =
-      control_polygon(line[1].high, left.high, line[2].high, right.low, t0, t1);
+      control_polygon(hermite(line[1].high, left.high, line[2].high, right.low), t0, t1);
     range.lowest = std::max(range.lowest, *std::min_element(lower.begin(), lower.end()));
     range.highest =
       std::min(range.highest, *std::max_element(upper.begin(), upper.end()));

@@ -9,6 +9,8 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <vector>
 
 namespace strait
@@ -72,7 +74,14 @@ namespace strait
 
     /** Relax the solution of @p problem, with its coefficient taken anew from @p gap.
      *  Collective. */
-    CorrectedSolution relax(const PotentialProblem &problem, const GapField &gap) const;
+    CorrectedSolution relax(const PotentialProblem &problem, const GapField &gap);
+
+    /** Give back what is kept of the coefficients from mesh to mesh. */
+    void
+    release()
+    {
+      on_children.clear();
+    }
 
     /** ∫ ∇u·curl v over an owned cell of two corrected solutions. */
     double gradient_times_curl(const CorrectedSolution::Nodes &u,
@@ -84,13 +93,16 @@ namespace strait
 
     void list_nodes();
 
-    const FlowMesh                   &mesh;
-    ElementMatrix                     element;
-    dealii::FE_Q_iso_Q1<2>            fe;
-    dealii::DoFHandler<2>             dofs;
-    dealii::AffineConstraints<double> constraints;
-    Vector                            layout;
-    CorrectionNodes                   nodes;
+    CellCoefficient &coefficient_on_children(GapField::Coefficient kind);
+
+    const FlowMesh                                                   &mesh;
+    ElementMatrix                                                     element;
+    dealii::FE_Q_iso_Q1<2>                                            fe;
+    dealii::DoFHandler<2>                                             dofs;
+    dealii::AffineConstraints<double>                                 constraints;
+    Vector                                                            layout;
+    CorrectionNodes                                                   nodes;
+    std::map<GapField::Coefficient, std::unique_ptr<CellCoefficient>> on_children;
   };
 } // namespace strait
 

@@ -30,11 +30,11 @@ namespace strait
   /** Replace the bounds of @p leakage by those of the nonlinear problem of the gas of
    *  @p gap (RarefiedFlow), from linear problems on @p mesh; with @p correction, set up
    *  for that mesh, unless that is null. Collective. */
-  void bound_rarefied(FlowMesh                     &mesh,
-                      const GapField               &gap,
-                      const LinearAccuracy         &accuracy,
-                      const HierarchicalCorrection *correction,
-                      Leakage                      &leakage);
+  void bound_rarefied(FlowMesh               &mesh,
+                      const GapField         &gap,
+                      const LinearAccuracy   &accuracy,
+                      HierarchicalCorrection *correction,
+                      Leakage                &leakage);
 
   /** Mean free path over gap of the gas of @p gap in the throat of @p path, at the
    * pressure that the path's resistances give. */

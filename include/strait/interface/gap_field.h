@@ -99,6 +99,13 @@ namespace strait
      */
     void update(const SlabField &gap, double conductivity_floor = 0.);
 
+    /** Changes with the gap. */
+    unsigned int
+    revision() const
+    {
+      return n_updates;
+    }
+
     /** Moments of a coefficient on @p cells; each rank may ask for others.
      *  Collective. */
     CellAnswers ask(Coefficient coefficient, const std::vector<GridCell> &cells) const;
@@ -189,6 +196,7 @@ namespace strait
     CellQuadrature                      quadrature;
     double                              conductivity_of_one;
     double                              floor_value = 0.;
+    unsigned int                        n_updates   = 0;
     int                                 halvings    = 0;
     std::shared_ptr<const RarefiedFlow> rarefied;
     // Of conductivity and resistivity, and of the last other one that was asked for since

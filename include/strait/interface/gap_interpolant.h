@@ -45,6 +45,12 @@ namespace strait
         return value + t * (slope + t * (square + t * cube));
       }
 
+      double
+      derivative(const double t) const
+      {
+        return slope + t * (2. * square + t * (3. * cube));
+      }
+
       double value, slope, square, cube;
     };
 

@@ -14,6 +14,12 @@ namespace strait
     int exponent = 0;
     int i        = 0;
     int j        = 0;
+
+    bool
+    operator==(const GridCell &other) const
+    {
+      return exponent == other.exponent && i == other.i && j == other.j;
+    }
   };
 } // namespace strait
 
