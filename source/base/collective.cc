@@ -175,4 +175,10 @@ namespace strait
   {
     MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_SUM, comm);
   }
+
+  void
+  sum_in_place(MPI_Comm comm, float *values, const int count)
+  {
+    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_FLOAT, MPI_SUM, comm);
+  }
 } // namespace strait

@@ -20,7 +20,7 @@ namespace strait
       for (int c = 0; c < n; ++c)
         {
           const int here = c + margin;
-          visit(3 * c + 1, here, 1.);
+          visit(3 * c + 1, here, 1);
           for (int k = 0; k < 2 * margin; ++k)
             {
               const int offset = k - margin + 1;
@@ -31,7 +31,8 @@ namespace strait
     }
   } // namespace
 
-  WindowTransfer::WindowTransfer(const ZoomWindow &window)
+  template <class Number>
+  WindowTransfer<Number>::WindowTransfer(const ZoomWindow &window)
     : nx(window.nx)
     , ny(window.ny)
     , weights()
@@ -39,65 +40,72 @@ namespace strait
   {
     for (int k = 0; k < n_support; ++k)
       {
-        weights[k] = 1.;
+        double weight = 1.;
         for (int other = 0; other < n_support; ++other)
           if (other != k)
-            weights[k] *= (1. / 3 - (other - ZoomWindow::margin + 1)) / (k - other);
+            weight *= (1. / 3 - (other - ZoomWindow::margin + 1)) / (k - other);
+        weights[k] = static_cast<Number>(weight);
       }
   }
 
+  template <class Number>
   void
-  WindowTransfer::interpolate(const std::vector<double> &patch,
-                              std::vector<double>       &window)
+  WindowTransfer<Number>::interpolate(const std::vector<Number> &patch,
+                                      std::vector<Number>       &window)
   {
     const int n_columns = patch_columns(), n_fine = 3 * nx;
-    std::fill(between.begin(), between.end(), 0.);
+    std::fill(between.begin(), between.end(), Number(0));
     for_each_weight(ny,
                     weights,
-                    [&](const int fine, const int coarse, const double weight) {
-                      const double *from = patch.data() + coarse * n_columns;
-                      double       *to   = between.data() + fine * n_columns;
+                    [&](const int fine, const int coarse, const Number weight) {
+                      const Number *from = patch.data() + coarse * n_columns;
+                      Number       *to   = between.data() + fine * n_columns;
                       for (int ix = 0; ix < n_columns; ++ix)
                         to[ix] += weight * from[ix];
                     });
-    std::fill(window.begin(), window.end(), 0.);
+    std::fill(window.begin(), window.end(), Number(0));
     for (int iy = 0; iy < 3 * ny; ++iy)
       {
-        const double *from = between.data() + iy * n_columns;
-        double       *to   = window.data() + iy * n_fine;
+        const Number *from = between.data() + iy * n_columns;
+        Number       *to   = window.data() + iy * n_fine;
         for_each_weight(nx,
                         weights,
-                        [=](const int fine, const int coarse, const double weight) {
+                        [=](const int fine, const int coarse, const Number weight) {
                           to[fine] += weight * from[coarse];
                         });
       }
   }
 
+  template <class Number>
   void
-  WindowTransfer::deposit(const std::vector<double> &window, std::vector<double> &patch)
+  WindowTransfer<Number>::deposit(const std::vector<Number> &window,
+                                  std::vector<Number>       &patch)
   {
     const int n_columns = patch_columns(), n_fine = 3 * nx;
-    std::fill(between.begin(), between.end(), 0.);
+    std::fill(between.begin(), between.end(), Number(0));
     for (int iy = 0; iy < 3 * ny; ++iy)
       {
-        const double *from = window.data() + iy * n_fine;
-        double       *to   = between.data() + iy * n_columns;
+        const Number *from = window.data() + iy * n_fine;
+        Number       *to   = between.data() + iy * n_columns;
         for_each_weight(nx,
                         weights,
-                        [=](const int fine, const int coarse, const double weight) {
+                        [=](const int fine, const int coarse, const Number weight) {
                           to[coarse] += weight * from[fine];
                         });
       }
-    std::fill(patch.begin(), patch.end(), 0.);
+    std::fill(patch.begin(), patch.end(), Number(0));
     for_each_weight(ny,
                     weights,
-                    [&](const int fine, const int coarse, const double weight) {
-                      const double *from = between.data() + fine * n_columns;
-                      double       *to   = patch.data() + coarse * n_columns;
+                    [&](const int fine, const int coarse, const Number weight) {
+                      const Number *from = between.data() + fine * n_columns;
+                      Number       *to   = patch.data() + coarse * n_columns;
                       for (int ix = 0; ix < n_columns; ++ix)
                         to[ix] += weight * from[ix];
                     });
-    for (double &value : patch)
-      value /= 9.;
+    for (Number &value : patch)
+      value /= 9;
   }
+
+  template class WindowTransfer<double>;
+  template class WindowTransfer<float>;
 } // namespace strait

@@ -110,6 +110,23 @@ namespace
                 1e-7 * std::sqrt(Maa * Mbb)); // of seven digits
   }
 
+  TEST(Zoom, StepsAreAnsweredToSevenDigitsInTheirPlace)
+  {
+    const SlabLayoutPtr layout = nested_layout();
+    const SlabField     flat(layout);
+    ZoomedProblem       problem(flat, 2.);
+    const SlabField     p = rough_values(layout, 1.);
+    SlabField           u(layout);
+    const double        work = problem.apply(p.data(), u.data(), no_work_pass);
+    std::vector<float>  step(p.begin(), p.end());
+    EXPECT_NEAR(problem.respond(step.data(), step.data(), no_pass, no_work_pass),
+                work,
+                1e-6 * work);
+    for (const ContactProblem::Block &block : problem.blocks())
+      for (std::size_t i = block.begin; i < block.end; ++i)
+        EXPECT_NEAR(step[i], u[i], 1e-6 * max_value(u)) << i;
+  }
+
   // A pressure that the grid itself hardly resolves, within a window.
   TEST(Zoom, DisplacementIsThatOfTheFineGrid)
   {

@@ -12,8 +12,9 @@ namespace strait
   /**
    * Between a window and the patch of its parent that it covers, with a rim of
    * ZoomWindow::margin points around it: interpolation by polynomials through the eight
-   * nearest points each way, and its adjoint.
+   * nearest points each way, and its adjoint. @p Number is double or float.
    */
+  template <class Number>
   class WindowTransfer
   {
   public:
@@ -33,18 +34,18 @@ namespace strait
     }
 
     /** The window's values from those of @p patch. */
-    void interpolate(const std::vector<double> &patch, std::vector<double> &window);
+    void interpolate(const std::vector<Number> &patch, std::vector<Number> &window);
 
     /** The parent's pressure that stands for that of @p window: the adjoint of
      *  interpolate(), over the nine of the window's points to one of the parent's. */
-    void deposit(const std::vector<double> &window, std::vector<double> &patch);
+    void deposit(const std::vector<Number> &window, std::vector<Number> &patch);
 
   private:
     static constexpr int n_support = 2 * ZoomWindow::margin;
 
     int                           nx, ny;
-    std::array<double, n_support> weights; // of the points around, a third away from one
-    std::vector<double>           between; // the window's rows, the patch's columns
+    std::array<Number, n_support> weights; // of the points around, a third away from one
+    std::vector<Number>           between; // the window's rows, the patch's columns
   };
 } // namespace strait
 

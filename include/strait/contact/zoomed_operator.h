@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_zoomed_operator_h
+#define strait_contact_zoomed_operator_h
+
+#include <strait/contact/two_scale_operator.h>
+#include <strait/spectral/fourier_transform.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace strait
+{
+  /**
+   * What the surface of a half-space does under a pressure on a periodic grid and on
+   * nested windows of finer points. Each point is known on the finest level that has it,
+   * and stands for the area of its level.
+   *
+   * The pressure of a window acts on all that is around it as its mean on the parent's
+   * points does, which the interpolation's adjoint spreads. Inside, the displacement is
+   * interpolated from the parent's, less what that mean makes of it there, plus what the
+   * pressure itself makes. Both are found in a periodic box of the window's own, a little
+   * larger than it: images and means cancel in the difference, so that no kernel of free
+   * space is needed. The operator is symmetric in the scalar product that is weighted by
+   * area. The same with the half-space's stiffness, nearly that on the grid,
+   * preconditions it.
+   *
+   * @p Number is double or, for what need not be more than seven digits, float. Values
+   * are those of a SlabField on the layout; at points that windows cover they are
+   * ignored, and 0 in the end.
+   */
+  template <class Number>
+  class ZoomedOperator
+  {
+  public:
+    /** Collective. */
+    ZoomedOperator(const SlabLayoutPtr &layout, double contact_modulus);
+    ~ZoomedOperator();
+
+    /** Replace pressures by displacements. Collective. */
+    void apply(Number *values);
+
+    /** The same of the stiffness, that on the grid by @p grid_stiffness. Collective. */
+    void precondition(Number *values, TwoScaleOperator &grid_stiffness);
+
+    /** Give back the room that only apply() needs, until it is called again. */
+    void
+    release()
+    {
+      grid_transform.release();
+    }
+
+    /** FFT pairs on the grid so far. */
+    long
+    n_pairs() const
+    {
+      return grid_transform.n_pairs();
+    }
+
+    /** Bytes on this rank. */
+    std::size_t memory_consumption() const;
+
+  private:
+    class Window;
+
+    /** What waves of the number q are multiplied with. */
+    enum class Symbol
+    {
+      compliance, // 2/(qE*)
+      stiffness   // qE*/2
+    };
+
+    void clear_covered(Number *values) const;
+    void gather_from_windows(Number *values);
+    void spread_to_windows(Number *values, Symbol symbol);
+    void
+    transform(BasicFourierTransform<Number> &box, Number *values, Symbol symbol) const;
+
+    const SlabLayout &
+    layout() const
+    {
+      return grid_transform.layout();
+    }
+
+    const double                         modulus;
+    BasicFourierTransform<Number>        grid_transform;
+    std::vector<std::unique_ptr<Window>> windows;
+  };
+} // namespace strait
+
+#endif
