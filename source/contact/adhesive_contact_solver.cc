@@ -65,13 +65,6 @@ namespace strait
 
     const long n_before  = problem.n_applications();
     const auto optimiser = make_optimiser(of_solid);
-    peak_memory =
-      std::max(peak_memory,
-               wall.memory_consumption() +
-                 (2 * gap.size() + softest.size()) * sizeof(double) +
-                 problem.memory_consumption() +
-                 std::max(optimiser->memory_consumption(),
-                          fields_for_stability * gap.size() * sizeof(double)));
 
     GapSolution                 solution   = optimiser->solve(gap.data());
     int                         iterations = solution.iterations;

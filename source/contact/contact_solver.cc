@@ -180,7 +180,6 @@ namespace strait
   {
     const auto optimiser =
       make_dual_optimiser(parameters.method, on_grid, constraint_for(target), tolerance);
-    note_memory(optimiser->memory_consumption(), grid_gap.size());
     return optimiser->solve(grid_pressure.data(), grid_gap.data());
   }
 
@@ -220,19 +219,5 @@ namespace strait
     state.mean_gap  = mean(state.gap);
     state.converged = true;
     return state;
-  }
-
-  void
-  ContactSolver::note_memory(const std::size_t optimiser_bytes,
-                             const std::size_t n_values)
-  {
-    // Pressure and gap; the coarser grids hold a quarter of this.
-    const std::size_t bytes =
-      wall.memory_consumption() + 2 * n_values * sizeof(double) +
-      problem.memory_consumption() +
-      (zoomed ? zoomed->memory_consumption() + zoomed_heights.size() * sizeof(double)
-              : 0) +
-      optimiser_bytes;
-    peak_memory = std::max(peak_memory, bytes);
   }
 } // namespace strait

@@ -271,10 +271,4 @@ namespace strait
     any_beyond                       = beyond > 0;
     shift                            = rigid_shift(sum_g, area);
   }
-
-  std::size_t
-  DualConjugateGradients::memory_consumption() const
-  {
-    return (direction.size() + response.size()) * sizeof(float) + in_contact.size();
-  }
 } // namespace strait

@@ -133,13 +133,6 @@ namespace strait
     of_steps.release();
   }
 
-  std::size_t
-  HalfSpaceProblem::memory_consumption() const
-  {
-    return std::max(transform.memory_consumption(), of_steps.memory_consumption()) +
-           stiffness.memory_consumption();
-  }
-
   HalfSpaceGapProblem::HalfSpaceGapProblem(const SlabField   &heights,
                                            const double       contact_modulus,
                                            const AdhesionLaw &adhesion)
@@ -221,12 +214,5 @@ namespace strait
   HalfSpaceGapProblem::n_applications() const
   {
     return transform.n_pairs();
-  }
-
-  std::size_t
-  HalfSpaceGapProblem::memory_consumption() const
-  {
-    return transform.memory_consumption() +
-           (compliance ? compliance->memory_consumption() : 0);
   }
 } // namespace strait

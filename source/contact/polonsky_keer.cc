@@ -124,10 +124,4 @@ namespace strait
       }
     return true;
   }
-
-  std::size_t
-  PolonskyKeer::memory_consumption() const
-  {
-    return (t.size() + r.size()) * sizeof(double);
-  }
 } // namespace strait

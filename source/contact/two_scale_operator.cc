@@ -267,16 +267,6 @@ namespace strait
       }
   }
 
-  std::size_t
-  TwoScaleOperator::memory_consumption() const
-  {
-    // Rows that are sent or fetched are held twice for a moment.
-    const std::size_t n_values =
-      2 * near_rows.size() + coarse.size() + coarse_symbol.size() + coarse_line.size();
-    return n_values * sizeof(double) +
-           (coarse_transform ? coarse_transform->memory_consumption() : 0);
-  }
-
   template void TwoScaleOperator::apply(float *,
                                         const std::function<void(int)> &,
                                         const std::function<void(int)> &);

@@ -224,20 +224,6 @@ namespace strait
       box.multiply(values, values, WaveCompliance<Number>(grid, modulus));
   }
 
-  template <class Number>
-  std::size_t
-  ZoomedOperator<Number>::memory_consumption() const
-  {
-    std::size_t bytes = grid_transform.memory_consumption();
-    for (const auto &window : windows)
-      bytes += window->coarse_box.memory_consumption() +
-               window->fine_box.memory_consumption() +
-               (window->patch.size() + window->own.size() + window->in_coarse_box.size() +
-                window->in_fine_box.size()) *
-                 sizeof(Number);
-    return bytes;
-  }
-
   template class ZoomedOperator<double>;
   template class ZoomedOperator<float>;
 } // namespace strait

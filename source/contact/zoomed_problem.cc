@@ -83,11 +83,4 @@ namespace strait
     for (const Block &block : blocks())
       after(block);
   }
-
-  std::size_t
-  ZoomedProblem::memory_consumption() const
-  {
-    return (room.size() + pressed.size()) * sizeof(float) + exact.memory_consumption() +
-           of_steps.memory_consumption() + grid_stiffness.memory_consumption();
-  }
 } // namespace strait

@@ -244,14 +244,4 @@ namespace strait
         std::copy_n(reply.data() + q * n_moments, n_moments, answers[asked_of[rank][q]]);
     return answers;
   }
-
-  std::size_t
-  GapField::memory_consumption() const
-  {
-    std::size_t bytes = levels.memory_consumption();
-    for (const auto &[coefficient, each] : known)
-      bytes += each.pyramid.memory_consumption() +
-               each.of_window_cells.capacity() * sizeof(double);
-    return bytes;
-  }
 } // namespace strait

@@ -134,13 +134,4 @@ namespace strait
       static_cast<std::size_t>(cell.j - level.first_row) * level.n_columns + cell.i;
     return level.moments.data() + position * set.size();
   }
-
-  std::size_t
-  MomentPyramid::memory_consumption() const
-  {
-    std::size_t bytes = 0;
-    for (const Level &level : levels)
-      bytes += level.moments.size() * sizeof(double);
-    return bytes;
-  }
 } // namespace strait

@@ -5,6 +5,8 @@
 #include <strait/interface/moment_set.h>
 #include <strait/run/guards.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -157,6 +159,31 @@ namespace strait
         ? static_cast<double>(limit.rlim_cur)
         : unlimited;
     return std::min({available_memory(), memory_of_container(), of_process});
+  }
+
+  namespace
+  {
+    using MemoryStats = dealii::Utilities::System::MemoryStats;
+
+    double
+    memory_of_all(MPI_Comm comm, unsigned long MemoryStats::*const kilobytes)
+    {
+      MemoryStats stats;
+      dealii::Utilities::System::get_memory_stats(stats);
+      return sum(comm, 1024. * static_cast<double>(stats.*kilobytes));
+    }
+  } // namespace
+
+  double
+  present_memory(MPI_Comm comm)
+  {
+    return memory_of_all(comm, &MemoryStats::VmRSS);
+  }
+
+  double
+  most_memory(MPI_Comm comm)
+  {
+    return memory_of_all(comm, &MemoryStats::VmHWM);
   }
 
   void

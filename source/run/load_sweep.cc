@@ -319,11 +319,4 @@ namespace strait
     if (next_stop > 0 && scene.contact.enabled)
       strait::transfer(archive, step.state, layout);
   }
-
-  std::size_t
-  LoadSweep::memory_consumption() const
-  {
-    return seal->memory_consumption() + (flow ? flow->memory_consumption() : 0) +
-           (row ? row->memory_consumption() : 0);
-  }
 } // namespace strait

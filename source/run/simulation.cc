@@ -177,7 +177,8 @@ namespace strait
         log.line("nothing is left to do in " + scene.output.directory);
         return *state.finished();
       }
-    SlabField heights = [&]() {
+    const double memory_before = present_memory(comm);
+    SlabField    heights       = [&]() {
       const auto scope = timers.scope("surface");
       return make_heights(scene, comm, log);
     }();
@@ -235,10 +236,9 @@ namespace strait
     if (!summary.stopped && sweep.state().contact)
       write_indented_surface(scene, shown, *sweep.state().contact);
     output.write(sweep.jumps());
-    const double bytes = sum(comm, static_cast<double>(sweep.memory_consumption()));
     log.line(timers.summary());
     log.stage("tables and pictures");
-    output.finish(timers, bytes / n_points);
+    output.finish(timers, (most_memory(comm) - memory_before) / n_points);
     log.stage("");
     log.line("results are in " + scene.output.directory);
     output.summarise(sweep.known_thresholds(), summary);

@@ -47,13 +47,6 @@ namespace strait
 
     SealState state;
 
-    std::size_t
-    memory_consumption() const
-    {
-      return feedback.memory_consumption() + on_wall.memory_consumption() +
-             seal.extension.memory_consumption();
-    }
-
   private:
     void          agree(FeedbackGoal goal);
     FeedbackRound round(const SlabField &assumed);
@@ -95,14 +88,7 @@ namespace strait
       iteration.settle();
     else
       iteration.find_mesh();
-    peak_memory = std::max(peak_memory, iteration.memory_consumption());
     return std::move(iteration.state);
-  }
-
-  std::size_t
-  CoupledSeal::memory_consumption() const
-  {
-    return contact->memory_consumption() + peak_memory;
   }
 
   CoupledSeal::Iteration::Iteration(CoupledSeal     &seal_,

@@ -140,14 +140,4 @@ namespace strait
   {
     most_damping = std::min(1., factor * most_damping);
   }
-
-  std::size_t
-  FixedPoint::memory_consumption() const
-  {
-    std::size_t n =
-      last_residual.capacity() * sizeof(float) + last_x.capacity() * sizeof(double);
-    for (const Difference &d : differences)
-      n += (d.x.capacity() + d.residual.capacity()) * sizeof(float);
-    return n;
-  }
 } // namespace strait

@@ -200,12 +200,4 @@ namespace strait
       }
     return settled.has_changed;
   }
-
-  std::size_t
-  FluidOnWall::memory_consumption() const
-  {
-    return unsettled.memory_consumption() +
-           (known.owner.capacity() + (found ? found->owner.capacity() : 0)) *
-             sizeof(float);
-  }
 } // namespace strait

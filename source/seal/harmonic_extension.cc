@@ -199,12 +199,4 @@ namespace strait
       result += a[k] * b[k];
     return sum(layout->communicator(), result);
   }
-
-  std::size_t
-  HarmonicExtension::memory_consumption() const
-  {
-    return transform.memory_consumption() + spring.capacity() * sizeof(double) +
-           (softness.capacity() + waves.capacity()) * sizeof(float) +
-           6 * layout->n_local_points() * sizeof(double);
-  }
 } // namespace strait

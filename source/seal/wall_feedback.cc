@@ -318,13 +318,4 @@ namespace strait
   {
     return root_mean_square(change) / scale;
   }
-
-  std::size_t
-  WallFeedback::memory_consumption() const
-  {
-    return fixed_point.memory_consumption() +
-           (assumed.size() + open_side.size() + closed_side.size() +
-            2 * walk.start.size() + last_image.size()) *
-             sizeof(double);
-  }
 } // namespace strait

@@ -204,14 +204,6 @@ namespace strait
   }
 
   template <class Number>
-  std::size_t
-  BasicFourierTransform<Number>::memory_consumption() const
-  {
-    return sizeof(Complex) *
-           (parts->n_modes + parts->of_rows.size() + parts->of_columns.size());
-  }
-
-  template <class Number>
   void
   BasicFourierTransform<Number>::load_row(const Number *in, const int row)
   {

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "../allocated_memory.h"
+
 namespace
 {
   using namespace strait;
@@ -103,10 +105,12 @@ namespace
             const double     tolerance,
             double          &bytes_per_point)
   {
-    ContactSolver solver(contact_parameters(tolerance), heights);
-    Cost          cost;
-    ContactState  state;
-    double        step = load;
+    forget_most_allocated_memory();
+    const std::size_t before = allocated_memory();
+    ContactSolver     solver(contact_parameters(tolerance), heights);
+    Cost              cost;
+    ContactState      state;
+    double            step = load;
     for (int k = 0; k < 5; ++k, step *= 1.02)
       {
         const double start = seconds();
@@ -117,7 +121,7 @@ namespace
         cost.seconds += (seconds() - start) / 3;
       }
     cost.pairs      = (cost.pairs + 1) / 3;
-    bytes_per_point = static_cast<double>(solver.memory_consumption()) /
+    bytes_per_point = static_cast<double>(most_allocated_memory() - before) /
                       static_cast<double>(heights.size());
     return cost;
   }

@@ -7,10 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <regex>
 #include <sstream>
+#include <vector>
 
 #include "scene_text.h"
 
@@ -133,6 +135,19 @@ namespace
     expect_in("rms slope of 1.1", implausible_slope(scene, 1.1));
     EXPECT_THROW(implausible_slope(scene, 5548.), InputError);
     EXPECT_EQ(implausible_slope(scene_of(""), 5548.), "") << "reduced units";
+  }
+
+  TEST(Guards, MostMemoryIsThatOfTheLargestFields)
+  {
+    const double before = most_memory(MPI_COMM_SELF);
+    EXPECT_GT(before, 0.);
+    {
+      const double n = std::max(before - present_memory(MPI_COMM_SELF), 0.) + 1e8;
+      const std::vector<double> field(static_cast<std::size_t>(n / 8), 1.);
+      EXPECT_NEAR(field.back(), 1., 0.);
+    }
+    EXPECT_NEAR(most_memory(MPI_COMM_SELF) - before, 1e8, 2e7);
+    EXPECT_LE(present_memory(MPI_COMM_SELF), most_memory(MPI_COMM_SELF));
   }
 
   TEST(Guards, Memory)

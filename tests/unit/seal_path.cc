@@ -52,12 +52,6 @@ namespace
       return true;
     }
 
-    std::size_t
-    memory_consumption() const override
-    {
-      return 0;
-    }
-
     int n_solves = 0;
   };
 

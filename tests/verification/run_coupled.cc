@@ -193,12 +193,6 @@ namespace strait
         return false;
       }
 
-      std::size_t
-      memory_consumption() const override
-      {
-        return contact.memory_consumption();
-      }
-
     private:
       ContactSolver   contact;
       const SlabField pressure;
@@ -301,8 +295,6 @@ namespace strait
         EXPECT_FALSE(step.state.fluid);
         return true;
       }));
-      EXPECT_EQ(silent.loads.memory_consumption(),
-                contact.memory_consumption() + flow.memory_consumption());
     }
 
     TEST(Coupled, SaddleSealsAtALargerLoad)

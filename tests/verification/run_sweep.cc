@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "allocated_memory.h"
 #include "run_fixture.h"
 
 namespace strait
@@ -126,13 +127,14 @@ namespace strait
       EXPECT_EQ(columns(scene), all);
 
       const auto memory = [](const Scene &s) {
-        Log       log(MPI_COMM_WORLD, true);
-        Timers    timers;
-        LoadSweep loads(s,
+        Log               log(MPI_COMM_WORLD, true);
+        Timers            timers;
+        const std::size_t before = allocated_memory();
+        LoadSweep         loads(s,
                         SlabField(make_layout({64, 64, 1., 1.}, MPI_COMM_WORLD)),
                         log,
                         timers);
-        return loads.memory_consumption();
+        return allocated_memory() - before;
       };
       Scene dry         = scene;
       dry.fluid.enabled = false;

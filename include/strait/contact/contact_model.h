@@ -32,17 +32,6 @@ namespace strait
 
     /** Whether the state depends on the one it starts from by more than the tolerance. */
     virtual bool depends_on_path() const = 0;
-
-    /** Largest number of bytes held on this rank during a solve so far, the state that
-     *  was made included. */
-    std::size_t
-    memory_consumption() const
-    {
-      return peak_memory;
-    }
-
-  protected:
-    std::size_t peak_memory = 0; // a solve keeps it up to date
   };
 } // namespace strait
 

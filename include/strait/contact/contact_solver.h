@@ -69,7 +69,6 @@ namespace strait
                              SlabField              &grid_gap);
     DualProblem    &problem_on(const SlabLayoutPtr &layout);
     SlabField       start_without(const SlabLayoutPtr &layout, double target);
-    void            note_memory(std::size_t optimiser_bytes, std::size_t n_values);
 
     const ContactParameters parameters;
     Wall                    wall;

@@ -153,9 +153,6 @@ namespace strait
      */
     virtual ContactSolution solve(double *pressure, double *gap) = 0;
 
-    /** Bytes on this rank, beside the two fields of solve(). */
-    virtual std::size_t memory_consumption() const = 0;
-
   protected:
     DualProblem            &problem;
     const ContactConstraint constraint;

@@ -179,13 +179,6 @@ namespace strait
       return iterate.curvature.data();
     }
 
-    /** Bytes on this rank, beside the gap. */
-    std::size_t
-    memory_consumption() const
-    {
-      return n_fields * problem.size() * sizeof(double);
-    }
-
   protected:
     /** What a step came to. */
     enum class Outcome
@@ -208,7 +201,6 @@ namespace strait
     std::vector<double>
     field()
     {
-      ++n_fields;
       return std::vector<double>(problem.size());
     }
 
@@ -218,7 +210,6 @@ namespace strait
 
   private:
     const ContactTolerance tolerance;
-    int                    n_fields = 3; // those of `iterate`
   };
 } // namespace strait
 

@@ -28,9 +28,6 @@ namespace strait
                             const double        *gap,
                             const double        *curvature,
                             std::vector<double> &direction);
-
-  /** How many fields of a problem smallest_curvature() needs. */
-  constexpr int fields_for_stability = 6;
 } // namespace strait
 
 #endif

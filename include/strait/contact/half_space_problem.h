@@ -36,9 +36,6 @@ namespace strait
     /** Free what is needed only while a contact is being solved. */
     void release();
 
-    /** Bytes on this rank while a contact is being solved, without the heights. */
-    std::size_t memory_consumption() const;
-
   private:
     const double                 modulus;
     FourierTransform             transform;
@@ -65,9 +62,6 @@ namespace strait
     double mean_stiffness() const override;
     void   fill_with_noise(double *values) const override;
     long   n_applications() const override;
-
-    /** Bytes on this rank, without the heights. */
-    std::size_t memory_consumption() const;
 
   private:
     const AdhesionLaw   law;

@@ -29,7 +29,6 @@ namespace strait
     using DualOptimiser::DualOptimiser;
 
     ContactSolution solve(double *pressure, double *gap) override;
-    std::size_t     memory_consumption() const override;
 
   private:
     using Block = ContactProblem::Block;
@@ -93,7 +92,6 @@ namespace strait
     using DualOptimiser::DualOptimiser;
 
     ContactSolution solve(double *pressure, double *gap) override;
-    std::size_t     memory_consumption() const override;
 
   private:
     void   start();

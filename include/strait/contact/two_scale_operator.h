@@ -50,9 +50,6 @@ namespace strait
                const std::function<void(int)> &before,
                const std::function<void(int)> &after);
 
-    /** Bytes on this rank. */
-    std::size_t memory_consumption() const;
-
   private:
     /** What a correction is between the coarse points; the way there is the adjoint. */
     enum class Transfer

@@ -63,13 +63,6 @@ namespace strait
       return load;
     }
 
-    /** Bytes on this rank. */
-    std::size_t
-    memory_consumption() const
-    {
-      return (displaced.size() + undeformed.size()) * sizeof(double);
-    }
-
   private:
     void lower_highest_peak_to_zero();
 

@@ -57,9 +57,6 @@ namespace strait
       return grid_transform.n_pairs();
     }
 
-    /** Bytes on this rank. */
-    std::size_t memory_consumption() const;
-
   private:
     class Window;
 

@@ -29,9 +29,6 @@ namespace strait
     float *scratch() override;
     long   n_applications() const override;
 
-    /** Bytes on this rank, without the heights. */
-    std::size_t memory_consumption() const;
-
   private:
     template <class Number>
     double act(ZoomedOperator<Number> &compliance,

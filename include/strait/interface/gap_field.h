@@ -162,9 +162,6 @@ namespace strait
       known.clear();
     }
 
-    /** Bytes of this rank. */
-    std::size_t memory_consumption() const;
-
   private:
     /** What is known of one coefficient. */
     struct Known

@@ -82,13 +82,6 @@ namespace strait
       window_values = {};
     }
 
-    /** Bytes of this rank. */
-    std::size_t
-    memory_consumption() const
-    {
-      return (grid_rows.capacity() + window_values.capacity()) * sizeof(double);
-    }
-
   private:
     SlabLayoutPtr       slab_layout;
     std::vector<double> grid_rows; // one row before, three after the own ones

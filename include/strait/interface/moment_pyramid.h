@@ -36,8 +36,6 @@ namespace strait
     /** Moments of a cell of this rank with finest <= exponent <= n_halvings. */
     const double *moments(const GridCell &cell) const;
 
-    std::size_t memory_consumption() const;
-
   private:
     // Rows of cells that this rank's grid rows touch; the first may belong to the
     // rank before, which is sent this rank's share of it.

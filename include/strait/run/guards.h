@@ -19,6 +19,11 @@ namespace strait
    *  limits of this process and its container leave; infinite where that is unknown. */
   double free_memory();
 
+  /** Bytes that the processes of all ranks have now, and the most that they have had, in
+   *  RAM, with the program and its libraries. Collective. */
+  double present_memory(MPI_Comm comm);
+  double most_memory(MPI_Comm comm);
+
   /**
    * Throws InputError on all ranks if the grid of @p scene does not fit into the memory
    * that is free on one of the machines that share it. Collective.

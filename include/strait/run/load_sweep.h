@@ -141,9 +141,6 @@ namespace strait
       return all_jumps;
     }
 
-    /** Bytes that contact and bridge hold on this rank. */
-    std::size_t memory_consumption() const;
-
   private:
     SearchStart search_start() const;
     bool        begins_where_search_ended() const;

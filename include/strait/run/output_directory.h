@@ -43,8 +43,8 @@ namespace strait
     void write(const Step &step, bool is_last);
 
     /**
-     * Write run.json and draw the pictures. Collective. @p bytes_per_point is what
-     * contact and bridge hold per grid point.
+     * Write run.json and draw the pictures. Collective. @p bytes_per_point is the most
+     * memory that the run has had per grid point.
      */
     void finish(const Timers &timers, double bytes_per_point);
 

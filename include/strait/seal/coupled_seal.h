@@ -46,8 +46,6 @@ namespace strait
       return true;
     }
 
-    std::size_t memory_consumption() const override;
-
   private:
     class Iteration;
 
@@ -57,7 +55,6 @@ namespace strait
     FlowStage                    &flow;
     Log                          &log;
     HarmonicExtension             extension;
-    std::size_t                   peak_memory = 0; // of an iteration
   };
 
   /** The share of the target accuracy that the bracket of the leak rate in a state may

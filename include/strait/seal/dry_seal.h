@@ -25,12 +25,6 @@ namespace strait
       return false;
     }
 
-    std::size_t
-    memory_consumption() const override
-    {
-      return gap.size() * sizeof(double);
-    }
-
   private:
     SlabField gap;
     double    mean_gap;
@@ -51,12 +45,6 @@ namespace strait
     depends_on_path() const override
     {
       return contact->depends_on_path();
-    }
-
-    std::size_t
-    memory_consumption() const override
-    {
-      return contact->memory_consumption();
     }
 
   private:

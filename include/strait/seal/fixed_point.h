@@ -62,9 +62,6 @@ namespace strait
       return share;
     }
 
-    /** Bytes on this rank. */
-    std::size_t memory_consumption() const;
-
   private:
     // Differences between one round and the next. Single precision is enough to
     // find a direction: the residual that they are fitted to is exact.

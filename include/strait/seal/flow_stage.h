@@ -96,13 +96,6 @@ namespace strait
       return parameters.inlet_pressure != parameters.outlet_pressure;
     }
 
-    /** Bytes of the bridge on this rank. */
-    std::size_t
-    memory_consumption() const
-    {
-      return gap_field.memory_consumption();
-    }
-
   private:
     void    read_mesh(const SlabLayoutPtr &layout);
     Channel find_channel(const SlabField &gap, double slip_length);

@@ -61,9 +61,6 @@ namespace strait
      */
     bool is_limited_by_load() const;
 
-    /** Bytes on this rank. */
-    std::size_t memory_consumption() const;
-
   private:
     PoolsInGap pools_in(const SlabField &open_gap, const StepFlow &fluid_flow) const;
     void       assign(SlabField        &pressure,

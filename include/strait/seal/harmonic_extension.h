@@ -43,9 +43,6 @@ namespace strait
                double           outlet_pressure,
                double           reduction = 0.);
 
-    /** Bytes on this rank. */
-    std::size_t memory_consumption() const;
-
   private:
     bool is_on_seam(int ix, int local_row) const;
 

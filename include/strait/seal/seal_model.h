@@ -32,9 +32,6 @@ namespace strait
     /** Whether a state depends on the one it was reached from by more than the
      *  tolerance. */
     virtual bool depends_on_path() const = 0;
-
-    /** Largest number of bytes held on this rank during a solve so far. */
-    virtual std::size_t memory_consumption() const = 0;
   };
 } // namespace strait
 

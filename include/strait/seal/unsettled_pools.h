@@ -41,13 +41,6 @@ namespace strait
       return before[k];
     }
 
-    /** Bytes on this rank. */
-    std::size_t
-    memory_consumption() const
-    {
-      return before.capacity() + was_pool.capacity() + n_changes.capacity();
-    }
-
   private:
     // With none, a pool that forms on the way to the state would never count as one; with
     // twice as many, pools that come and go cost more rounds before they are held.

@@ -101,9 +101,6 @@ namespace strait
       return assumed;
     }
 
-    /** Bytes on this rank. */
-    std::size_t memory_consumption() const;
-
   private:
     // What the rounds of relaxation did since one of them.
     struct Walk

@@ -43,12 +43,6 @@ namespace strait
       return seal->depends_on_path();
     }
 
-    std::size_t
-    memory_consumption() const override
-    {
-      return seal->memory_consumption();
-    }
-
   private:
     /** The windows that @p state should have for @p aim. Once none is lacking those that
      *  are not needed are left out, unless @p is_trimmed, which is then set. Collective.

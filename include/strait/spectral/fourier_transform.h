@@ -186,9 +186,6 @@ namespace strait
       return pairs;
     }
 
-    /** Bytes of this rank, with the buffer. */
-    std::size_t memory_consumption() const;
-
   private:
     struct Parts;
 
