@@ -228,7 +228,7 @@ def without_times(file):
         def strip(value):
             if isinstance(value, dict):
                 return {key: strip(entry) for key, entry in value.items()
-                        if key != "seconds"}
+                        if key not in ("seconds", "bytes_per_grid_point")}
             return value
         return strip(json.loads(content))
     if name == "log.txt":

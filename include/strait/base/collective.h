@@ -71,6 +71,8 @@ namespace strait
 
   /** Collective: sums of several values with one message. */
   void sum_in_place(MPI_Comm comm, double *values, int count);
+
+  /** The same in single precision. */
   void sum_in_place(MPI_Comm comm, float *values, int count);
 
   /** Collective: the items of all ranks, one rank after the other. They are sent as

@@ -45,6 +45,7 @@ namespace strait
         return value + t * (slope + t * (square + t * cube));
       }
 
+      /** The slope at @p t. */
       double
       derivative(const double t) const
       {

@@ -19,9 +19,11 @@ namespace strait
    *  limits of this process and its container leave; infinite where that is unknown. */
   double free_memory();
 
-  /** Bytes that the processes of all ranks have now, and the most that they have had, in
-   *  RAM, with the program and its libraries. Collective. */
+  /** Bytes that the processes of all ranks have in RAM now, with the program and its
+   *  libraries. Collective. */
   double present_memory(MPI_Comm comm);
+
+  /** The most that they have had so far. Collective. */
   double most_memory(MPI_Comm comm);
 
   /**
