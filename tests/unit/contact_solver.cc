@@ -270,7 +270,9 @@ namespace
     solver.solve(0.1);
     const auto   local = static_cast<double>(most_allocated_memory() - before);
     const double bytes = sum(MPI_COMM_WORLD, local);
-    EXPECT_LE(bytes / heights.grid().n_points(), 48.);
+    // Several ranks have messages beside, and rows that are not dealt out evenly.
+    const bool is_alone = n_ranks_in(MPI_COMM_WORLD) == 1;
+    EXPECT_LE(bytes / heights.grid().n_points(), is_alone ? 48. : 52.);
     EXPECT_GE(bytes / heights.grid().n_points(), 42.);
   }
 
