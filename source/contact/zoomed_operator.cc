@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace strait
 {
@@ -125,22 +124,30 @@ namespace strait
   void
   ZoomedOperator<Number>::apply(Number *values)
   {
-    clear_covered(values);
-    gather_from_windows(values);
-    transform(grid_transform, values, Symbol::compliance);
-    spread_to_windows(values, Symbol::compliance);
-    clear_covered(values);
+    act(values, Symbol::compliance, [&]() {
+      transform(grid_transform, values, Symbol::compliance);
+    });
   }
 
   template <class Number>
   void
   ZoomedOperator<Number>::precondition(Number *values, TwoScaleOperator &grid_stiffness)
   {
+    act(values, Symbol::stiffness, [&]() {
+      grid_stiffness.apply(
+        values, [](int) {}, [](int) {});
+    });
+  }
+
+  template <class Number>
+  template <class OnGrid>
+  void
+  ZoomedOperator<Number>::act(Number *values, const Symbol symbol, const OnGrid &on_grid)
+  {
     clear_covered(values);
     gather_from_windows(values);
-    grid_stiffness.apply(
-      values, [](int) {}, [](int) {});
-    spread_to_windows(values, Symbol::stiffness);
+    on_grid();
+    spread_to_windows(values, symbol);
     clear_covered(values);
   }
 

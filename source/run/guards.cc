@@ -161,29 +161,12 @@ namespace strait
     return std::min({available_memory(), memory_of_container(), of_process});
   }
 
-  namespace
-  {
-    using MemoryStats = dealii::Utilities::System::MemoryStats;
-
-    double
-    memory_of_all(MPI_Comm comm, unsigned long MemoryStats::*const kilobytes)
-    {
-      MemoryStats stats;
-      dealii::Utilities::System::get_memory_stats(stats);
-      return sum(comm, 1024. * static_cast<double>(stats.*kilobytes));
-    }
-  } // namespace
-
-  double
-  present_memory(MPI_Comm comm)
-  {
-    return memory_of_all(comm, &MemoryStats::VmRSS);
-  }
-
   double
   most_memory(MPI_Comm comm)
   {
-    return memory_of_all(comm, &MemoryStats::VmHWM);
+    dealii::Utilities::System::MemoryStats stats;
+    dealii::Utilities::System::get_memory_stats(stats);
+    return sum(comm, 1024. * static_cast<double>(stats.VmHWM));
   }
 
   void

@@ -177,8 +177,7 @@ namespace strait
         log.line("nothing is left to do in " + scene.output.directory);
         return *state.finished();
       }
-    const double memory_before = present_memory(comm);
-    SlabField    heights       = [&]() {
+    SlabField heights = [&]() {
       const auto scope = timers.scope("surface");
       return make_heights(scene, comm, log);
     }();
@@ -238,7 +237,7 @@ namespace strait
     output.write(sweep.jumps());
     log.line(timers.summary());
     log.stage("tables and pictures");
-    output.finish(timers, (most_memory(comm) - memory_before) / n_points);
+    output.finish(timers, most_memory(comm) / n_points);
     log.stage("");
     log.line("results are in " + scene.output.directory);
     output.summarise(sweep.known_thresholds(), summary);

@@ -5,7 +5,6 @@
 #include <strait/contact/two_scale_operator.h>
 #include <strait/spectral/fourier_transform.h>
 
-#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -67,6 +66,9 @@ namespace strait
       stiffness   // qE*/2
     };
 
+    /** on_grid() does on the grid what @p symbol says for the boxes of windows. */
+    template <class OnGrid>
+    void act(Number *values, Symbol symbol, const OnGrid &on_grid);
     void clear_covered(Number *values) const;
     void gather_from_windows(Number *values);
     void spread_to_windows(Number *values, Symbol symbol);

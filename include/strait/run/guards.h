@@ -19,11 +19,8 @@ namespace strait
    *  limits of this process and its container leave; infinite where that is unknown. */
   double free_memory();
 
-  /** Bytes that the processes of all ranks have in RAM now, with the program and its
-   *  libraries. Collective. */
-  double present_memory(MPI_Comm comm);
-
-  /** The most that they have had so far. Collective. */
+  /** The most bytes that the processes of all ranks have had in RAM so far, with the
+   *  program and its libraries. Collective. */
   double most_memory(MPI_Comm comm);
 
   /**

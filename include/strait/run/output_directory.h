@@ -44,7 +44,7 @@ namespace strait
 
     /**
      * Write run.json and draw the pictures. Collective. @p bytes_per_point is the most
-     * memory that the run has had per grid point.
+     * memory so far per grid point.
      */
     void finish(const Timers &timers, double bytes_per_point);
 
