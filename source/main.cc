@@ -28,7 +28,9 @@ namespace
     constexpr int megabyte = 1 << 20;
     mallopt(M_MMAP_MAX, 1 << 16);
     mallopt(M_MMAP_THRESHOLD, megabyte);
-    mallopt(M_TRIM_THRESHOLD, megabyte);
+    // Matrices come in small pieces, which would ask the system for each page again.
+    mallopt(M_TRIM_THRESHOLD, 64 * megabyte);
+    mallopt(M_TOP_PAD, 16 * megabyte);
   }
 
   int

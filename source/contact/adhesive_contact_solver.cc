@@ -52,7 +52,8 @@ namespace strait
   ContactState
   AdhesiveContactSolver::solve(const double        target,
                                const ContactState *from,
-                               const SlabField    *fluid_pressure)
+                               const SlabField    *fluid_pressure,
+                               Digits)
   {
     check(target, from);
     wall.deform(fluid_pressure);

@@ -46,7 +46,8 @@ namespace strait
   ContactState
   ContactSolver::solve(const double        target,
                        const ContactState *from,
-                       const SlabField    *fluid_pressure)
+                       const SlabField    *fluid_pressure,
+                       const Digits        digits)
   {
     const SlabField *indentation =
       from != nullptr && from->plasticity ? &from->plasticity->indentation : nullptr;
@@ -67,7 +68,7 @@ namespace strait
       starts ? start_from(*from, of_solid, is_dry) : start_without(layout, of_solid);
     SlabField              gap(layout);
     DualProblem           &contact   = problem_on(layout);
-    const ContactTolerance tolerance = tolerance_for(of_solid);
+    const ContactTolerance tolerance = tolerance_for(of_solid, digits);
     const long             n_before  = contact.n_applications();
     const ContactSolution  solution =
       optimise(contact, of_solid, tolerance, pressure, gap);
@@ -82,9 +83,12 @@ namespace strait
     if (parameters.loads())
       state.nominal_pressure = target; // the mean, without its rounding
     state.fft_pairs = contact.n_applications() - n_before;
-    state.approach  = starts && is_dry
-                        ? Approach(of_solid, from->pressure, from->approach.target())
-                        : Approach(of_solid);
+    if (starts && is_dry)
+      state.approach = of_solid == from->approach.target()
+                         ? from->approach
+                         : Approach(of_solid, from->pressure, from->approach.target());
+    else
+      state.approach = Approach(of_solid);
     return state;
   }
 
@@ -160,7 +164,7 @@ namespace strait
   }
 
   ContactTolerance
-  ContactSolver::tolerance_for(const double target) const
+  ContactSolver::tolerance_for(const double target, const Digits digits) const
   {
     // A flat surface has no rms height; what remains is rounding of the
     // displacement that the load itself would cause over the box.
@@ -168,7 +172,10 @@ namespace strait
       wall.rms_height() > 0
         ? wall.rms_height()
         : target * wall.heights().grid().mean_side() / parameters.effective_modulus;
-    return {parameters.tolerance, length, parameters.maximum_iterations};
+    return {digits == Digits::all ? parameters.tolerance
+                                  : std::sqrt(parameters.tolerance),
+            length,
+            parameters.maximum_iterations};
   }
 
   ContactSolution

@@ -27,13 +27,15 @@ namespace strait
   }
 
   SealState
-  DrySeal::solve(const Control &control, const SealState *from, Aim)
+  DrySeal::solve(const Control &control, const SealState *from, const Aim aim)
   {
     const auto start = Timers::Clock::now();
     SealState  state;
-    state.control = control;
-    state.contact =
-      contact->solve(control.target, from == nullptr ? nullptr : &*from->contact);
+    state.control         = control;
+    state.contact         = contact->solve(control.target,
+                                   from == nullptr ? nullptr : &*from->contact,
+                                   nullptr,
+                                   aim == Aim::throats ? Digits::half : Digits::all);
     state.mean_gap        = state.contact->mean_gap;
     state.contact_seconds = Timers::seconds_since(start);
     return state;

@@ -33,33 +33,40 @@ namespace strait
   SealState
   ZoomedSeal::solve(const Control &control, const SealState *from, const Aim aim)
   {
-    SealState state      = seal->solve(control, from, aim);
-    bool      is_trimmed = aim != Aim::leak_rate; // once is enough
+    Aim       present_aim = Aim::throats;
+    SealState state       = seal->solve(control, from, present_aim);
+    bool      is_trimmed  = aim != Aim::leak_rate; // once is enough
     std::vector<std::vector<ZoomWindow>> tried;
     while (true)
       {
         const std::vector<ZoomWindow> &present = state.gap().layout().windows();
         std::vector<ZoomWindow>        windows = windows_for(state, aim, is_trimmed);
         // Throats that take windows from each other would go on for ever.
-        if (windows == present ||
-            std::find(tried.begin(), tried.end(), windows) != tried.end())
-          break;
-        tried.push_back(present);
-        log.progress(
-          format("  %zu windows at a load of %.8g", windows.size(), control.target));
-
+        const bool are_found =
+          windows == present ||
+          std::find(tried.begin(), tried.end(), windows) != tried.end();
+        if (are_found && present_aim == aim)
+          return state;
+        if (are_found)
+          present_aim = aim;
+        else
+          {
+            tried.push_back(present);
+            log.progress(
+              format("  %zu windows at a load of %.8g", windows.size(), control.target));
+            // The line to the next state has other points.
+            state.contact->approach = Approach(state.contact->approach.target());
+            state.contact->pressure =
+              zoom_in(state.contact->pressure, std::move(windows));
+          }
         const double seconds    = state.contact_seconds;
         const int    iterations = state.contact->iterations;
         const long   fft_pairs  = state.contact->fft_pairs;
-        // The line to the next state has other points.
-        state.contact->approach = Approach(state.contact->approach.target());
-        state.contact->pressure = zoom_in(state.contact->pressure, std::move(windows));
-        state                   = seal->solve(control, &state, aim);
+        state                   = seal->solve(control, &state, present_aim);
         state.contact_seconds += seconds;
         state.contact->iterations += iterations;
         state.contact->fft_pairs += fft_pairs;
       }
-    return state;
   }
 
   std::vector<ZoomWindow>

@@ -43,7 +43,8 @@ namespace strait
      */
     ContactState solve(double              target,
                        const ContactState *from           = nullptr,
-                       const SlabField    *fluid_pressure = nullptr) override;
+                       const SlabField    *fluid_pressure = nullptr,
+                       Digits              digits         = Digits::all) override;
 
     bool
     depends_on_path() const override

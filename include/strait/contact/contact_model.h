@@ -4,10 +4,16 @@
 
 #include <strait/contact/contact_state.h>
 
-#include <cstddef>
-
 namespace strait
 {
+  /** How many digits of the tolerance a contact is solved to: half of them, of 1e-4 for
+   *  1e-8, tell already which of its throats is the narrowest. */
+  enum class Digits
+  {
+    half,
+    all
+  };
+
   /**
    * A half-space against one surface, whatever acts between them. It remembers nothing:
    * what a state owes to its past comes in with the state that it starts from.
@@ -23,12 +29,14 @@ namespace strait
      * pressure @p fluid_pressure, on the grid of the heights and continued under the
      * contact, presses the walls apart unless that is null: it displaces the half-space
      * and carries its mean pressure of the load, and a point opens where the solid would
-     * press less than the fluid. Collective. Throws InputError if there is no such state,
-     * ComputationError if the fluid carries more than the load.
+     * press less than the fluid. Half of the @p digits are only meant for a state that is
+     * solved once more, from there. Collective. Throws InputError if there is no such
+     * state, ComputationError if the fluid carries more than the load.
      */
     virtual ContactState solve(double              target,
                                const ContactState *from           = nullptr,
-                               const SlabField    *fluid_pressure = nullptr) = 0;
+                               const SlabField    *fluid_pressure = nullptr,
+                               Digits              digits         = Digits::all) = 0;
 
     /** Whether the state depends on the one it starts from by more than the tolerance. */
     virtual bool depends_on_path() const = 0;

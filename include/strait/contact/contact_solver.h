@@ -40,7 +40,8 @@ namespace strait
      */
     ContactState solve(double              target,
                        const ContactState *from           = nullptr,
-                       const SlabField    *fluid_pressure = nullptr) override;
+                       const SlabField    *fluid_pressure = nullptr,
+                       Digits              digits         = Digits::all) override;
 
     bool
     depends_on_path() const override
@@ -53,7 +54,7 @@ namespace strait
      *  load without the fluid's share, and the mean gap itself. */
     double            share_of_solid(double target) const;
     ContactConstraint constraint_for(double target) const;
-    ContactTolerance  tolerance_for(double target) const;
+    ContactTolerance  tolerance_for(double target, Digits digits = Digits::all) const;
     void              check(double target) const;
     bool              makes_contact(double target) const;
     ContactState      state_without_contact(double mean_gap) const;

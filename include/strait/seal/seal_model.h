@@ -4,13 +4,12 @@
 
 #include <strait/seal/seal_state.h>
 
-#include <cstddef>
-
 namespace strait
 {
   /** What a state is wanted for. */
   enum class Aim
   {
+    throats,  // where its throats are, to place windows there
     verdict,  // whether a channel percolates
     leak_rate // how much leaks, to the accuracy that the scene asks for
   };

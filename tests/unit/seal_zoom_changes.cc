@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What becomes of windows where throats move, grow or are resolved.
+#include <algorithm>
+#include <cmath>
+
+#include "zoom_tools.h"
+
+namespace
+{
+  using namespace zoom_tests;
+
+  TEST(ZoomPlacement, FollowsAThroatThatComesNearARim)
+  {
+    const Windows windows = placed({throat(100, 60)});
+    // Resolved, but its length reaches beyond.
+    const Windows moved = placed({throat(138, 72, 0, 14.)}, windows);
+    ASSERT_EQ(moved.size(), 1U);
+    EXPECT_TRUE(covers(moved[0], 122, 60));
+    EXPECT_TRUE(covers(moved[0], 140, 60));
+    EXPECT_TRUE(covers(moved[0], 100, 60));
+    // In the middle it stays, as it does where it has points enough on the parent.
+    EXPECT_TRUE(placed({throat(73, 72, 0, 14.)}, windows) == windows);
+    EXPECT_TRUE(placed({throat(138, 72, 0, 40.)}, windows) == windows);
+  }
+
+  // Next to the rim, where no finer window fits, or that of a parent.
+  TEST(ZoomPlacement, MakesRoomForFinerWindows)
+  {
+    const Windows windows = placed({throat(100, 60)});
+    const Windows wider   = placed({throat(142, 72, 0)}, windows);
+    ASSERT_EQ(wider.size(), 1U);
+    EXPECT_TRUE(covers(wider[0], 140, 60));
+    const int     ix     = 3 * (123 - wider[0].x) + 1;
+    const int     iy     = 3 * (60 - wider[0].y) + 1;
+    const Windows nested = placed({throat(ix, iy, 0)}, wider);
+    ASSERT_EQ(nested.size(), 2U);
+    EXPECT_TRUE(covers(nested[1], ix + 20, iy));
+
+    const Windows two  = {{-1, 1, 60, 20, 80, 80}, {0, 2, 4, 80, 80, 80}};
+    const Windows more = placed({throat(2, 100, 1)}, two);
+    expect_sound(more);
+    ASSERT_GE(more.size(), 2U);
+    EXPECT_TRUE(covers(more[0], 45, 46));
+  }
+
+  // Windows that are joined do not change what the others are numbered by.
+  TEST(ZoomPlacement, FindsThroatsAfterWindowsWereJoined)
+  {
+    const Windows before = {{-1, 1, 20, 20, 48, 48}, {-1, 1, 160, 160, 48, 48}};
+    const Windows after =
+      placed({throat(90, 44, -1, 5., .9), throat(73, 73, 1, 5.)}, before);
+    expect_sound(after);
+    ASSERT_EQ(after.size(), 3U);
+    const SlabLayoutPtr layout = box_with(after);
+    const auto          middle = layout->position(2, 72, 72);
+    EXPECT_NEAR(middle[0], 184. / 256, 1. / 256);
+    EXPECT_NEAR(middle[1], 184. / 256, 1. / 256);
+  }
+
+  // One that its parent's rim pushes aside comes to lie on another that it did not touch.
+  TEST(ZoomPlacement, JoinsWhatTheRimOfTheParentPushesTogether)
+  {
+    const Windows parent  = placed({throat(100, 60)});
+    const Windows windows = placed({throat(10, 120, 0), throat(95, 120, 0)}, parent);
+    expect_sound(windows);
+    const auto is_covered = [&](const int ix, const int iy) {
+      return std::any_of(windows.begin() + 1, windows.end(), [&](const ZoomWindow &w) {
+        return covers(w, ix, iy);
+      });
+    };
+    EXPECT_TRUE(is_covered(10, 120));
+    EXPECT_TRUE(is_covered(95, 120));
+  }
+
+  // A throat that moves round the box comes home.
+  TEST(ZoomPlacement, StaysWithinABoxThatIsPeriodic)
+  {
+    Windows windows;
+    for (int step = 0; step < 40; ++step)
+      {
+        const int           ix = 20 * step % 256, iy = 250;
+        const SlabLayoutPtr layout = box_with(windows);
+        ThroatOnPath        next   = throat(ix, iy);
+        if (const int w = layout->covered_by(-1, ix, iy); w >= 0)
+          next = throat(3 * ((ix - windows[w].x + 256) % 256) + 1,
+                        3 * ((iy - windows[w].y + 256) % 256) + 1,
+                        w,
+                        14.);
+        windows = place_windows(*layout, {next}, zoom);
+        expect_sound(windows);
+        ASSERT_EQ(box_with(windows)->covered_by(-1, ix, iy), 0) << step;
+        ASSERT_LT(windows[0].x, 256) << step;
+        ASSERT_GT(windows[0].x, -256 + ZoomWindow::margin) << step;
+      }
+  }
+
+  // What lies in one that was pushed aside stays where it was.
+  TEST(ZoomPlacement, ChildrenStayWhereTheirParentsAreMoved)
+  {
+    const Windows       two      = {{-1, 1, 60, 20, 80, 80},
+                                    {0, 2, 4, 80, 80, 80},
+                                    {1, 3, 8, 80, 80, 80}};
+    const SlabLayoutPtr before   = box_with(two);
+    const auto          expected = before->position(2, 0, 0);
+    // Near the left rim of the second level, resolved; the window around it would reach
+    // beyond the first level's rim and is joined with that which is there.
+    const Windows windows = placed({throat(10, 200, 1, 14.)}, two);
+    ASSERT_EQ(windows.size(), 3U);
+    expect_sound(windows);
+    EXPECT_FALSE(windows == two);
+    const auto found = box_with(windows)->position(2, 0, 0);
+    EXPECT_NEAR(found[0], expected[0], 1e-12);
+    EXPECT_NEAR(found[1], expected[1], 1e-12);
+  }
+
+  const Windows three_levels = {{-1, 1, 60, 20, 80, 80},
+                                {-1, 1, 160, 160, 80, 80},
+                                {1, 2, 80, 80, 80, 80},
+                                {2, 3, 80, 80, 80, 80}};
+
+  TEST(ZoomPlacement, DropsWhatIsNotNeeded)
+  {
+    const auto needed = [](const std::vector<ThroatOnPath> &throats) {
+      return needed_windows(*box_with(three_levels), throats, zoom);
+    };
+    // The other throat's window is gone, and parents are numbered anew.
+    const Windows deepest = needed({throat(120, 120, 3, 15.)});
+    ASSERT_EQ(deepest.size(), 3U);
+    EXPECT_TRUE(deepest[0] == three_levels[1]);
+    EXPECT_EQ(deepest[1].parent, 0);
+    EXPECT_EQ(deepest[2].parent, 1);
+    expect_sound(deepest);
+    // One level more than needed stays, two do not.
+    EXPECT_EQ(needed({throat(120, 120, 3, 9 * 11.9, 1.)}).size(), 3U);
+    EXPECT_EQ(needed({throat(120, 120, 3, 9 * 12.1, 1.)}).size(), 2U);
+    EXPECT_EQ(needed({throat(120, 120, 3, 27 * 12.1, 1.)}).size(), 1U);
+    EXPECT_TRUE(needed({throat(120, 120, 3, 81 * 12.1, 1.)}).empty());
+    EXPECT_TRUE(needed({throat(30, 30, -1, 15.)}).empty());
+    EXPECT_TRUE(needed({throat(120, 120, 3, 15.), throat(120, 120, 0, 15.)}) ==
+                three_levels);
+  }
+} // namespace
