@@ -28,7 +28,8 @@ namespace
     constexpr int megabyte = 1 << 20;
     mallopt(M_MMAP_MAX, 1 << 16);
     mallopt(M_MMAP_THRESHOLD, megabyte);
-    // Matrices come in small pieces, which would ask the system for each page again.
+    // Matrices are made of pieces below that size. Without some slack at the end of the
+    // heap their pages would go back to the system and come again.
     mallopt(M_TRIM_THRESHOLD, 64 * megabyte);
     mallopt(M_TOP_PAD, 16 * megabyte);
   }

@@ -66,7 +66,9 @@ namespace strait
           if (!value && word + 1 != words.end())
             value = *++word;
           require(value && !value->empty(),
-                  "The option " + name + " needs " + meaning + " after it.");
+                  format("The option %s needs %s after it.",
+                         name.c_str(),
+                         meaning.c_str()));
           return *value;
         };
 

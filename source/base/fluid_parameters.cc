@@ -38,6 +38,7 @@ namespace strait
     gas_names()
     {
       std::vector<std::string> names;
+      names.reserve(std::size(gases));
       for (const Gas &gas : gases)
         names.emplace_back(gas.name);
       return join(names, ", ");

@@ -114,6 +114,7 @@ namespace strait
   leak_rate_unit_names()
   {
     std::vector<std::string> names;
+    names.reserve(std::size(leak_rate_units));
     for (const LeakRateUnit &unit : leak_rate_units)
       names.emplace_back(unit.name);
     return join(names, ", ");

@@ -135,8 +135,8 @@ namespace strait
     const double          limit = constraint.limit();
     std::array<double, 3> sums{};
     for_each_marked(in_contact.data(), range, [=, &sums](const std::size_t i) {
-      const double is_free = (p[i] != 0) & (p[i] != limit) ? 1. : 0.;
-      sums[0] += (p[i] < 0) | (p[i] > limit) ? 1. : 0.;
+      const double is_free = ((p[i] != 0) & (p[i] != limit)) ? 1. : 0.;
+      sums[0] += ((p[i] < 0) | (p[i] > limit)) ? 1. : 0.;
       sums[1] += is_free * g[i];
       sums[2] += is_free;
     });

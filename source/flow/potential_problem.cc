@@ -9,8 +9,6 @@
 #include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
 
-#include <limits>
-
 namespace strait
 {
   using namespace dealii;

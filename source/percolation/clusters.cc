@@ -7,7 +7,6 @@
 #include <array>
 #include <numeric>
 #include <unordered_map>
-#include <utility>
 
 namespace strait
 {

@@ -13,7 +13,6 @@
 #include <strait/surface/read_scene.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <tuple>
 #include <type_traits>

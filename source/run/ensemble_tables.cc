@@ -2,7 +2,6 @@
 #include <strait/run/ensemble_tables.h>
 
 #include <cmath>
-#include <functional>
 
 namespace strait
 {

@@ -8,7 +8,6 @@
 #include <array>
 #include <map>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 namespace strait

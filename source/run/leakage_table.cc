@@ -2,9 +2,7 @@
 #include <strait/run/result_tables.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace strait

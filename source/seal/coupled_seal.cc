@@ -84,10 +84,10 @@ namespace strait
   {
     flow.set_inlet_pressure(control.inlet_pressure);
     Iteration iteration(*this, control, from);
-    if (aim == Aim::verdict)
-      iteration.settle();
-    else
+    if (aim == Aim::leak_rate)
       iteration.find_mesh();
+    else
+      iteration.settle();
     return std::move(iteration.state);
   }
 

@@ -33,14 +33,16 @@ namespace strait
   SealState
   ZoomedSeal::solve(const Control &control, const SealState *from, const Aim aim)
   {
-    Aim       present_aim = Aim::throats;
+    // Windows are found with half of the digits. A search has all of them at once: its
+    // loads are so near to each other that mostly no window changes.
+    Aim       present_aim = aim == Aim::leak_rate ? Aim::throats : aim;
     SealState state       = seal->solve(control, from, present_aim);
     bool      is_trimmed  = aim != Aim::leak_rate; // once is enough
     std::vector<std::vector<ZoomWindow>> tried;
     while (true)
       {
         const std::vector<ZoomWindow> &present = state.gap().layout().windows();
-        std::vector<ZoomWindow>        windows = windows_for(state, aim, is_trimmed);
+        std::vector<ZoomWindow> windows = windows_for(state, present_aim, is_trimmed);
         // Throats that take windows from each other would go on for ever.
         const bool are_found =
           windows == present ||
@@ -48,7 +50,10 @@ namespace strait
         if (are_found && present_aim == aim)
           return state;
         if (are_found)
-          present_aim = aim;
+          {
+            present_aim = aim;
+            tried.clear();
+          }
         else
           {
             tried.push_back(present);
@@ -76,12 +81,15 @@ namespace strait
     const unsigned int n_paths = aim == Aim::verdict ? 1 : n_paths_wanted;
     const Channel      channel =
       make_channel(state.gap(), state.control.slip_length, direction, n_paths);
+    // Half of the digits do not tell a barrier from a throat that is about to close.
+    if (!channel.percolates() && aim == Aim::throats)
+      return layout.windows();
     std::vector<ThroatOnPath> narrow = throats(channel);
     if (!channel.percolates())
       narrow = {weakest_barrier(state, direction)}; // which may open on finer points
     std::vector<ZoomWindow> windows = place_windows(layout, narrow, zoom);
-    if (windows == layout.windows() && !std::exchange(is_trimmed, true) &&
-        channel.percolates())
+    if (windows == layout.windows() && channel.percolates() &&
+        !std::exchange(is_trimmed, true))
       windows = needed_windows(layout, narrow, zoom);
     return windows;
   }

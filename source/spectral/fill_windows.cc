@@ -17,8 +17,8 @@ namespace strait
   {
     using Complex = std::complex<double>;
 
-    // So many points are summed at a time. With half as many each waits for the one
-    // before; double of it takes no less time.
+    // So many points are summed at a time, a power of 2. With half as many the processor
+    // waits for the last results; twice as many take no less time.
     constexpr int n_at_once = 8;
 
     /** Call @p add with the first of up to n_at_once points out of @p n, their number,
@@ -35,8 +35,10 @@ namespace strait
           re[k] = value.real();
           im[k] = value.imag();
         }
-      const Complex jump = std::pow(turn, n_at_once);
-      const double  c = jump.real(), s = jump.imag();
+      Complex jump = turn;
+      for (int power = 1; power < n_at_once; power *= 2)
+        jump *= jump;
+      const double c = jump.real(), s = jump.imag();
       for (int first = 0; first < n; first += n_at_once)
         {
           add(first, std::min(n_at_once, n - first), re, im);
@@ -131,6 +133,7 @@ namespace strait
               field.end(),
               0.);
     std::vector<WindowSeries> series;
+    series.reserve(n_windows);
     for (int w = 0; w < n_windows; ++w)
       series.emplace_back(layout, w, field.data() + layout.start_of_window(w));
 

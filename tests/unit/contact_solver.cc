@@ -115,6 +115,23 @@ namespace
     EXPECT_EQ(again.fft_pairs, nested.fft_pairs);
   }
 
+  TEST(ContactSolver, SolvesByHalvesAsAtOnce)
+  {
+    const SlabField    heights = rough_heights({64, 64, 1., 1.}, 16);
+    ContactSolver      solver(contact_parameters(1e-8), heights);
+    const ContactState before  = solver.solve(.2);
+    const ContactState at_once = solver.solve(.21, &before);
+    const ContactState rough   = solver.solve(.21, &before, nullptr, Digits::half);
+    EXPECT_LE(rough.residual, 1e-4);
+    EXPECT_LT(rough.fft_pairs, at_once.fft_pairs);
+    const ContactState state = solver.solve(.21, &rough);
+    EXPECT_LE(state.residual, 1e-8);
+    EXPECT_LT(violation(state, heights, 1.), 3e-8);
+    EXPECT_NEAR(state.mean_gap, at_once.mean_gap, 1e-7 * at_once.mean_gap);
+    // It came from where the first half did, so that the next load is foretold alike.
+    EXPECT_DOUBLE_EQ(state.approach.steps_to(.22), at_once.approach.steps_to(.22));
+  }
+
   TEST(ContactSolver, DoesNotDependOnTheUnits)
   {
     const PeriodicGrid grid    = {64, 48, 1., 1.};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Clusters and bottlenecks on a grid with windows of finer points.
-#include <strait/base/collective.h>
 #include <strait/percolation/bottleneck.h>
 #include <strait/percolation/channel.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What becomes of windows where throats move, grow or are resolved.
 #include <algorithm>
-#include <cmath>
 
 #include "zoom_tools.h"
 

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Where windows are opened around throats that are placed by hand.
-#include <algorithm>
-#include <cmath>
-
 #include "zoom_tools.h"
 
 namespace

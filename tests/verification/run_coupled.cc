@@ -2,10 +2,10 @@
 // The fluid presses the walls apart: closed forms.
 #include <strait/base/scene.h>
 #include <strait/contact/contact_solver.h>
-#include <strait/seal/make_seal.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

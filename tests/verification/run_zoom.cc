@@ -42,6 +42,19 @@ namespace strait
       return std::log(a / b) / std::log(at_a.reduced_load / at_b.reduced_load);
     }
 
+    // Windows are found with half of them, both where they change and where they stay.
+    TEST(ZoomedSaddle, IsSolvedToAllDigits)
+    {
+      Scene scene               = zoomed(saddle_scene(64));
+      scene.programme.pressures = {1., 1.3, 1.301};
+      SilentSweep silent(scene);
+      EXPECT_TRUE(silent.loads.run([&scene](const Step &step) {
+        EXPECT_LE(step.state.contact->residual, scene.contact.tolerance);
+        EXPECT_FALSE(step.state.gap().layout().windows().empty());
+        return true;
+      }));
+    }
+
     // Against grids of 3456² and 1024² points everywhere.
     TEST(ZoomedSaddle, ClosesAsOnAFineGridParallel)
     {

@@ -121,6 +121,7 @@ namespace strait
         const std::string  &documentation)
     {
       std::vector<std::string> texts;
+      texts.reserve(variable.size());
       for (const Value &value : variable)
         texts.push_back(values.text(value));
       add({names,

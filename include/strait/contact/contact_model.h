@@ -6,8 +6,8 @@
 
 namespace strait
 {
-  /** How many digits of the tolerance a contact is solved to: half of them, of 1e-4 for
-   *  1e-8, tell already which of its throats is the narrowest. */
+  /** To how many digits of its tolerance a contact is solved. Half of them, which are
+   * 1e-4 of 1e-8, tell where its throats are, unless it is about to close. */
   enum class Digits
   {
     half,
@@ -30,8 +30,9 @@ namespace strait
      * contact, presses the walls apart unless that is null: it displaces the half-space
      * and carries its mean pressure of the load, and a point opens where the solid would
      * press less than the fluid. Half of the @p digits are only meant for a state that is
-     * solved once more, from there. Collective. Throws InputError if there is no such
-     * state, ComputationError if the fluid carries more than the load.
+     * solved once more, from there; a model may always solve to all of them. Collective.
+     * Throws InputError if there is no such state, ComputationError if the fluid carries
+     * more than the load.
      */
     virtual ContactState solve(double              target,
                                const ContactState *from           = nullptr,

@@ -4,8 +4,6 @@
 
 #include <strait/spectral/slab_field.h>
 
-#include <cstddef>
-
 namespace strait
 {
   /**

@@ -6,7 +6,6 @@
 #include <strait/spectral/grid_cell.h>
 #include <strait/spectral/slab_field.h>
 
-#include <cstddef>
 #include <functional>
 #include <vector>
 

@@ -8,7 +8,6 @@
 #include <strait/interface/gap_field.h>
 #include <strait/seal/step_flow.h>
 
-#include <cstddef>
 #include <memory>
 
 namespace strait

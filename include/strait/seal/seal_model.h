@@ -25,7 +25,8 @@ namespace strait
     virtual ~SealModel() = default;
 
     /** The state under @p control, reached from @p from, or without a past if that is
-     *  null. Collective. Throws InputError if there is no such state. */
+     *  null; a model may do more than the aim needs. Collective. Throws InputError if
+     * there is no such state. */
     virtual SealState solve(const Control &control, const SealState *from, Aim aim) = 0;
 
     /** Whether a state depends on the one it was reached from by more than the

@@ -2,13 +2,11 @@
 #ifndef strait_seal_transition_search_h
 #define strait_seal_transition_search_h
 
-
 #include <array>
 #include <functional>
 #include <limits>
 #include <map>
 #include <optional>
-#include <vector>
 
 namespace strait
 {

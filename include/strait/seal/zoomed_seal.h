@@ -16,9 +16,10 @@ namespace strait
   /**
    * A dry seal whose throats are resolved: where a channel percolates, the state gets the
    * windows that its throats lack, one level after the other, and is solved again. Where
-   * none does, and a leak rate is asked for, so does the barrier where it is weakest, for
-   * on finer points it may be open. The state keeps those of the state that it came from,
-   * so that neighbouring states have the same points.
+   * none does, so does the barrier where it is weakest, for on finer points it may be
+   * open. For a leak rate half of the digits are enough while windows are sought, the
+   * state that is returned has all of them. The state keeps those of the state that it
+   * came from, so that neighbouring states have the same points.
    */
   class ZoomedSeal : public SealModel
   {

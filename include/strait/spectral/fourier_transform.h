@@ -5,7 +5,6 @@
 #include <strait/spectral/slab_field.h>
 
 #include <complex>
-#include <cstddef>
 #include <memory>
 #include <vector>
 

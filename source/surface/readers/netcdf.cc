@@ -4,7 +4,6 @@
 #include <boost/endian/conversion.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
