@@ -23,8 +23,9 @@ namespace strait
     SlabField start = start_from_coarser_grid(wall.heights(), target);
     if (layout->windows().empty())
       return start;
+    // All digits come with the windows.
     SlabField gap(wall.layout());
-    optimise(problem, target, tolerance_for(target), start, gap);
+    optimise(problem, target, tolerance_for(target, Digits::half), start, gap);
     return zoom_in(start, layout->windows());
   }
 
