@@ -5,7 +5,6 @@
 #include <strait/spectral/slab_field.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -17,48 +16,13 @@ namespace strait
   {
     using Complex = std::complex<double>;
 
-    // So many points are summed at a time, a power of 2. With half as many the processor
-    // waits for the last results; twice as many take no less time.
-    constexpr int n_at_once = 8;
-
-    /** Call @p add with the first of up to n_at_once points out of @p n, their number,
-     * and the real and imaginary parts there of a wave that has the value @p start at the
-     *  first of all, and is multiplied with @p turn from point to point. */
-    template <class Add>
-    void
-    follow_wave(const Complex &start, const Complex &turn, const int n, const Add &add)
-    {
-      std::array<double, n_at_once> re, im;
-      Complex                       value = start;
-      for (int k = 0; k < n_at_once; ++k, value *= turn)
-        {
-          re[k] = value.real();
-          im[k] = value.imag();
-        }
-      Complex jump = turn;
-      for (int power = 1; power < n_at_once; power *= 2)
-        jump *= jump;
-      const double c = jump.real(), s = jump.imag();
-      for (int first = 0; first < n; first += n_at_once)
-        {
-          add(first, std::min(n_at_once, n - first), re, im);
-          for (int k = 0; k < n_at_once; ++k)
-            {
-              const double turned = re[k] * c - im[k] * s;
-              im[k]               = re[k] * s + im[k] * c;
-              re[k]               = turned;
-            }
-        }
-    }
-
     /** The Fourier series of a field on the rows of one window, wave after wave. */
     class WindowSeries
     {
     public:
       WindowSeries(const SlabLayout &layout, const int w, double *values_)
         : n_columns(layout.windows()[w].n_columns())
-        , real_sums(layout.windows()[w].n_rows())
-        , imaginary_sums(real_sums.size())
+        , row_sums(layout.windows()[w].n_rows())
         , values(values_)
       {
         const PeriodicGrid &grid = layout.grid();
@@ -72,16 +36,13 @@ namespace strait
       void
       add_wave(const int ky, const Complex &amplitude)
       {
-        follow_wave(amplitude * std::polar(1., ky * first[1]),
-                    std::polar(1., ky * step[1]),
-                    static_cast<int>(real_sums.size()),
-                    [this](const int iy, const int n, const auto &re, const auto &im) {
-                      for (int k = 0; k < n; ++k)
-                        {
-                          real_sums[iy + k] += re[k];
-                          imaginary_sums[iy + k] += im[k];
-                        }
-                    });
+        Complex       value = amplitude * std::polar(1., ky * first[1]);
+        const Complex turn  = std::polar(1., ky * step[1]);
+        for (Complex &sum : row_sums)
+          {
+            sum += value;
+            value *= turn;
+          }
       }
 
       void
@@ -89,23 +50,22 @@ namespace strait
       {
         const Complex start = std::polar(1., kx * first[0]);
         const Complex turn  = std::polar(1., kx * step[0]);
-        for (std::size_t iy = 0; iy < real_sums.size(); ++iy)
+        double       *value = values;
+        for (Complex &sum : row_sums)
           {
-            double *row = values + iy * n_columns;
-            follow_wave(Complex(real_sums[iy], imaginary_sums[iy]) * start,
-                        turn,
-                        n_columns,
-                        [row](const int ix, const int n, const auto &re, const auto &) {
-                          for (int k = 0; k < n; ++k)
-                            row[ix + k] += re[k];
-                        });
-            real_sums[iy] = imaginary_sums[iy] = 0.;
+            Complex wave = sum * start;
+            for (int ix = 0; ix < n_columns; ++ix)
+              {
+                *value++ += wave.real();
+                wave *= turn;
+              }
+            sum = 0.;
           }
       }
 
     private:
       int                   n_columns;
-      std::vector<double>   real_sums, imaginary_sums; // of the waves, on each row
+      std::vector<Complex>  row_sums;
       double               *values;
       std::array<double, 2> first, step; // phases of the longest waves
     };

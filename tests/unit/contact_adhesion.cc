@@ -3,6 +3,7 @@
 // each other.
 #include <strait/base/exceptions.h>
 #include <strait/contact/adhesion_of_scene.h>
+#include <strait/contact/adhesive_contact_solver.h>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,25 @@
 namespace
 {
   using namespace contact_tests;
+
+  /** γ0 = 0.1 E*Δ and the range of a Tabor number, for the square saddle. */
+  AdhesionLaw
+  saddle_law(const double tabor, const AdhesionShape shape = AdhesionShape::exponential)
+  {
+    return {.1, std::cbrt(.035823 * .01) / tabor, shape};
+  }
+
+  AdhesiveContactSolver
+  saddle_solver(const ContactParameters &parameters,
+                const double             tabor,
+                const int                n     = 64,
+                const AdhesionShape      shape = AdhesionShape::exponential)
+  {
+    return {parameters,
+            saddle_law(tabor, shape),
+            AdhesiveStart::without_adhesion,
+            saddle_heights(n)};
+  }
 
   TEST(Adhesion, TheTaborNumberSetsTheRange)
   {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Laws of adhesion, and contacts under them whose closed form is known.
+#include <strait/contact/adhesive_contact_solver.h>
+
 #include <gtest/gtest.h>
 
 #include "adhesion_tools.h"
