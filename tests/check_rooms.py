@@ -20,10 +20,11 @@ ROOMS = ["base", "spectral", "surface", "contact", "percolation",
 WITHOUT_DEAL_II = ["base", "spectral", "surface", "contact", "percolation",
                    "theory"]
 # What a header declares side by side may have a source each.
-SHARED_HEADERS = ("base/fluid_parameters.h", "base/scene.h",
+SHARED_HEADERS = ("base/scene.h",
                   "surface/readers/height_map.h", "surface/map_processing.h",
-                  "contact/contact_solver.h",
-                  "contact/optimisers.h", "percolation/clusters.h", "run/checkpoint.h",
+                  "contact/gap_optimisation.h", "contact/optimisers.h",
+                  "contact/two_scale_operator.h",
+                  "percolation/clusters.h", "flow/seal_mesh.h", "run/checkpoint.h",
                   "run/field_output.h", "run/load_sweep.h", "run/result_tables.h",
                   "run/simulation.h", "run/validity.h")
 LICENCE = "// SPDX-License-Identifier: GPL-2.0-or-later"

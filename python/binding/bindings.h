@@ -3,10 +3,10 @@
 #define strait_python_bindings_h
 
 #include <strait/base/scene.h>
+#include <strait/seal/flow_stage.h>
 #include <strait/seal/path.h>
 #include <strait/seal/seal_search.h>
 #include <strait/seal/seal_state.h>
-#include <strait/seal/step_flow.h>
 
 #include <pybind11/pybind11.h>
 

@@ -101,7 +101,9 @@ namespace strait::python
                                of_contact(&ContactState::residual),
                                "What the contact's solver left over.")
         .def_property_readonly("iterations",
-                               of_contact(&ContactState::iterations),
+                               number([](const SealState &self) {
+                                 return self.contact ? &self.costs.iterations : nullptr;
+                               }),
                                "Of the contact's solver.")
         .def_property_readonly("adhesive_energy",
                                number([](const SealState &self) {

@@ -8,58 +8,33 @@ namespace strait
   void
   AdhesionParameters::bind(ParameterSection section)
   {
-    section.add(
-      "Enabled",
-      enabled,
+    section.add("Enabled", enabled).meaning =
       "Let the surfaces attract each other, in addition to the hard wall. States then "
-      "depend on the path of the load.");
-    section.add("Law",
-                shape,
-                Names<AdhesionShape>({{AdhesionShape::exponential, "exponential"},
-                                      {AdhesionShape::van_der_waals, "van der Waals"}}),
-                "Energy per area at the gap g: exponential: -gamma0 exp(-g/z0); "
-                "van der Waals: -gamma0/(1 + g/z0)^2, of longer reach.");
-    section.add("Surface energy",
-                surface_energy,
-                not_negative,
-                "gamma0: energy gained per area in contact [energy/area].");
-    section.add("Range",
-                range,
-                not_negative,
-                "z0: range of the attraction [length]; or give the Tabor number.");
-    section.add(
-      "Tabor number",
-      tabor_number,
-      not_negative,
-      "Sets the range: z0 = Rc^(1/3) (gamma0/E*)^(2/3) over this number, with "
-      "1/Rc^2 = 1/2 sum (qx^4 + qy^4) |h(q)|^2. Small: long range; large: short "
-      "[1].");
-    section.add(
-      "Match area at pressure",
-      matched_pressure,
-      not_negative,
+      "depend on the path of the load.";
+    section.add("Law", shape, Names{"exponential", "van der Waals"}).meaning =
+      "Energy per area at the gap g: exponential: -gamma0 exp(-g/z0); van der Waals: "
+      "-gamma0/(1 + g/z0)^2, of longer reach.";
+    section.add("Surface energy", surface_energy, not_negative).meaning =
+      "gamma0: energy gained per area in contact [energy/area].";
+    section.add("Range", range, not_negative).meaning =
+      "z0: range of the attraction [length]; or give the Tabor number.";
+    section.add("Tabor number", tabor_number, not_negative).meaning =
+      "Sets the range: z0 = Rc^(1/3) (gamma0/E*)^(2/3) over this number, with 1/Rc^2 = "
+      "1/2 sum (qx^4 + qy^4) |h(q)|^2. Small: long range; large: short [1].";
+    section.add("Match area at pressure", matched_pressure, not_negative).meaning =
       "If not 0, choose gamma0 such that adhesion doubles the contact area at this "
-      "nominal pressure, loading; takes the place of Surface energy [pressure].");
-    section.add(
-      "Solver",
-      method,
-      Names<AdhesionMethod>({{AdhesionMethod::nonlinear_cg, "nonlinear CG"},
-                             {AdhesionMethod::newton_cg, "newton CG"},
-                             {AdhesionMethod::gfmd, "GFMD"}}),
+      "nominal pressure, loading; takes the place of Surface energy [pressure].";
+    section.add("Solver", method, Names{"nonlinear CG", "newton CG", "GFMD"}).meaning =
       "nonlinear CG: preconditioned conjugate gradients on the gap; newton CG: truncated "
       "Newton, slower, for verification; GFMD: damped, mass-weighted Green's-function "
-      "molecular dynamics, slower still. Contact/Tolerance is the largest traction that is "
-      "not balanced, over E* times the rms slope over 2.");
-    section.add(
-      "Accept unresolved range",
-      accept_unresolved,
+      "molecular dynamics, slower still. Contact/Tolerance is the largest traction that "
+      "is not balanced, over E* times the rms slope over 2.";
+    section.add("Accept unresolved range", accept_unresolved).meaning =
       "Compute although E*/(k a) < 0.8 with the grid spacing a and the slope k of the "
       "attraction in contact, gamma0/z0^2 (van der Waals: 6 gamma0/z0^2); loads of jumps "
-      "then depend on the grid.");
-    section.add("Trajectory",
-                write_relaxation,
-                "Write energy, residual and step of every iteration of step N to "
-                "relaxation-N.csv.");
+      "then depend on the grid.";
+    section.add("Trajectory", write_relaxation).meaning =
+      "Write energy, residual and step of every iteration of step N to relaxation-N.csv.";
   }
 
   void
@@ -80,92 +55,58 @@ namespace strait
   void
   ZoomParameters::bind(ParameterSection section)
   {
-    section.add("Enabled",
-                enabled,
-                "Solve the contact on finer points around the throats that matter, in "
-                "windows refined threefold a level, and tell the error of the whole "
-                "leak rate.");
-    section.add(
-      "Points along throat",
-      points_along_throat,
-      any_number.at_least(4.),
+    section.add("Enabled", enabled).meaning =
+      "Solve the contact on finer points around the throats that matter, in windows "
+      "refined threefold a level, and tell the error of the whole leak rate.";
+    section.add("Points along throat", points_along_throat, any_number.at_least(4.))
+      .meaning =
       "Levels are added until a throat has so many points along the flow, from its "
-      "narrowest one to where the gap is twice as large [1].");
-    section.add("Maximum levels",
-                maximum_levels,
-                any_number.at_least(1).at_most(10),
-                "No throat gets more, each of a third of the spacing of the one before "
-                "[1].");
+      "narrowest one to where the gap is twice as large [1].";
+    section.add("Maximum levels", maximum_levels, any_number.at_least(1).at_most(10))
+      .meaning =
+      "No throat gets more, each of a third of the spacing of the one before [1].";
   }
 
   void
   ContactParameters::bind(ParameterSection section)
   {
-    section.add(
-      "Enabled",
-      enabled,
+    section.add("Enabled", enabled).meaning =
       "Press an elastic half-space onto the surface. false: the surface is the gap "
-      "itself, closed where it is not positive; a pure flow problem, for which "
-      "Control and Load programme/Pressures are ignored.");
+      "itself, closed where it is not positive; a pure flow problem, for which Control "
+      "and Load programme/Pressures are ignored.";
     // 65535: the product must fit into the 32-bit indices of deal.II's vectors.
-    section.add(
-      "Grid points",
-      grid_points,
-      any_number.at_least(4).at_most(65535),
+    section.add("Grid points", grid_points, any_number.at_least(4).at_most(65535))
+      .meaning =
       "Nx, Ny: grid points of the periodic box in x and y [1]; one number: both. "
-      "Products of small primes are fastest. Surface/Kind = file: if empty, the map's own.");
-    section.add("Effective modulus",
-                effective_modulus,
-                positive,
-                "E*: contact modulus, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [pressure].");
-    section.add("Young's moduli",
-                young_moduli,
-                positive,
-                "E1, E2 of the two bodies, or E1 if the other one is rigid, in place of "
-                "Effective modulus [pressure].");
-    section.add("Poisson ratios",
-                poisson_ratios,
-                any_number.above(-1.).at_most(0.5),
-                "nu1, nu2 of the same bodies [1].");
-    section.add(
-      "Hardness",
-      hardness,
-      not_negative,
-      "H: pressure at which the softer body flows, about three times its yield "
-      "stress; the column validity compares the pressure of an elastic contact with "
-      "it, and with a tenth of the effective modulus if it is 0 [pressure].");
-    section.add(
-      "Yielding",
-      yielding,
-      Names<Yielding>({{Yielding::none, "none"}, {Yielding::cut_off, "cut-off"}}),
+      "Products of small primes are fastest. Surface/Kind = file: if empty, the map's "
+      "own.";
+    section.add("Effective modulus", effective_modulus, positive).meaning =
+      "E*: contact modulus, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [pressure].";
+    section.add("Young's moduli", young_moduli, positive).meaning =
+      "E1, E2 of the two bodies, or E1 if the other one is rigid, in place of Effective "
+      "modulus [pressure].";
+    section.add("Poisson ratios", poisson_ratios, any_number.above(-1.).at_most(0.5))
+      .meaning = "nu1, nu2 of the same bodies [1].";
+    section.add("Hardness", hardness, not_negative).meaning =
+      "H: pressure at which the softer body flows, about three times its yield stress; "
+      "the column validity compares the pressure of an elastic contact with it, and with "
+      "a tenth of the effective modulus if it is 0 [pressure].";
+    section.add("Yielding", yielding, Names{"none", "cut-off"}).meaning =
       "none: the contact is elastic at any pressure; cut-off: no pressure exceeds the "
       "Hardness, and where it is reached the surface keeps the indentation that remains. "
-      "States then depend on the path of the load.");
-    section.add(
-      "Control",
-      control,
-      Names<ContactControl>(
-        {{ContactControl::load, "load"}, {ContactControl::mean_gap, "mean gap"}}),
-      "What Load programme/Pressures lists: nominal pressures (load) or mean gaps "
-      "(mean gap).");
-    section.add(
-      "Solver",
-      method,
-      Names<ContactMethod>({{ContactMethod::dual_cg, "dual CG"},
-                            {ContactMethod::polonsky_keer, "polonsky-keer"}}),
-      "dual CG: preconditioned conjugate gradients on the pressure; polonsky-keer: "
-      "the textbook method, slower, for reference.");
-    section.add(
-      "Tolerance",
-      tolerance,
-      positive.below(1.),
-      "Largest gap under pressure and largest penetration elsewhere, in units of "
-      "the rms height [1].");
-    section.add(
-      "Maximum iterations",
-      maximum_iterations,
-      any_number.at_least(1),
-      "Iterations on the fine grid after which a step counts as not converged [1].");
+      "States then depend on the path of the load.";
+    section.add("Control", control, Names{"load", "mean gap"}).meaning =
+      "What Load programme/Pressures lists: nominal pressures (load) or mean gaps (mean "
+      "gap).";
+    section.add("Solver", method, Names{"dual CG", "polonsky-keer"}).meaning =
+      "dual CG: preconditioned conjugate gradients on the pressure; polonsky-keer: the "
+      "textbook method, slower, for reference.";
+    section.add("Tolerance", tolerance, positive.below(1.)).meaning =
+      "Largest gap under pressure and largest penetration elsewhere, in units of the rms "
+      "height [1].";
+    section.add("Maximum iterations", maximum_iterations, any_number.at_least(1))
+      .meaning =
+      "Iterations on the fine grid after which a step counts as not converged [1].";
     adhesion.bind(section.subsection("Adhesion"));
     zoom.bind(section.subsection("Zoom"));
   }

@@ -46,135 +46,145 @@ namespace strait
   } // namespace
 
   void
+  FeedbackParameters::bind(ParameterSection section)
+  {
+    section.add("Enabled", enabled).meaning =
+      "Let the fluid press the walls apart: contact and flow are solved in turn until "
+      "they agree. The pressures of the fluid then count from that outside the seal, "
+      "which the load is measured against.";
+    section.add("Tolerance", tolerance, positive.below(1.)).meaning =
+      "Change of the fluid pressure (rms, over that of a reservoir or its own, whichever "
+      "is more) below which contact and flow agree; the leak rate then changes by less "
+      "than that or a tenth of Fluid/Target accuracy, whichever is more [1].";
+    section.add("Maximum iterations", maximum_iterations, any_number.at_least(1))
+      .meaning =
+      "Rounds of contact and flow after which a step counts as not converged [1].";
+    section.add("Acceleration", acceleration, Names{"anderson", "none"}).meaning =
+      "anderson: combine the last rounds such that the change would be smallest; none: "
+      "take the pressure of the last round.";
+    section.add("Relaxation", relaxation, positive.at_most(1.)).meaning =
+      "Share of a change of the fluid pressure that is taken [1].";
+    section.add("Pool pressure", pool_pressure, any_number).meaning =
+      "Fluid pressure in open regions that no reservoir reaches; 0: they are dry "
+      "[pressure]. Where trapped fluid is not drained, that in which it is found at the "
+      "start of a path.";
+    section
+      .add("Trapped fluid",
+           trapped_fluid,
+           Names{"drained", "incompressible", "compressible", "gas"})
+      .meaning =
+      "What becomes of fluid that is cut off from its reservoirs. drained: it has Pool "
+      "pressure, as in a seal that was assembled dry; otherwise it keeps its mass along "
+      "the load path. incompressible: it keeps its volume; compressible: a liquid of "
+      "Bulk modulus; gas: pressure times volume stays.";
+    section.add("Bulk modulus", bulk_modulus, not_negative).meaning =
+      "Of trapped fluid that is compressible, at pressure 0 [pressure].";
+    section.add("Bulk modulus slope", bulk_modulus_slope, not_negative).meaning =
+      "Derivative of the bulk modulus by the pressure [1].";
+    section.add("Vapour pressure", vapour_pressure, any_number).meaning =
+      "Trapped liquid that has too much room forms a cavity of this pressure; it counts "
+      "like all pressures from that outside the seal [pressure].";
+  }
+
+  void
+  FeedbackParameters::check(const bool is_gas) const
+  {
+    if (trapped_fluid == TrappedFluidLaw::gas && !is_gas)
+      throw InputError(
+        "Fluid/Wall feedback/Trapped fluid = gas needs absolute pressures; "
+        "set Fluid/State = gas, or Trapped fluid = compressible.");
+    if (trapped_fluid == TrappedFluidLaw::gas && pool_pressure < 0.)
+      throw InputError(
+        "Fluid/Wall feedback/Pool pressure is negative, but that of a gas is absolute; "
+        "raise it.");
+    if (trapped_fluid != TrappedFluidLaw::compressible)
+      return;
+    if (!(bulk_modulus > 0.))
+      throw InputError(
+        "Fluid/Wall feedback/Trapped fluid = compressible needs Bulk "
+        "modulus; give it, or set Trapped fluid = incompressible.");
+    const double least = std::min(vapour_pressure, pool_pressure);
+    if (!(bulk_modulus + bulk_modulus_slope * least > 0.))
+      throw InputError(
+        "Fluid/Wall feedback/Bulk modulus is not positive at Vapour pressure or Pool "
+        "pressure; raise these or Bulk modulus.");
+  }
+
+  void
   FluidParameters::bind(ParameterSection section)
   {
-    section.add("Enabled",
-                enabled,
-                "Let a fluid leak through the gap. false: contact only.");
-    section.add(
-      "State",
-      is_gas,
-      Names<bool>({{false, "liquid"}, {true, "gas"}}),
+    section.add("Enabled", enabled).meaning =
+      "Let a fluid leak through the gap. false: contact only.";
+    section.add("State", is_gas, Names{"liquid", "gas"}).meaning =
       "gas: pressures are absolute, leak_rate is the volume flow at their mean, and "
-      "throughputs may be asked for with Output/Leak rate units. The flow is "
-      "viscous in either case unless Rarefaction says otherwise.");
-    section.add(
-      "Gas",
-      gas,
-      Text{gas_names() + ", or empty",
-           [](const std::string &name) {
-             return name.empty() || find_gas(name) != nullptr;
-           }},
-      "Gives a gas its molar mass, and its viscosity at 293.15 K unless Viscosity "
-      "is given. The column validity then tells where it is rarefied.");
-    section.add("Molar mass",
-                molar_mass,
-                not_negative,
-                "M: of a gas that Gas does not know; 0: not known [kg/mol].");
-    section.add("Temperature",
-                temperature,
-                positive,
-                "T: of a gas, for its mean free path [K].");
-    section.add(
-      "Rarefaction",
-      rarefaction,
-      Names<Rarefaction>({{Rarefaction::none, "none"},
-                          {Rarefaction::slip, "slip"},
-                          {Rarefaction::transitional, "transitional"}}),
-      "Of a gas. none: it is viscous in any gap; slip: it slips along the walls, to first "
-      "order in the mean free path over the gap; transitional: from viscous to molecular "
-      "flow, by the linearised BGK equation between walls that reflect diffusely. Needs "
-      "Gas or Molar mass.");
-    section.add(
-      "Accommodation",
-      accommodation,
-      positive.at_most(1.),
-      "alpha: fraction of the molecules that the walls reflect diffusely, which "
-      "makes the coefficient of slip 1.1466 (2 - alpha)/alpha; for Rarefaction = "
-      "slip [1].");
-    section.add("Surface tension",
-                surface_tension,
-                not_negative,
-                "gamma: of a liquid, which the column validity needs to compare the "
-                "pressure across a meniscus in the throat with the one that drives the "
-                "flow; 0: not known [energy/area].");
-    section.add("Viscosity",
-                viscosity,
-                positive,
-                "eta: dynamic viscosity of the fluid; of a named Gas it may be left out "
-                "[pressure * time].");
-    section.add("Inlet pressure",
-                inlet_pressure,
-                any_number,
-                "Fluid pressure at the inlet, x = 0 or y = 0 [pressure].");
-    section.add("Outlet pressure",
-                outlet_pressure,
-                any_number,
-                "Fluid pressure at the outlet, x = Lx or y = Ly [pressure].");
-    section.add(
-      "Slip length",
-      slip_lengths,
-      any_number.at_most(0.),
-      "d0, zero or negative: the conductivity is (g - 2|d0|)^3 / (12 eta), zero "
-      "where the gap g is below 2|d0| [length]. Of several values each gets its own "
-      "row at each load; the contact is solved once.");
-    section.add("Direction",
-                direction,
-                Names<FlowDirection>({{FlowDirection::x, "x"}, {FlowDirection::y, "y"}}),
-                "The direction of the mean flow; the box is periodic across it.");
-    section.add_path(
-      "Mesh",
-      mesh_file,
-      "Gmsh file (MSH 4.1, ASCII, quadrilaterals) of the part of the box where "
-      "the fluid flows, with boundary ids 0 inlet, 1 outlet; all else is "
-      "impermeable. Empty: the whole box, periodic across Direction.");
-    section.add(
-      "Element degree",
-      element_degree,
-      any_number.at_least(1).at_most(2),
+      "throughputs may be asked for with Output/Leak rate units. The flow is viscous in "
+      "either case unless Rarefaction says otherwise.";
+    section
+      .add("Gas",
+           gas,
+           Text{gas_names() + ", or empty",
+                [](const std::string &name) {
+                  return name.empty() || find_gas(name) != nullptr;
+                }})
+      .meaning =
+      "Gives a gas its molar mass, and its viscosity at 293.15 K unless Viscosity is "
+      "given. The column validity then tells where it is rarefied.";
+    section.add("Molar mass", molar_mass, not_negative).meaning =
+      "M: of a gas that Gas does not know; 0: not known [kg/mol].";
+    section.add("Temperature", temperature, positive).meaning =
+      "T: of a gas, for its mean free path [K].";
+    section.add("Rarefaction", rarefaction, Names{"none", "slip", "transitional"})
+      .meaning =
+      "Of a gas. none: it is viscous in any gap; slip: it slips along the walls, to "
+      "first order in the mean free path over the gap; transitional: from viscous to "
+      "molecular flow, by the linearised BGK equation between walls that reflect "
+      "diffusely. Needs Gas or Molar mass.";
+    section.add("Accommodation", accommodation, positive.at_most(1.)).meaning =
+      "alpha: fraction of the molecules that the walls reflect diffusely, which makes "
+      "the coefficient of slip 1.1466 (2 - alpha)/alpha; for Rarefaction = slip [1].";
+    section.add("Surface tension", surface_tension, not_negative).meaning =
+      "gamma: of a liquid, which the column validity needs to compare the pressure "
+      "across a meniscus in the throat with the one that drives the flow; 0: not known "
+      "[energy/area].";
+    section.add("Viscosity", viscosity, positive).meaning =
+      "eta: dynamic viscosity of the fluid; of a named Gas it may be left out [pressure "
+      "* time].";
+    section.add("Inlet pressure", inlet_pressure, any_number).meaning =
+      "Fluid pressure at the inlet, x = 0 or y = 0 [pressure].";
+    section.add("Outlet pressure", outlet_pressure, any_number).meaning =
+      "Fluid pressure at the outlet, x = Lx or y = Ly [pressure].";
+    section.add("Slip length", slip_lengths, any_number.at_most(0.)).meaning =
+      "d0, zero or negative: the conductivity is (g - 2|d0|)^3 / (12 eta), zero where "
+      "the gap g is below 2|d0| [length]. Of several values each gets its own row at "
+      "each load; the contact is solved once.";
+    section.add("Direction", direction, Names{"x", "y"}).meaning =
+      "The direction of the mean flow; the box is periodic across it.";
+    section.add_path("Mesh", mesh_file).meaning =
+      "Gmsh file (MSH 4.1, ASCII, quadrilaterals) of the part of the box where the fluid "
+      "flows, with boundary ids 0 inlet, 1 outlet; all else is impermeable. Empty: the "
+      "whole box, periodic across Direction.";
+    section.add("Element degree", element_degree, any_number.at_least(1).at_most(2))
+      .meaning =
       "Polynomial degree of the fluid pressure [1]; 1 is the robust choice on rough "
-      "gaps.");
-    section.add(
-      "Preconditioner",
-      preconditioner,
-      Names<FlowPreconditioner>(
-        {{FlowPreconditioner::boomeramg, "boomeramg"}, {FlowPreconditioner::ml, "ml"}}),
-      "Algebraic multigrid of the flow equations: hypre's BoomerAMG or Trilinos' "
-      "ML.");
-    section.add("Gap interpolation",
-                interpolation,
-                Names<GapInterpolation>(
-                  {{GapInterpolation::monotone_cubic, "monotone cubic"},
-                   {GapInterpolation::bilinear, "bilinear"}}),
-                "The gap between the grid points.");
-    section.add(
-      "Refinement",
-      refinement,
-      Names<Refinement>(
-        {{Refinement::adaptive, "adaptive"}, {Refinement::uniform, "uniform"}}),
-      "adaptive: refine where the leak rate is decided; uniform: refine all cells.");
-    section.add(
-      "Target accuracy",
-      target_accuracy,
-      positive.below(1.),
-      "Relative accuracy of the leak rate at which refinement stops [1]; with Zoom "
-      "that of the whole number, of which the mesh takes half.");
-    section.add(
-      "Maximum unknowns",
-      maximum_unknowns,
-      any_number.at_least(1),
+      "gaps.";
+    section.add("Preconditioner", preconditioner, Names{"boomeramg", "ml"}).meaning =
+      "Algebraic multigrid of the flow equations: hypre's BoomerAMG or Trilinos' ML.";
+    section.add("Gap interpolation", interpolation, Names{"monotone cubic", "bilinear"})
+      .meaning = "The gap between the grid points.";
+    section.add("Refinement", refinement, Names{"adaptive", "uniform"}).meaning =
+      "adaptive: refine where the leak rate is decided; uniform: refine all cells.";
+    section.add("Target accuracy", target_accuracy, positive.below(1.)).meaning =
+      "Relative accuracy of the leak rate at which refinement stops [1]; with Zoom that "
+      "of the whole number, of which the mesh takes half.";
+    section.add("Maximum unknowns", maximum_unknowns, any_number.at_least(1)).meaning =
       "Refinement stops before the flow has more unknowns than this, the first mesh "
-      "apart [1].");
-    section.add(
-      "Bounds",
-      bounds,
-      Names<FlowBounds>(
-        {{FlowBounds::asymptotic, "asymptotic"}, {FlowBounds::rigorous, "rigorous"}}),
+      "apart [1].";
+    section.add("Bounds", bounds, Names{"asymptotic", "rigorous"}).meaning =
       "The leak rate's bounds, by integrals of the conductivity and its reciprocal from "
-      "above. asymptotic: by Gauss quadrature where the gap is known to vary little, which "
-      "is close but proves nothing; rigorous: their largest values in parts of each cell "
-      "take its place, so that the true value for the interpolated gap lies between the "
-      "bounds, which cannot come as close.");
+      "above. asymptotic: by Gauss quadrature where the gap is known to vary little, "
+      "which is close but proves nothing; rigorous: their largest values in parts of "
+      "each cell take its place, so that the true value for the interpolated gap lies "
+      "between the bounds, which cannot come as close.";
     feedback.bind(section.subsection("Wall feedback"));
   }
 
@@ -193,11 +203,9 @@ namespace strait
     if (molar_mass > 0.)
       thermal_speed = std::sqrt(2. * gas_constant * temperature / molar_mass) *
                       seconds_in(units.time).value_or(1.) / units.length_in_metres();
-    if (known == nullptr)
+    if (known == nullptr || viscosity != FluidParameters().viscosity)
       return;
-    if (viscosity != FluidParameters().viscosity)
-      return;
-    if (temperature != room_temperature)
+    if (temperature != FluidParameters().temperature)
       throw InputError("Fluid/Gas knows the viscosity of " + gas +
                        " at 293.15 K only; give Fluid/Viscosity at the temperature.");
     viscosity = known->viscosity / (pascals_in(units.pressure).value_or(1.) *

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/json.h>
 
+#include <boost/algorithm/string.hpp>
+
 namespace strait
 {
   namespace
@@ -27,10 +29,7 @@ namespace strait
     std::string
     indented(const std::string &value)
     {
-      std::string result;
-      for (const char letter : "\n" + value)
-        result += letter == '\n' ? "\n  " : std::string(1, letter);
-      return result;
+      return boost::replace_all_copy("\n" + value, "\n", "\n  ");
     }
   } // namespace
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 
 namespace strait
@@ -57,14 +58,7 @@ namespace strait
     std::string
     escaped(const std::string &text)
     {
-      std::string result;
-      for (const char character : text)
-        {
-          if (character == '|' || character == '*' || character == '_')
-            result += '\\';
-          result += character;
-        }
-      return result;
+      return std::regex_replace(text, std::regex("[|*_]"), "\\$&");
     }
   } // namespace
 
@@ -113,14 +107,11 @@ namespace strait
           return parameter;
         siblings.push_back(parameter.name);
       }
-    std::string nearest = nearest_name(entry.name, siblings);
-    if (nearest.empty())
-      {
-        const auto place =
-          std::find(names.begin(), names.end(), nearest_name(entry.name, names));
-        if (place != names.end())
-          nearest = parameters[place - names.begin()].path();
-      }
+    std::string       nearest   = nearest_name(entry.name, siblings);
+    const std::string elsewhere = nearest_name(entry.name, names);
+    for (const Parameter &parameter : parameters)
+      if (nearest.empty() && parameter.name == elsewhere)
+        nearest = parameter.path();
     throw InputError(entry.place + ": unknown parameter '" + entry.name + "' " +
                      (entry.section.empty()
                         ? "outside every subsection"
@@ -154,7 +145,7 @@ namespace strait
       {
         go_to(parameter.section, open, out);
         if (explained)
-          print_comment(parameter.documentation + " Values: " + parameter.allowed + ".",
+          print_comment(parameter.meaning + " Values: " + parameter.allowed + ".",
                         indent(open),
                         out);
         out << indent(open) << trim("set " + parameter.name + " = " + parameter.value)
@@ -184,7 +175,7 @@ namespace strait
         section = parameter.section;
         out << "| " << parameter.name << " | "
             << (parameter.value.empty() ? "" : "`" + parameter.value + "`") << " | "
-            << parameter.allowed << " | " << escaped(parameter.documentation) << " |\n";
+            << parameter.allowed << " | " << escaped(parameter.meaning) << " |\n";
       }
     return out.str() + "\n";
   }
@@ -197,41 +188,28 @@ namespace strait
     return {table, inner};
   }
 
-  void
-  ParameterSection::add(const std::string &name,
-                        bool              &variable,
-                        const std::string &documentation)
+  Parameter &
+  ParameterSection::add(const std::string &name, bool &variable)
   {
-    add(name, variable, Names<bool>({{true, "true"}, {false, "false"}}), documentation);
+    Parameter &parameter = add(name, variable, Names{"false", "true"});
+    parameter.allowed    = "one of: true, false";
+    return parameter;
   }
 
-  void
-  ParameterSection::add(const std::string &name,
-                        std::string       &variable,
-                        const std::string &documentation)
-  {
-    add(name,
-        variable,
-        Text{"text", [](const std::string &) { return true; }},
-        documentation);
-  }
-
-  void
+  Parameter &
   ParameterSection::add_path(const std::string &name,
                              std::string       &variable,
-                             const std::string &documentation,
                              const std::string &keyword)
   {
-    add({names,
-         name,
-         variable,
-         keyword.empty() ? "a path" : keyword + ", or a path",
-         documentation,
-         [&variable](const std::string &path) {
-           variable = path;
-           return true;
-         },
-         true,
-         keyword});
+    return table.add({names,
+                      name,
+                      variable,
+                      keyword.empty() ? "a path" : keyword + ", or a path",
+                      [&variable](const std::string &path) {
+                        variable = path;
+                        return true;
+                      },
+                      true,
+                      keyword});
   }
 } // namespace strait

@@ -55,7 +55,7 @@ namespace strait
   }
 
   std::string
-  Range::words_for(const bool is_integer, const bool is_list) const
+  Range::words(const bool is_integer, const bool is_list) const
   {
     std::string words     = is_list ? (is_integer ? "integers" : "numbers")
                                     : (is_integer ? "an integer" : "a number");

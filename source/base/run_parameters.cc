@@ -10,11 +10,7 @@ namespace strait
 {
   namespace
   {
-    const Names<Orientation>
-      orientation_names({{Orientation::as_is, "as is"},
-                         {Orientation::inverted, "inverted"},
-                         {Orientation::rotated, "rotated"},
-                         {Orientation::inverted_and_rotated, "inverted and rotated"}});
+    const Names orientation_names{"as is", "inverted", "rotated", "inverted and rotated"};
 
     template <typename Value>
     bool
@@ -27,57 +23,35 @@ namespace strait
   void
   ProgrammeParameters::bind(ParameterSection section)
   {
-    section.add(
-      "Pressures",
-      pressures,
-      any_number,
-      "One step each, in this order: nominal pressures [pressure], or mean gaps "
-      "[length] if Contact/Control = mean gap.");
-    section.add(
-      "Find threshold",
-      find_threshold,
-      "Find the critical load L_c, the largest at which an open channel connects "
-      "inlet and outlet, before the steps; the table then has the column "
-      "reduced_load.");
-    section.add(
-      "Find blow-out",
-      find_blow_out,
-      "With Fluid/Wall feedback: for each of Pressures find the inlet pressure at "
-      "which the seal begins to leak when it is raised, before the steps; see "
-      "blow_out.csv.");
-    section.add(
-      "Find re-sealing",
-      find_resealing,
-      "With Find blow-out: find the inlet pressure, too, at which the seal that "
-      "has blown out closes again when it is lowered; about as many solves more.");
-    section.add("Threshold tolerance",
-                threshold_tolerance,
-                any_number.at_least(1e-9).at_most(0.1),
-                "Relative width of the brackets of L_c and of blow-out pressures [1].");
-    section.add("Reduced loads",
-                reduced_loads,
-                positive.below(1.),
-                "Further steps at these values of 1 - L/L_c, once L_c is known [1].");
-    section.add("Largest reduced load of fits",
-                largest_fitted,
-                not_negative.at_most(1.),
-                "Exponents are fitted to the steps up to this value of 1 - L/L_c [1].");
-    section.add(
-      "Path",
-      path,
-      Names<LoadPath>({{LoadPath::loading, "loading"},
-                       {LoadPath::unloading, "unloading"},
-                       {LoadPath::cycle, "cycle"}}),
+    section.add("Pressures", pressures, any_number).meaning =
+      "One step each, in this order: nominal pressures [pressure], or mean gaps [length] "
+      "if Contact/Control = mean gap.";
+    section.add("Find threshold", find_threshold).meaning =
+      "Find the critical load L_c, the largest at which an open channel connects inlet "
+      "and outlet, before the steps; the table then has the column reduced_load.";
+    section.add("Find blow-out", find_blow_out).meaning =
+      "With Fluid/Wall feedback: for each of Pressures find the inlet pressure at which "
+      "the seal begins to leak when it is raised, before the steps; see blow_out.csv.";
+    section.add("Find re-sealing", find_resealing).meaning =
+      "With Find blow-out: find the inlet pressure, too, at which the seal that has "
+      "blown out closes again when it is lowered; about as many solves more.";
+    section
+      .add("Threshold tolerance",
+           threshold_tolerance,
+           any_number.at_least(1e-9).at_most(0.1))
+      .meaning = "Relative width of the brackets of L_c and of blow-out pressures [1].";
+    section.add("Reduced loads", reduced_loads, positive.below(1.)).meaning =
+      "Further steps at these values of 1 - L/L_c, once L_c is known [1].";
+    section.add("Largest reduced load of fits", largest_fitted, not_negative.at_most(1.))
+      .meaning = "Exponents are fitted to the steps up to this value of 1 - L/L_c [1].";
+    section.add("Path", path, Names{"loading", "unloading", "cycle"}).meaning =
       "From which side the threshold is approached, and the order of the steps at "
       "Reduced loads: loading (towards larger loads) or unloading; with adhesion it also "
       "says whether the first state is that of no adhesion (loading) or of full contact "
-      "(unloading). cycle: loading, and the Pressures then back in the reverse order.");
-    section.add(
-      "Jump tolerance",
-      jump_tolerance,
-      not_negative.at_most(1.),
-      "With adhesion: width to which the load of a jump is enclosed, in units of "
-      "the largest of Pressures; 0: jumps are not looked for [1].");
+      "(unloading). cycle: loading, and the Pressures then back in the reverse order.";
+    section.add("Jump tolerance", jump_tolerance, not_negative.at_most(1.)).meaning =
+      "With adhesion: width to which the load of a jump is enclosed, in units of the "
+      "largest of Pressures; 0: jumps are not looked for [1].";
   }
 
   void
@@ -104,23 +78,16 @@ namespace strait
   void
   RealisationParameters::bind(ParameterSection section)
   {
-    section.add(
-      "Seeds",
-      seeds,
-      not_negative,
-      "Run the scene for each of these seeds instead of Surface/Seed, each with "
-      "its own folder of results; compare them in ensemble.csv.");
-    section.add("Orientations",
-                orientations,
-                orientation_names,
-                "Run each seed in these orientations, which replace Surface/Invert and "
-                "Surface/Rotate.");
-    section.add("Ranks each",
-                ranks_each,
-                any_number.at_least(1),
-                "How many ranks run a realisation together, one number that divides the "
-                "number of ranks: groups of so many run realisations at the same time. "
-                "Empty: all ranks run one after the other.");
+    section.add("Seeds", seeds, not_negative).meaning =
+      "Run the scene for each of these seeds instead of Surface/Seed, each with its own "
+      "folder of results; compare them in ensemble.csv.";
+    section.add("Orientations", orientations, orientation_names).meaning =
+      "Run each seed in these orientations, which replace Surface/Invert and "
+      "Surface/Rotate.";
+    section.add("Ranks each", ranks_each, any_number.at_least(1)).meaning =
+      "How many ranks run a realisation together, one number that divides the number of "
+      "ranks: groups of so many run realisations at the same time. Empty: all ranks run "
+      "one after the other.";
   }
 
   void
@@ -139,41 +106,27 @@ namespace strait
   void
   WholeSealParameters::bind(ParameterSection section)
   {
-    section.add("Enabled",
-                enabled,
-                "Leak rate of a whole seal, with its uncertainty, from the realisations "
-                "as patches of it; see seal.csv.");
-    section.add("Circumference",
-                circumference,
-                not_negative,
-                "Length of the seal across the flow [length].");
-    section.add("Contact width",
-                contact_width,
-                not_negative,
-                "Width of the contact along the flow, the same at all loads [length].");
-    section.add_path(
-      "Pressure profile",
-      pressure_profile,
+    section.add("Enabled", enabled).meaning =
+      "Leak rate of a whole seal, with its uncertainty, from the realisations as patches "
+      "of it; see seal.csv.";
+    section.add("Circumference", circumference, not_negative).meaning =
+      "Length of the seal across the flow [length].";
+    section.add("Contact width", contact_width, not_negative).meaning =
+      "Width of the contact along the flow, the same at all loads [length].";
+    section.add_path("Pressure profile", pressure_profile, "hertz").meaning =
       "How the contact pressure is distributed over the width. Empty: uniform; hertz: "
       "that of a cylinder on a plane, which vanishes at both edges; else a table of two "
       "columns, position [length] and pressure, say of a finite-element program. A "
-      "nominal pressure is then the mean over the width.",
-      "hertz");
-    section.add(
-      "Isotropic",
-      isotropic,
+      "nominal pressure is then the mean over the width.";
+    section.add("Isotropic", isotropic).meaning =
       "true: rotated realisations are further samples of the flow along; false: they "
-      "give the conductances across, for a surface with a lay.");
-    section.add("Wanted leak rate",
-                wanted_leak_rate,
-                not_negative,
-                "Find the load at which the whole seal leaks as much, in the first of "
-                "Output/Leak rate units if that is set; 0: do not [length^3/time].");
-    section.add(
-      "Two in a row",
-      two_in_a_row,
+      "give the conductances across, for a surface with a lay.";
+    section.add("Wanted leak rate", wanted_leak_rate, not_negative).meaning =
+      "Find the load at which the whole seal leaks as much, in the first of Output/Leak "
+      "rate units if that is set; 0: do not [length^3/time].";
+    section.add("Two in a row", two_in_a_row).meaning =
       "Of a single box: solve the flow through two of it as well, one behind the other. "
-      "The patches of a seal that is wider than one do so by themselves.");
+      "The patches of a seal that is wider than one do so by themselves.";
   }
 
   void
@@ -188,94 +141,73 @@ namespace strait
   void
   TheoryParameters::bind(ParameterSection section)
   {
-    section.add("Enabled",
-                enabled,
-                "Persson's contact theory and an effective medium beside each step. With "
-                "Contact and Fluid off they are evaluated alone, for every load of Load "
-                "programme/Pressures and without a grid.");
-    section.add(
-      "Spectrum",
-      spectrum,
-      Names<TheorySpectrum>(
-        {{TheorySpectrum::model, "model"}, {TheorySpectrum::surface, "surface"}}),
-      "model: what a self-affine surface has on average, in closed form; surface: "
-      "that of the heights on the grid.");
-    section.add("Gap distribution",
-                gaps,
-                Names<TheoryGaps>({{TheoryGaps::persson, "persson"},
-                                   {TheoryGaps::simulated, "simulated"}}),
-                "The gaps that the effective medium is made of: persson, those of the "
-                "theory; simulated, those of the step.");
-    section.add(
-      "Dimension parameter",
-      dimension,
-      Names<TheoryDimension>({{TheoryDimension::bruggeman, "bruggeman"},
-                              {TheoryDimension::critical_fraction, "critical fraction"},
-                              {TheoryDimension::from_threshold, "from threshold"}}),
-      "n of the effective medium, which seals at the contact fraction 1 - 1/n. bruggeman: "
-      "n = 2; critical fraction: from the fraction given below; from threshold: such that "
-      "it seals at the critical load of this run (Load programme/Find threshold).");
-    section.add("Critical contact fraction",
-                critical_fraction,
-                positive.below(1.),
-                "Contact fraction at which the effective medium seals, for Dimension "
-                "parameter = critical fraction [1].");
-    section.add(
-      "Gamma",
-      gamma,
-      positive.at_most(1.),
-      "Persson's gamma, the share of the elastic energy of full contact that is "
-      "stored at low loads [1].");
+    section.add("Enabled", enabled).meaning =
+      "Persson's contact theory and an effective medium beside each step. With Contact "
+      "and Fluid off they are evaluated alone, for every load of Load "
+      "programme/Pressures and without a grid.";
+    section.add("Spectrum", spectrum, Names{"model", "surface"}).meaning =
+      "model: what a self-affine surface has on average, in closed form; surface: that "
+      "of the heights on the grid.";
+    section.add("Gap distribution", gaps, Names{"persson", "simulated"}).meaning =
+      "The gaps that the effective medium is made of: persson, those of the theory; "
+      "simulated, those of the step.";
+    section
+      .add("Dimension parameter",
+           dimension,
+           Names{"bruggeman", "critical fraction", "from threshold"})
+      .meaning =
+      "n of the effective medium, which seals at the contact fraction 1 - 1/n. "
+      "bruggeman: n = 2; critical fraction: from the fraction given below; from "
+      "threshold: such that it seals at the critical load of this run (Load "
+      "programme/Find threshold).";
+    section.add("Critical contact fraction", critical_fraction, positive.below(1.))
+      .meaning =
+      "Contact fraction at which the effective medium seals, for Dimension parameter = "
+      "critical fraction [1].";
+    section.add("Gamma", gamma, positive.at_most(1.)).meaning =
+      "Persson's gamma, the share of the elastic energy of full contact that is stored "
+      "at low loads [1].";
   }
 
   void
   OutputParameters::bind(ParameterSection section)
   {
-    section.add(
-      "Directory",
-      directory,
-      Text{"a folder", [](const std::string &text) { return !text.empty(); }},
-      "Folder of the results, made if it does not exist; a relative path starts at "
-      "the current folder.");
-    section.add("Fields",
-                fields,
-                Names<FieldOutput>({{FieldOutput::none, "none"},
-                                    {FieldOutput::last, "last"},
-                                    {FieldOutput::all, "all"}}),
-                "Steps whose fields are written: gap, pressure and labels on the grid "
-                "(HDF5), the flow on its mesh (VTU).");
-    section.add("Pictures",
-                pictures,
-                "Draw a picture of each step and of the leak rate against the load.");
-    section.add(
-      "Error budget",
-      error_budget,
-      "Estimate the leak rate's errors from contact grid and gap interpolation as "
-      "well, from solutions on coarser grids; about doubles the time of a step.");
-    section.add(
-      "Checkpoint",
-      checkpoint,
-      "Keep after every step what --resume needs to continue the run: 20 bytes a "
-      "grid point on the disk for a dry contact, 28 with adhesion, 8 more with Wall "
-      "feedback or Yielding, and the time to write that.");
-    section.add(
-      "Surface map",
-      surface_map,
-      "Write the surface on the grid, processed, as NetCDF (surface.nc), and at "
-      "the end as a contact that yields has left it (surface-indented.nc).");
-    section.add("Surface spectrum",
-                surface_spectrum,
-                "Write and draw the spectrum of the surface (spectrum.csv).");
-    section.add("Report",
-                report,
-                "Write report.html: scene, results, limits, pictures and errors on one "
-                "page that needs no other file.");
-    section.add(
-      "Leak rate units",
-      leak_rate_units,
-      Text{"some of: " + leak_rate_unit_names(),
-           [](const std::string &name) { return find_leak_rate_unit(name) != nullptr; }},
-      "Columns with the leak rate in units of the trade; needs the section Units. "
-      "The last four are throughputs of a gas, for Fluid/State = gas.");
+    section
+      .add("Directory",
+           directory,
+           Text{"a folder", [](const std::string &text) { return !text.empty(); }})
+      .meaning =
+      "Folder of the results, made if it does not exist; a relative path starts at the "
+      "current folder.";
+    section.add("Fields", fields, Names{"none", "last", "all"}).meaning =
+      "Steps whose fields are written: gap, pressure and labels on the grid (HDF5), the "
+      "flow on its mesh (VTU).";
+    section.add("Pictures", pictures).meaning =
+      "Draw a picture of each step and of the leak rate against the load.";
+    section.add("Error budget", error_budget).meaning =
+      "Estimate the leak rate's errors from contact grid and gap interpolation as well, "
+      "from solutions on coarser grids; about doubles the time of a step.";
+    section.add("Checkpoint", checkpoint).meaning =
+      "Keep after every step what --resume needs to continue the run: 20 bytes a grid "
+      "point on the disk for a dry contact, 28 with adhesion, 8 more with Wall feedback "
+      "or Yielding, and the time to write that.";
+    section.add("Surface map", surface_map).meaning =
+      "Write the surface on the grid, processed, as NetCDF (surface.nc), and at the end "
+      "as a contact that yields has left it (surface-indented.nc).";
+    section.add("Surface spectrum", surface_spectrum).meaning =
+      "Write and draw the spectrum of the surface (spectrum.csv).";
+    section.add("Report", report).meaning =
+      "Write report.html: scene, results, limits, pictures and errors on one page that "
+      "needs no other file.";
+    section
+      .add("Leak rate units",
+           leak_rate_units,
+           Text{"some of: " + leak_rate_unit_names(),
+                [](const std::string &name) {
+                  return find_leak_rate_unit(name) != nullptr;
+                }})
+      .meaning =
+      "Columns with the leak rate in units of the trade; needs the section Units. The "
+      "last four are throughputs of a gas, for Fluid/State = gas.";
   }
 } // namespace strait

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <ostream>
-#include <sstream>
 
 namespace strait
 {
@@ -23,9 +23,7 @@ namespace strait
       if (!in)
         throw InputError("Cannot read the scene file '" + path +
                          "'; check the path and its permissions.");
-      std::ostringstream text;
-      text << in.rdbuf();
-      return text.str();
+      return std::string(std::istreambuf_iterator<char>(in), {});
     }
   } // namespace
 

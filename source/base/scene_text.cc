@@ -3,6 +3,9 @@
 #include <strait/base/scene_text.h>
 #include <strait/base/text.h>
 
+#include <boost/algorithm/string.hpp>
+#include <boost/algorithm/string/trim_all.hpp>
+
 #include <sstream>
 
 namespace strait
@@ -42,22 +45,16 @@ namespace strait
     std::pair<std::string, std::string>
     first_word(const std::string &line)
     {
-      const auto  end  = line.find_first_of(" \t");
-      std::string word = line.substr(0, end);
-      for (char &letter : word)
-        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-      return {word, end == std::string::npos ? "" : trim(line.substr(end))};
+      const auto end = line.find_first_of(" \t");
+      return {boost::to_lower_copy(line.substr(0, end)),
+              end == std::string::npos ? "" : trim(line.substr(end))};
     }
 
     /** White space inside a name counts as one blank. */
     std::string
     squeeze(const std::string &name)
     {
-      std::istringstream       in(name);
-      std::vector<std::string> words;
-      for (std::string word; in >> word;)
-        words.push_back(word);
-      return join(words, " ");
+      return boost::trim_fill_copy(name, " ");
     }
   } // namespace
 

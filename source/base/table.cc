@@ -4,6 +4,8 @@
 #include <strait/base/text.h>
 #include <strait/base/units.h>
 
+#include <boost/algorithm/string.hpp>
+
 #include <filesystem>
 #include <ostream>
 #include <system_error>
@@ -14,14 +16,9 @@ namespace strait
   in_units_of(const std::string &unit, const UnitParameters &units)
   {
     std::string result = unit;
-    const auto  put    = [&result](const std::string &quantity, const std::string &own) {
-      const auto at = result.find(quantity);
-      if (at != std::string::npos)
-        result.replace(at, quantity.size(), own);
-    };
-    put("length", units.length);
-    put("pressure", units.pressure);
-    put("time", units.time);
+    boost::replace_first(result, "length", units.length);
+    boost::replace_first(result, "pressure", units.pressure);
+    boost::replace_first(result, "time", units.time);
     return result;
   }
 

@@ -4,23 +4,12 @@
 #include <boost/algorithm/string.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdarg>
 #include <cstdio>
 
 namespace strait
 {
-  namespace
-  {
-    bool
-    same_letter(const char a, const char b)
-    {
-      return std::tolower(static_cast<unsigned char>(a)) ==
-             std::tolower(static_cast<unsigned char>(b));
-    }
-  } // namespace
-
   std::string
   trim(const std::string &text)
   {
@@ -65,8 +54,9 @@ namespace strait
   }
 
   int
-  edit_distance(const std::string &a, const std::string &b)
+  edit_distance(const std::string &from, const std::string &to)
   {
+    const std::string a = boost::to_lower_copy(from), b = boost::to_lower_copy(to);
     // distance[i][j]: of the first i letters of a from the first j of b
     // (optimal string alignment).
     std::vector<std::vector<int>> distance(a.size() + 1, std::vector<int>(b.size() + 1));
@@ -78,12 +68,11 @@ namespace strait
               distance[i][j] = static_cast<int>(i + j);
               continue;
             }
-          distance[i][j] = std::min(
-            {distance[i - 1][j] + 1,
-             distance[i][j - 1] + 1,
-             distance[i - 1][j - 1] + (same_letter(a[i - 1], b[j - 1]) ? 0 : 1)});
-          if (i > 1 && j > 1 && same_letter(a[i - 1], b[j - 2]) &&
-              same_letter(a[i - 2], b[j - 1]))
+          distance[i][j] =
+            std::min({distance[i - 1][j] + 1,
+                      distance[i][j - 1] + 1,
+                      distance[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+          if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
             distance[i][j] = std::min(distance[i][j], distance[i - 2][j - 2] + 1);
         }
     return distance[a.size()][b.size()];

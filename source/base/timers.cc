@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
 #include <strait/base/timers.h>
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 
 namespace strait
 {
@@ -32,33 +31,25 @@ namespace strait
     return {*this, *part};
   }
 
-  double
-  Timers::total() const
-  {
-    return seconds_since(start);
-  }
-
   std::vector<Timers::Part>
   Timers::table() const
   {
     std::vector<Part> rows;
-    append(rows, total_time, "", 0, total());
+    append(rows, total_time, "", 0, seconds_since(start));
     return rows;
   }
 
   std::string
   Timers::summary() const
   {
-    std::ostringstream out;
-    out << std::fixed << std::setprecision(2);
+    std::string text;
     for (const Part &part : table())
       {
         const std::string indent(2 * static_cast<std::size_t>(part.depth), ' ');
         const std::string name = part.path.substr(part.path.rfind('/') + 1);
-        out << std::left << std::setw(32) << indent + name << std::right << std::setw(10)
-            << part.seconds << " s\n";
+        text += format("%-32s%10.2f s\n", (indent + name).c_str(), part.seconds);
       }
-    return out.str();
+    return text;
   }
 
   void

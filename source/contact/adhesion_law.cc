@@ -14,15 +14,12 @@ namespace strait
     };
 
     /** f = exp(−s). */
-    struct Exponential
+    Shape
+    exponential(const double s)
     {
-      static Shape
-      at(const double s)
-      {
-        const double f = std::exp(-s);
-        return {f, f, f};
-      }
-    };
+      const double f = std::exp(-s);
+      return {f, f, f};
+    }
 
     /**
      * f = 1/(1 + s)²: van der Waals forces between half-spaces at the distance D = z0 +
@@ -31,29 +28,14 @@ namespace strait
      * between surfaces that Lennard-Jones' potential gives, with the hard wall in place
      * of the repulsive one.
      */
-    struct VanDerWaals
+    Shape
+    van_der_waals(const double s)
     {
-      static Shape
-      at(const double s)
-      {
-        const double u = 1 / (1 + s), square = u * u;
-        return {square, 2 * square * u, 6 * square * square};
-      }
-    };
-
-    template <class Kind>
-    AdhesionLaw::Values
-    value_of(const AdhesionLaw &law, const double gap)
-    {
-      const double s     = gap / law.range;
-      const Shape  f     = Kind::at(s);
-      const double slope = law.surface_energy / law.range;
-      return {-law.surface_energy * f.value,
-              slope * f.slope,
-              -slope / law.range * f.curvature};
+      const double u = 1 / (1 + s), square = u * u;
+      return {square, 2 * square * u, 6 * square * square};
     }
 
-    template <class Kind>
+    template <Shape (*shape)(double)>
     double
     values_of(const AdhesionLaw &law,
               const std::size_t  n,
@@ -62,16 +44,15 @@ namespace strait
               double            *curvature)
     {
       // Copies, for all the compiler knows a write to a field might change the law.
-      const AdhesionLaw         local      = law;
-      const AdhesionLaw::Values in_contact = value_of<Kind>(local, 0.);
-      double                    energy     = 0;
+      const double gamma = law.surface_energy, range = law.range, slope = gamma / range;
+      const Shape  in_contact = shape(0.);
+      double       energy     = 0;
       for (std::size_t i = 0; i < n; ++i)
         {
-          const AdhesionLaw::Values here =
-            gap[i] > 0 ? value_of<Kind>(local, gap[i]) : in_contact;
-          energy += here.energy;
-          traction[i]  = here.traction;
-          curvature[i] = here.curvature;
+          const Shape f = gap[i] > 0 ? shape(gap[i] / range) : in_contact;
+          energy += -gamma * f.value;
+          traction[i]  = slope * f.slope;
+          curvature[i] = -slope / range * f.curvature;
         }
       return energy;
     }
@@ -94,10 +75,10 @@ namespace strait
     switch (shape)
       {
         case AdhesionShape::exponential:
-          return values_of<Exponential>(*this, n, gap, traction, curvature);
+          return values_of<exponential>(*this, n, gap, traction, curvature);
         case AdhesionShape::van_der_waals:
-          return values_of<VanDerWaals>(*this, n, gap, traction, curvature);
+          break;
       }
-    return 0;
+    return values_of<van_der_waals>(*this, n, gap, traction, curvature);
   }
 } // namespace strait

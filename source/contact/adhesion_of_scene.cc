@@ -75,14 +75,12 @@ namespace strait
 
   AdhesionScale::AdhesionScale(const ContactParameters &parameters,
                                const SlabField         &heights)
-    : shape(parameters.adhesion.shape)
-    , range(parameters.adhesion.range)
-    , tabor(parameters.adhesion.tabor_number)
+    : adhesion(parameters.adhesion)
     , modulus(parameters.effective_modulus)
     , curvature_radius(statistics(heights).curvature_radius)
     , spacing(std::max(heights.grid().dx(), heights.grid().dy()))
   {
-    if (tabor > 0 && !std::isfinite(curvature_radius))
+    if (adhesion.tabor_number > 0 && !std::isfinite(curvature_radius))
       throw InputError(
         "Contact/Adhesion/Tabor number says nothing about a flat surface; give Range.");
   }
@@ -91,11 +89,11 @@ namespace strait
   AdhesionScale::law(const double surface_energy) const
   {
     return {surface_energy,
-            range > 0
-              ? range
+            adhesion.range > 0
+              ? adhesion.range
               : std::cbrt(curvature_radius * std::pow(surface_energy / modulus, 2)) /
-                  tabor,
-            shape};
+                  adhesion.tabor_number,
+            adhesion.shape};
   }
 
   double

@@ -2,9 +2,8 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 #include <strait/contact/adhesive_contact_solver.h>
-#include <strait/contact/contact_area.h>
 #include <strait/contact/contact_solver.h>
-#include <strait/contact/gap_stability.h>
+#include <strait/contact/optimisers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,27 +24,23 @@ namespace strait
 
     /** The rms of K h, E* times the rms slope over 2. */
     double
-    flattening_traction(const SlabField &heights, const double modulus)
+    flattening_traction(HalfSpaceGapProblem &problem, const SlabLayoutPtr &layout)
     {
-      SlabField traction(heights.layout_pointer());
-      FourierTransform(heights.layout_pointer())
-        .multiply(heights.data(),
-                  traction.data(),
-                  WaveStiffness(heights.grid(), modulus));
+      SlabField traction(layout);
+      problem.apply(problem.heights(), traction.data(), no_pass);
       return rms(traction);
     }
   } // namespace
 
   AdhesiveContactSolver::AdhesiveContactSolver(const ContactParameters &parameters_,
-                                               const AdhesionLaw       &law_,
+                                               const AdhesionLaw       &law,
                                                const AdhesiveStart      start_,
                                                SlabField                heights_)
     : parameters(parameters_)
-    , law(law_)
     , start(start_)
     , wall(std::move(heights_), parameters.effective_modulus)
-    , traction_scale(flattening_traction(wall.heights(), parameters.effective_modulus))
     , problem(wall.heights(), parameters.effective_modulus, law)
+    , traction_scale(flattening_traction(problem, wall.layout()))
   {
   }
 
@@ -67,23 +62,24 @@ namespace strait
     const long n_before  = problem.n_applications();
     const auto optimiser = make_optimiser(of_solid);
 
-    GapSolution                 solution   = optimiser->solve(gap.data());
-    int                         iterations = solution.iterations;
-    std::vector<RelaxationStep> relaxation = solution.way;
-    double                      curvature  = std::numeric_limits<double>::quiet_NaN();
-    double                      energy     = std::numeric_limits<double>::infinity();
-    while (solution.converged && !solution.detached)
+    GapSolution                 solution;
+    int                         iterations = 0;
+    std::vector<RelaxationStep> relaxation;
+    double                      curvature = std::numeric_limits<double>::quiet_NaN();
+    double                      energy    = std::numeric_limits<double>::infinity();
+    while (true)
       {
-        curvature = smallest_curvature(
-          problem, !parameters.loads(), gap.data(), optimiser->curvature(), softest);
+        solution = optimiser->solve(gap.data());
+        iterations += solution.iterations;
+        relaxation.insert(relaxation.end(), solution.way.begin(), solution.way.end());
+        if (!solution.converged || solution.detached)
+          break;
+        curvature = optimiser->smallest_curvature(softest);
         // What was pushed off and did not fall has come back to where it was.
         if (curvature > -curvature_noise || !(solution.energy < energy))
           break;
         energy = solution.energy;
         push_off(softest, gap);
-        solution = optimiser->solve(gap.data());
-        iterations += solution.iterations;
-        relaxation.insert(relaxation.end(), solution.way.begin(), solution.way.end());
       }
 
     ContactState state                 = state_of(*optimiser, solution, std::move(gap));
@@ -108,7 +104,7 @@ namespace strait
     // A flat surface has no traction of its own.
     const double scale = traction_scale > 0 ? traction_scale
                          : by_load          ? std::abs(target)
-                                            : law.at(0).traction;
+                                            : problem.adhesion.at(0).traction;
     return make_gap_optimiser(parameters.adhesion.method,
                               problem,
                               {!by_load, target},
@@ -129,28 +125,24 @@ namespace strait
                        "makes contact, from which tension can pull.");
   }
 
-  /** Where the state @p from and the one before it lead to; what closes there stays
-   *  closed. */
+  /** Without a state @p from, that of the scene's start; else where it and the one before
+   *  it lead to. What closes there stays closed. */
   SlabField
   AdhesiveContactSolver::start_gap(const double        target,
                                    const ContactState *from,
                                    const bool          is_dry) const
   {
+    if (from == nullptr && start == AdhesiveStart::full_contact)
+      return SlabField(wall.layout());
     if (from == nullptr)
-      return first_gap(target);
+      {
+        ContactParameters without = parameters;
+        without.tolerance         = std::max(1e-4, parameters.tolerance);
+        return ContactSolver(without, wall.heights()).solve(target).gap;
+      }
     const double steps   = from->approach.steps_to(target);
     const bool   is_near = is_dry && steps > 0 && steps <= 2;
     return is_near ? from->approach.extrapolated(from->gap, target) : from->gap;
-  }
-
-  SlabField
-  AdhesiveContactSolver::first_gap(const double target) const
-  {
-    if (start == AdhesiveStart::full_contact)
-      return SlabField(wall.layout());
-    ContactParameters without = parameters;
-    without.tolerance         = std::max(1e-4, parameters.tolerance);
-    return ContactSolver(without, wall.heights()).solve(target).gap;
   }
 
   /** Leave a saddle point of the energy along @p v, towards smaller gaps. */
@@ -167,7 +159,7 @@ namespace strait
     largest = problem.largest_over_ranks(largest);
     // A mean of zero but for rounding must give the same sign everywhere.
     const bool   inwards = mean > 1e-9 * std::sqrt(square);
-    const double factor  = (inwards ? -push : push) * law.range / largest;
+    const double factor  = (inwards ? -push : push) * problem.adhesion.range / largest;
     for (std::size_t i = 0; i < gap.size(); ++i)
       gap[i] += factor * v[i];
   }
@@ -177,21 +169,16 @@ namespace strait
                                   const GapSolution  &solution,
                                   SlabField           gap) const
   {
-    ContactState state;
-    state.gap      = std::move(gap);
-    state.pressure = SlabField(wall.layout());
+    SlabField pressure(wall.layout());
     // Within the tolerance a point may be held by no force, but it is held.
-    for (std::size_t i = 0; i < state.gap.size(); ++i)
-      state.pressure[i] = state.gap[i] > 0 ? 0.
-                                           : std::max(optimiser.reaction()[i],
-                                                      std::numeric_limits<double>::min());
-    const ContactArea area       = contact_area(state.pressure);
-    state.nominal_pressure       = solution.nominal_pressure + wall.fluid_load();
-    state.mean_gap               = mean(state.gap);
-    state.contact_area           = area.fraction;
-    state.contact_area_corrected = area.corrected_fraction;
-    state.residual               = solution.residual;
-    state.converged              = solution.converged;
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      pressure[i] = gap[i] > 0 ? 0.
+                               : std::max(optimiser.reaction()[i],
+                                          std::numeric_limits<double>::min());
+    ContactState state(std::move(pressure), std::move(gap));
+    state.nominal_pressure = solution.nominal_pressure + wall.fluid_load();
+    state.residual         = solution.residual;
+    state.converged        = solution.converged;
 
     AdhesiveState &adhesion  = state.adhesion.emplace();
     adhesion.adhesive_energy = solution.adhesive_energy;

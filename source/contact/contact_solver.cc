@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
-#include <strait/contact/contact_area.h>
 #include <strait/contact/contact_solver.h>
+#include <strait/contact/grid_transfer.h>
+#include <strait/contact/optimisers.h>
 #include <strait/spectral/fill_windows.h>
 
 #include <algorithm>
@@ -12,6 +13,11 @@ namespace strait
 {
   namespace
   {
+    /** Residual on the coarser grids: their discretisation error is larger. Half of it
+     *  takes a little longer there for a start that is no better, double of it leaves
+     * more to the finest grid, where an iteration costs most. */
+    constexpr double coarse_tolerance = 1e-3;
+
     /** Whether a state at @p target may start from @p from. */
     bool
     is_near(const ContactState &from, const double target)
@@ -33,6 +39,38 @@ namespace strait
                ? from.approach.extrapolated(from.pressure, target)
                : from.pressure;
     }
+
+    /**
+     * What a contact of this @p pressure and @p gap leaves behind of a surface that had
+     * the indentation @p before, or none if that is null: it gives way where the pressure
+     * is @p hardness and the gap negative, if @p is_solution says that both solve the
+     * contact problem. Collective.
+     */
+    PlasticState
+    indent(const SlabField *before,
+           const SlabField &pressure,
+           const SlabField &gap,
+           const double     hardness,
+           const bool       is_solution)
+    {
+      // What flowed before and is loaded as much again is at the hardness but for the
+      // solver's tolerance, and some points are on either side of it. Half or double of
+      // it changes the area under a first load by 0.05 % of itself.
+      constexpr double almost = 1e-3;
+
+      PlasticState state;
+      state.indentation = before != nullptr ? *before : SlabField(gap.layout_pointer());
+      SlabField is_plastic(gap.layout_pointer());
+      for (std::size_t i = 0; i < gap.size(); ++i)
+        {
+          is_plastic[i] = pressure[i] > (1. - almost) * hardness ? 1. : 0.;
+          if (pressure[i] == hardness && is_solution)
+            state.indentation[i] += std::max(0., -gap[i]);
+        }
+      state.mean_indentation = mean(state.indentation);
+      state.area             = mean(is_plastic);
+      return state;
+    }
   } // namespace
 
   ContactSolver::ContactSolver(const ContactParameters &contact_parameters,
@@ -52,11 +90,13 @@ namespace strait
     const SlabField *indentation =
       from != nullptr && from->plasticity ? &from->plasticity->indentation : nullptr;
     wall.deform(fluid_pressure, indentation);
-    check(target);
-    if (!makes_contact(target))
+    // What the solid is to carry, or the mean gap that it is to keep.
+    const double of_solid = parameters.loads() ? target - wall.fluid_load() : target;
+    check(target, of_solid);
+    // The highest peak has height 0 here.
+    if (!parameters.loads() && target + wall.mean_height() >= 0)
       return state_without_contact(target);
 
-    const double of_solid = share_of_solid(target);
     // Only states under the same fluid lie on a line.
     const bool is_dry = fluid_pressure == nullptr;
     const bool starts = from != nullptr && is_near(*from, of_solid);
@@ -66,12 +106,12 @@ namespace strait
                                     : wall.layout();
     SlabField            pressure =
       starts ? start_from(*from, of_solid, is_dry) : start_without(layout, of_solid);
-    SlabField              gap(layout);
-    DualProblem           &contact   = problem_on(layout);
-    const ContactTolerance tolerance = tolerance_for(of_solid, digits);
-    const long             n_before  = contact.n_applications();
-    const ContactSolution  solution =
-      optimise(contact, of_solid, tolerance, pressure, gap);
+    SlabField    gap(layout);
+    DualProblem &contact = problem_on(layout);
+    const double residual =
+      digits == Digits::all ? parameters.tolerance : std::sqrt(parameters.tolerance);
+    const long            n_before = contact.n_applications();
+    const ContactSolution solution = optimise(contact, of_solid, residual, pressure, gap);
     problem.release();
 
     std::optional<PlasticState> plasticity;
@@ -90,6 +130,66 @@ namespace strait
     else
       state.approach = Approach(of_solid);
     return state;
+  }
+
+  /** A start without a state near to it. Collective. */
+  SlabField
+  ContactSolver::start_without(const SlabLayoutPtr &layout, const double target)
+  {
+    SlabField start = start_from_coarser_grid(wall.heights(), target);
+    if (layout->windows().empty())
+      return start;
+    // All digits come with the windows.
+    SlabField gap(wall.layout());
+    optimise(problem, target, std::sqrt(parameters.tolerance), start, gap);
+    return zoom_in(start, layout->windows());
+  }
+
+  SlabField
+  ContactSolver::cold_start(const SlabField &grid_heights, const double target) const
+  {
+    SlabField start(grid_heights.layout_pointer(), target);
+    if (parameters.loads())
+      return start;
+    // Where the surfaces would overlap, in proportion to the overlap.
+    const double stiffness =
+      parameters.effective_modulus / grid_heights.grid().mean_side();
+    for (std::size_t i = 0; i < start.size(); ++i)
+      start[i] =
+        stiffness * std::max(0., grid_heights[i] - (target + wall.mean_height()));
+    return start;
+  }
+
+  SlabField
+  ContactSolver::start_from_coarser_grid(const SlabField &fine_heights,
+                                         const double     target)
+  {
+    if (!can_be_coarsened(fine_heights.grid()))
+      return cold_start(fine_heights, target);
+
+    const SlabField coarse_heights  = restrict_by_injection(fine_heights);
+    SlabField       coarse_pressure = start_from_coarser_grid(coarse_heights, target);
+    SlabField       coarse_gap(coarse_heights.layout_pointer());
+    {
+      HalfSpaceProblem coarse(coarse_heights, parameters.effective_modulus);
+      optimise(coarse,
+               target,
+               std::max(parameters.tolerance, coarse_tolerance),
+               coarse_pressure,
+               coarse_gap);
+    }
+
+    // Interpolated contact is too wide: drop what is next to an open gap.
+    const SlabLayoutPtr &layout    = fine_heights.layout_pointer();
+    SlabField            start     = prolong_bilinearly(coarse_pressure, layout);
+    const SlabField      gap       = prolong_bilinearly(coarse_gap, layout);
+    const double         spacing   = std::sqrt(layout->grid().dx() * layout->grid().dy());
+    const double         steepness = 0.3 * parameters.effective_modulus / spacing;
+    for (std::size_t i = 0; i < start.size(); ++i)
+      if (!(start[i] > steepness * gap[i]))
+        start[i] = 0;
+    // On a coarse grid a lone peak may have been missed.
+    return max_value(start) > 0 ? std::move(start) : cold_start(fine_heights, target);
   }
 
   /** The problem on the grid, or with the windows of @p layout as well. Collective. */
@@ -115,7 +215,7 @@ namespace strait
   }
 
   void
-  ContactSolver::check(const double target) const
+  ContactSolver::check(const double target, const double of_solid) const
   {
     if (!(target > 0) || !std::isfinite(target))
       throw InputError(format("Load programme/Pressures contains %g but a %s",
@@ -131,7 +231,7 @@ namespace strait
                "must be less than Contact/Hardness = %g.",
                target,
                parameters.hardness));
-    if (!(share_of_solid(target) > 0))
+    if (!(of_solid > 0))
       throw ComputationError(
         format("The fluid carries a mean pressure of %g, more than the nominal pressure "
                "of %g, so the surfaces do not stay in contact.",
@@ -139,32 +239,13 @@ namespace strait
                target));
   }
 
-  bool
-  ContactSolver::makes_contact(const double target) const
-  {
-    // The highest peak has height 0 here.
-    return parameters.loads() || target + wall.mean_height() < 0;
-  }
-
-  double
-  ContactSolver::share_of_solid(const double target) const
-  {
-    return parameters.loads() ? target - wall.fluid_load() : target;
-  }
-
-  ContactConstraint
-  ContactSolver::constraint_for(const double target) const
-  {
-    // The displacement under pressure has the mean 0.
-    if (!parameters.loads())
-      return ContactConstraint::rigid_displacement(target + wall.mean_height());
-    return parameters.yields()
-             ? ContactConstraint::mean_pressure(target, parameters.hardness)
-             : ContactConstraint::mean_pressure(target);
-  }
-
-  ContactTolerance
-  ContactSolver::tolerance_for(const double target, const Digits digits) const
+  /** Solve to the tolerance @p residual, in units of the rms height. Collective. */
+  ContactSolution
+  ContactSolver::optimise(DualProblem &on_grid,
+                          const double target,
+                          const double residual,
+                          SlabField   &grid_pressure,
+                          SlabField   &grid_gap)
   {
     // A flat surface has no rms height; what remains is rounding of the
     // displacement that the load itself would cause over the box.
@@ -172,22 +253,18 @@ namespace strait
       wall.rms_height() > 0
         ? wall.rms_height()
         : target * wall.heights().grid().mean_side() / parameters.effective_modulus;
-    return {digits == Digits::all ? parameters.tolerance
-                                  : std::sqrt(parameters.tolerance),
-            length,
-            parameters.maximum_iterations};
-  }
-
-  ContactSolution
-  ContactSolver::optimise(DualProblem            &on_grid,
-                          const double            target,
-                          const ContactTolerance &tolerance,
-                          SlabField              &grid_pressure,
-                          SlabField              &grid_gap)
-  {
-    const auto optimiser =
-      make_dual_optimiser(parameters.method, on_grid, constraint_for(target), tolerance);
-    return optimiser->solve(grid_pressure.data(), grid_gap.data());
+    const double limit =
+      parameters.yields() ? parameters.hardness : ContactConstraint::unlimited;
+    // The displacement under pressure has the mean 0.
+    const ContactConstraint constraint =
+      parameters.loads()
+        ? ContactConstraint::mean_pressure(target, limit)
+        : ContactConstraint::rigid_displacement(target + wall.mean_height());
+    return make_dual_optimiser(parameters.method,
+                               on_grid,
+                               constraint,
+                               {residual, length, parameters.maximum_iterations})
+      ->solve(grid_pressure.data(), grid_gap.data());
   }
 
   ContactState
@@ -200,31 +277,22 @@ namespace strait
     copy_to_covered(pressure);
     copy_to_covered(gap);
 
-    const ContactArea area = contact_area(pressure);
-    ContactState      state;
-    state.pressure               = std::move(pressure);
-    state.gap                    = std::move(gap);
-    state.nominal_pressure       = mean(state.pressure) + wall.fluid_load();
-    state.mean_gap               = mean(state.gap);
-    state.contact_area           = area.fraction;
-    state.contact_area_corrected = area.corrected_fraction;
-    state.residual               = solution.residual;
-    state.iterations             = solution.iterations;
-    state.converged              = solution.converged;
+    ContactState state(std::move(pressure), std::move(gap));
+    state.nominal_pressure = mean(state.pressure) + wall.fluid_load();
+    state.residual         = solution.residual;
+    state.iterations       = solution.iterations;
+    state.converged        = solution.converged;
     return state;
   }
 
   ContactState
   ContactSolver::state_without_contact(const double mean_gap) const
   {
-    ContactState state;
-    state.nominal_pressure = wall.fluid_load();
-    state.pressure         = SlabField(wall.layout());
-    state.gap              = SlabField(wall.layout());
-    for (std::size_t i = 0; i < state.gap.size(); ++i)
-      state.gap[i] = std::max(0., mean_gap + wall.mean_height() - wall.heights()[i]);
-    state.mean_gap  = mean(state.gap);
-    state.converged = true;
-    return state;
+    SlabField gap(wall.layout());
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      gap[i] = mean_gap + wall.mean_height() - wall.heights()[i];
+    ContactSolution solution;
+    solution.converged = true;
+    return state_of(solution, SlabField(wall.layout()), std::move(gap));
   }
 } // namespace strait

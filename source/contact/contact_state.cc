@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
 #include <strait/contact/contact_state.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace strait
 {
-  Approach::Approach(const double target)
-    : at(target)
-  {
-  }
-
   Approach::Approach(const double     target,
                      const SlabField &before,
                      const double     target_before)
@@ -52,30 +50,37 @@ namespace strait
     archive.value(scale);
   }
 
-  PlasticState
-  indent(const SlabField *before,
-         const SlabField &pressure,
-         const SlabField &gap,
-         const double     hardness,
-         const bool       is_solution)
+  ContactState::ContactState(SlabField pressure_, SlabField gap_)
+    : pressure(std::move(pressure_))
+    , gap(std::move(gap_))
+    , mean_gap(mean(gap))
   {
-    // What flowed before and is loaded as much again is at the hardness but for the
-    // solver's tolerance, and some points are on either side of it. Half or double of it
-    // changes the area under a first load by 0.05 % of itself.
-    constexpr double almost = 1e-3;
+    const SlabLayout &layout = pressure.layout();
+    const int         nx     = layout.grid().nx;
 
-    PlasticState state;
-    state.indentation = before != nullptr ? *before : SlabField(gap.layout_pointer());
-    SlabField is_plastic(gap.layout_pointer());
-    for (std::size_t i = 0; i < gap.size(); ++i)
+    // The row after the last one belongs to another rank (or is the first one).
+    const RowsAround rows(pressure);
+
+    double counts[2] = {}; // points in contact, and edges of the lattice that leave it
+    for (int row = 0; row < layout.n_rows(); ++row)
       {
-        is_plastic[i] = pressure[i] > (1. - almost) * hardness ? 1. : 0.;
-        if (pressure[i] == hardness && is_solution)
-          state.indentation[i] += std::max(0., -gap[i]);
+        const double *here = rows[row], *below = rows[row + 1];
+        for (int ix = 0; ix < nx; ++ix)
+          {
+            const bool touches = here[ix] > 0;
+            counts[0] += touches;
+            counts[1] += touches != (here[ix + 1 < nx ? ix + 1 : 0] > 0);
+            counts[1] += touches != (below[ix] > 0);
+          }
       }
-    state.mean_indentation = mean(state.indentation);
-    state.area             = mean(is_plastic);
-    return state;
+    sum_in_place(layout.communicator(), counts, 2);
+
+    // An edge is dx or dy long and its points dy or dx apart, so that S a is
+    // dx dy an edge on a rectangular grid as well.
+    const double n_points = static_cast<double>(layout.grid().n_points());
+    contact_area          = counts[0] / n_points;
+    contact_area_corrected =
+      (counts[0] - (M_PI - 1 + std::log(2.)) / 24 * counts[1]) / n_points;
   }
 
   void

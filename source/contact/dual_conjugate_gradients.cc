@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/contact/marked_points.h>
 #include <strait/contact/optimisers.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 namespace strait
 {
-  namespace
-  {
-    double
-    squared(const double x)
-    {
-      return x * x;
-    }
-  } // namespace
-
   ContactSolution
   DualConjugateGradients::solve(double *pressures, double *gaps)
   {
@@ -110,25 +99,6 @@ namespace strait
     cautious             = false;
   }
 
-  /** What the gap is off by: its mean on the points between the limits, of sum @p sum_g
-   *  and weight @p area. */
-  double
-  DualConjugateGradients::rigid_shift(const double sum_g, const double area) const
-  {
-    if (area > 0 || !constraint.is_limited())
-      return constraint.excess(sum_g, area);
-    // Every pressure is at a limit: between the gaps that let points leave either.
-    double least_open   = std::numeric_limits<double>::infinity();
-    double most_pressed = -least_open;
-    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
-      if (pressure[i] == 0)
-        least_open = std::min(least_open, gap[i]);
-      else
-        most_pressed = std::max(most_pressed, gap[i]);
-    return .5 * (problem.largest_over_ranks(most_pressed) -
-                 problem.largest_over_ranks(-least_open));
-  }
-
   void
   DualConjugateGradients::watch_energy()
   {
@@ -207,68 +177,29 @@ namespace strait
       return false;
     gap_is_exact = false;
     last_length  = slope / curvature;
-    energy -= 0.5 * squared(tolerance.unit) * slope * last_length;
+    energy -= 0.5 * (tolerance.unit * tolerance.unit) * slope * last_length;
     return true;
   }
 
-  /**
-   * Bring the pressure within its limits and, on the way, go along the direction: one
-   * step for the price of one response. A minimum is not sought, as truncation is not
-   * straight: of @p length, that of the last step or 0, one half is gone. (All of it
-   * takes a sixth more responses at 2048² points and as many at 1024², three tenths and
-   * nothing a sixth more at both.) Direction and response of before remain, for what
-   * follows is to be conjugate to them.
-   */
-  void
-  DualConjugateGradients::step_within_limits(const double length)
-  {
-    double       *p   = pressure;
-    const double *g   = gap;
-    std::uint8_t *c   = in_contact.data();
-    float        *d   = problem.scratch(); // z, the direction, the step, its response
-    const double  far = .5 * tolerance.unit * length, unit = 1. / tolerance.unit;
-    for (const Block &range : problem.blocks())
-      if (length > 0)
-        {
-          form_direction(range, d);
-          for_each_marked(c, range, [=](const std::size_t i) { p[i] -= far * d[i]; });
-        }
-      else
-        std::fill(d + range.begin, d + range.end, 0.f);
-    const WithinLimits limit = within_limits(problem, constraint, in_contact, p);
-    WeightedSums<1>    gained;
-    free_points      = {};
-    const auto enter = [=, &limit, &gained, s = shift](const Block &range) {
-      std::array<double, 1> sums{};
-      const auto            enter_point = [=, &limit, &sums](const std::size_t i) {
-        const double before = p[i] + far * d[i];
-        p[i]                = limit(p[i], c[i] != 0);
-        d[i]                = static_cast<float>(unit * (before - p[i]));
-        c[i]                = p[i] != 0;
-        sums[0] += unit * (g[i] - s) * d[i];
-      };
-      if (limit.all_move)
-        for (std::size_t i = range.begin; i < range.end; ++i)
-          enter_point(i);
-      else
-        for_each_marked(c, range, enter_point);
-      gained.add(range, sums);
-    };
-    const double d_r   = problem.respond(d, d, enter, [&](const Block &range, double) {
-      follow(range, d, 1.);
-    });
-    const auto [slope] = gained.over_ranks(problem);
-    note_free();
-    gap_is_exact = false;
-    energy -= squared(tolerance.unit) * (slope - .5 * d_r);
-  }
-
-  /** The shift, and whether any pressure is beyond its limits. */
+  /** Whether any pressure is beyond its limits, and what the gap is off by: its mean on
+   *  the points between the limits. */
   void
   DualConjugateGradients::note_free()
   {
     const auto [beyond, sum_g, area] = free_points.over_ranks(problem);
     any_beyond                       = beyond > 0;
-    shift                            = rigid_shift(sum_g, area);
+    shift                            = constraint.excess(sum_g, area);
+    if (area > 0 || !constraint.is_limited())
+      return;
+    // Every pressure is at a limit: between the gaps that let points leave either.
+    double least_open   = std::numeric_limits<double>::infinity();
+    double most_pressed = -least_open;
+    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+      if (pressure[i] == 0)
+        least_open = std::min(least_open, gap[i]);
+      else
+        most_pressed = std::max(most_pressed, gap[i]);
+    shift = .5 * (problem.largest_over_ranks(most_pressed) -
+                  problem.largest_over_ranks(-least_open));
   }
 } // namespace strait

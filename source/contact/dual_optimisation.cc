@@ -17,13 +17,13 @@ namespace strait
         const auto [mean] = weighted_sums<1>(problem, [=](const auto i, auto &sums) {
           sums[0] += pressure[i] > 0 ? pressure[i] : 0.;
         });
-        return {0., constraint.rescale(mean), constraint.limit(), false};
+        return {0., constraint.rescale(mean), constraint.limit, false};
       }
 
     // To rounding: the shift is known no better, and Newton's method doubles the digits.
     constexpr double rounding = 1e-14;
 
-    const double limit = constraint.limit(), goal = constraint.mean();
+    const double limit = constraint.limit, goal = constraint.value;
     const auto [moving, held] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
       sums[0] += may_move[i] ? 1. : 0.;
       sums[1] += may_move[i] ? 0. : pressure[i];

@@ -1,13 +1,56 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/contact/marked_points.h>
 #include <strait/contact/optimisers.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace strait
 {
+  namespace
+  {
+    /** unmarked(begin, end) or some(begin, end) for eight points of a range at a time. As
+     *  contact lies in patches, most of these are marked alike. */
+    template <class Unmarked, class Some>
+    void
+    by_eights(const std::uint8_t          *marks,
+              const ContactProblem::Block &range,
+              const Unmarked              &unmarked,
+              const Some                  &some)
+    {
+      std::size_t i = range.begin;
+      for (; i + 8 <= range.end; i += 8)
+        {
+          std::uint64_t eight;
+          std::memcpy(&eight, marks + i, 8);
+          if (eight == 0)
+            unmarked(i, i + 8);
+          else
+            some(i, i + 8);
+        }
+      some(i, range.end);
+    }
+
+    /** visit(i) for the marked points of a range. */
+    template <class Visit>
+    void
+    for_each_marked(const std::uint8_t          *marks,
+                    const ContactProblem::Block &range,
+                    const Visit                 &visit)
+    {
+      by_eights(
+        marks,
+        range,
+        [](std::size_t, std::size_t) {},
+        [=, &visit](const std::size_t begin, const std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i)
+            if (marks[i])
+              visit(i);
+        });
+    }
+  } // namespace
+
   // The loops here run over all points and are bound by the memory: they are fused
   // into passes over ranges that stay in the cache, and touch p, t and z only in
   // contact. They work on local copies of members because, for all the compiler
@@ -25,7 +68,7 @@ namespace strait
     float        *y = problem.scratch();
     std::uint8_t *c = in_contact.data();
     const double  s = shift, unit = 1. / tolerance.unit;
-    const double  limit  = constraint.limit();
+    const double  limit  = constraint.limit;
     const bool    grows  = !any_beyond;
     const auto    choose = [=](const std::size_t begin, const std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
@@ -132,7 +175,7 @@ namespace strait
   DualConjugateGradients::measure_free(const Block &range)
   {
     const double         *g = gap, *p = pressure;
-    const double          limit = constraint.limit();
+    const double          limit = constraint.limit;
     std::array<double, 3> sums{};
     for_each_marked(in_contact.data(), range, [=, &sums](const std::size_t i) {
       const double is_free = ((p[i] != 0) & (p[i] != limit)) ? 1. : 0.;
@@ -141,5 +184,57 @@ namespace strait
       sums[2] += is_free;
     });
     free_points.add(range, sums);
+  }
+
+  /**
+   * Bring the pressure within its limits and, on the way, go along the direction: one
+   * step for the price of one response. A minimum is not sought, as truncation is not
+   * straight: of @p length, that of the last step or 0, one half is gone. (All of it
+   * takes a sixth more responses at 2048² points and as many at 1024², three tenths and
+   * nothing a sixth more at both.) Direction and response of before remain, for what
+   * follows is to be conjugate to them.
+   */
+  void
+  DualConjugateGradients::step_within_limits(const double length)
+  {
+    double       *p   = pressure;
+    const double *g   = gap;
+    std::uint8_t *c   = in_contact.data();
+    float        *d   = problem.scratch(); // z, the direction, the step, its response
+    const double  far = .5 * tolerance.unit * length, unit = 1. / tolerance.unit;
+    for (const Block &range : problem.blocks())
+      if (length > 0)
+        {
+          form_direction(range, d);
+          for_each_marked(c, range, [=](const std::size_t i) { p[i] -= far * d[i]; });
+        }
+      else
+        std::fill(d + range.begin, d + range.end, 0.f);
+    const WithinLimits limit = within_limits(problem, constraint, in_contact, p);
+    WeightedSums<1>    gained;
+    free_points      = {};
+    const auto enter = [=, &limit, &gained, s = shift](const Block &range) {
+      std::array<double, 1> sums{};
+      const auto            enter_point = [=, &limit, &sums](const std::size_t i) {
+        const double before = p[i] + far * d[i];
+        p[i]                = limit(p[i], c[i] != 0);
+        d[i]                = static_cast<float>(unit * (before - p[i]));
+        c[i]                = p[i] != 0;
+        sums[0] += unit * (g[i] - s) * d[i];
+      };
+      if (limit.all_move)
+        for (std::size_t i = range.begin; i < range.end; ++i)
+          enter_point(i);
+      else
+        for_each_marked(c, range, enter_point);
+      gained.add(range, sums);
+    };
+    const double d_r   = problem.respond(d, d, enter, [&](const Block &range, double) {
+      follow(range, d, 1.);
+    });
+    const auto [slope] = gained.over_ranks(problem);
+    note_free();
+    gap_is_exact = false;
+    energy -= (tolerance.unit * tolerance.unit) * (slope - .5 * d_r);
   }
 } // namespace strait

@@ -40,8 +40,6 @@ namespace strait
   void
   GapConjugateGradients::begin()
   {
-    std::fill(step.begin(), step.end(), 0.);
-    std::fill(response.begin(), response.end(), 0.);
     restarts = true;
     reach    = 1;
   }
@@ -49,7 +47,7 @@ namespace strait
   GapOptimiser::Outcome
   GapConjugateGradients::descend(double)
   {
-    precondition();
+    precondition_derivative(trial.data());
     if (go(choose_direction()))
       {
         restarts = false;
@@ -61,35 +59,20 @@ namespace strait
     return Outcome::again;
   }
 
-  /** z = M r on the free points. */
-  void
-  GapConjugateGradients::precondition()
-  {
-    double *z = trial.data();
-    problem.precondition(
-      z,
-      [&](const ContactProblem::Block &range) {
-        for (std::size_t i = range.begin; i < range.end; ++i)
-          z[i] = iterate.is_free(i) ? iterate.derivative[i] : 0.;
-      },
-      no_pass);
-    iterate.project(z);
-  }
-
   /** t = −z + β d on the free points. Return how far to go. */
   double
   GapConjugateGradients::choose_direction()
   {
     double       *t = trial.data(), *d = step.data();
-    const double *r = iterate.derivative.data(), *q = response.data();
+    const double *r = derivative.data(), *q = response.data();
     if (!restarts)
-      iterate.project(d);
+      project_on_free(d);
 
     const auto [z_r, z_q, z_local, d_q, d_local, d_r] =
       weighted_sums<6>(problem, [&](const auto i, auto &sums) {
-        if (!iterate.is_free(i))
+        if (!is_free(i))
           return;
-        const double gamma = iterate.curvature[i];
+        const double gamma = curvature[i];
         sums[0] += t[i] * r[i];
         sums[1] += t[i] * q[i];
         sums[2] += t[i] * gamma * d[i];
@@ -103,24 +86,24 @@ namespace strait
     // worth keeping all the more, Polak and Ribière's; not where all is rounding.
     if (!restarts && d_curvature > least_curvature * d_q)
       beta = std::max(0., (z_q + z_local) / d_curvature);
-    else if (!restarts && last_fall > energy_noise * std::abs(iterate.energy()))
+    else if (!restarts && last_fall > energy_noise * std::abs(energy()))
       beta = std::max(0., (z_q + z_local) / last_fall);
     if (-z_r + beta * d_r >= 0)
       beta = 0;
 
     const auto [local] = weighted_sums<1>(problem, [&, beta](const auto i, auto &sums) {
       t[i] = -t[i] + beta * d[i];
-      sums[0] += t[i] * iterate.curvature[i] * t[i];
+      sums[0] += t[i] * curvature[i] * t[i];
     });
     slope              = -z_r + beta * d_r;
     free_work          = z_r;
     fixed_work         = beta * (beta * d_q - 2 * z_q);
     local_work         = local;
     // Not less than a tenth of that of the free points, or the step would be wild.
-    foretold_work          = std::max(stiffness * free_work + fixed_work, .1 * free_work);
-    const double curvature = foretold_work + local_work;
+    foretold_work = std::max(stiffness * free_work + fixed_work, .1 * free_work);
+    const double whole_work = foretold_work + local_work;
     return -reach * slope /
-           (curvature > least_curvature * foretold_work ? curvature : foretold_work);
+           (whole_work > least_curvature * foretold_work ? whole_work : foretold_work);
   }
 
   /** Follow the projected direction as far as the energy falls well. Return whether
@@ -145,7 +128,7 @@ namespace strait
   GapConjugateGradients::form_step(const double length)
   {
     double       *d = step.data();
-    const double *g = iterate.gap, *t = trial.data();
+    const double *g = gap, *t = trial.data();
     double        closing = 0;
     for (std::size_t i = 0, n = problem.size(); i < n; ++i)
       {
@@ -153,7 +136,7 @@ namespace strait
         closing = d[i] < 0 ? 1. : closing;
       }
     truncated = problem.largest_over_ranks(closing) > 0;
-    iterate.make_admissible(d);
+    make_admissible(d);
     const double work =
       problem.apply(d, response.data(), [=](const ContactProblem::Block &range) {
         for (std::size_t i = range.begin; i < range.end; ++i)
@@ -174,11 +157,11 @@ namespace strait
   bool
   GapConjugateGradients::search_line(const double work)
   {
-    const double *d = step.data(), *g = iterate.gap;
+    const double *d = step.data(), *g = gap;
     double        furthest  = INFINITY;
     const auto [d_r, local] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
-      sums[0] += d[i] * iterate.derivative[i];
-      sums[1] += d[i] * iterate.curvature[i] * d[i];
+      sums[0] += d[i] * derivative[i];
+      sums[1] += d[i] * curvature[i] * d[i];
       if (d[i] < 0)
         furthest = std::min(furthest, -g[i] / d[i]);
     });
@@ -190,32 +173,27 @@ namespace strait
     const double ideal = is_convex ? -d_r / (work + local) : bold;
     const double length_of_whole = ideal < shorter ? ideal : 1.;
     const double first  = truncated ? length_of_whole : std::min(ideal, furthest);
-    const double before = iterate.energy();
+    const double before = energy();
     double       gone   = 0;
     for (double part = 1; part > shortest; part *= shorter)
       {
         const double length = part * first;
-        iterate.move(d, response.data(), work, length - gone);
+        move(d, response.data(), work, length - gone);
         gone = length;
-        if (iterate.energy() <=
-            before + 1e-4 * length * d_r + energy_noise * std::abs(before))
+        if (energy() <= before + 1e-4 * length * d_r + energy_noise * std::abs(before))
           {
             step_length = length;
             last_fall   = -length * d_r;
-            learn_reach(is_convex ? ideal : INFINITY);
+            // The length that was foretold was wrong by the factor `ideal`; where nothing
+            // closes, the step went as far as was ideal.
+            const double change = std::clamp(is_convex ? ideal : INFINITY,
+                                             1 / quickest_change,
+                                             quickest_change);
+            reach = truncated ? std::max(reach * change, 1 / quickest_change) : 1.;
             return true;
           }
       }
-    iterate.move(d, response.data(), work, -gone);
+    move(d, response.data(), work, -gone);
     return false;
-  }
-
-  /** The length that was foretold for the last step was wrong by a factor @p ideal. */
-  void
-  GapConjugateGradients::learn_reach(const double ideal)
-  {
-    // Where nothing closes, the step went as far as was ideal.
-    const double change = std::clamp(ideal, 1 / quickest_change, quickest_change);
-    reach               = truncated ? std::max(reach * change, 1 / quickest_change) : 1.;
   }
 } // namespace strait

@@ -30,26 +30,22 @@ namespace strait
   GapOptimiser::Outcome
   GapDynamics::descend(double)
   {
-    accelerate();
+    // Forces over masses; a point that the wall holds stays where it is.
+    precondition_derivative(acceleration.data());
+    for (double &a : acceleration)
+      a = -a;
+    project_on_free(velocity.data());
     steer();
-    advance();
+    for (std::size_t i = 0; i < problem.size(); ++i)
+      {
+        velocity[i] += step_length * acceleration[i];
+        gap[i] += step_length * velocity[i];
+        if (gap[i] < 0)
+          velocity[i] = 0;
+      }
+    make_admissible(gap);
+    refresh();
     return Outcome::moved;
-  }
-
-  /** Forces over masses; a point that the wall holds stays where it is. */
-  void
-  GapDynamics::accelerate()
-  {
-    double *a = acceleration.data();
-    problem.precondition(
-      a,
-      [&](const ContactProblem::Block &range) {
-        for (std::size_t i = range.begin; i < range.end; ++i)
-          a[i] = iterate.is_free(i) ? -iterate.derivative[i] : 0.;
-      },
-      no_pass);
-    iterate.project(a);
-    iterate.project(velocity.data());
   }
 
   void
@@ -58,7 +54,7 @@ namespace strait
     const auto [power, v_v, a_a] =
       weighted_sums<3>(problem, [&](const auto i, auto &sums) {
         const double v = velocity[i], a = acceleration[i];
-        sums[0] -= v * (iterate.is_free(i) ? iterate.derivative[i] : 0.);
+        sums[0] -= v * (is_free(i) ? derivative[i] : 0.);
         sums[1] += v * v;
         sums[2] += a * a;
       });
@@ -78,20 +74,5 @@ namespace strait
     step_length *= slow_down;
     mixing        = first_mixing;
     steps_forward = 0;
-  }
-
-  void
-  GapDynamics::advance()
-  {
-    double *g = iterate.gap;
-    for (std::size_t i = 0; i < problem.size(); ++i)
-      {
-        velocity[i] += step_length * acceleration[i];
-        g[i] += step_length * velocity[i];
-        if (g[i] < 0)
-          velocity[i] = 0;
-      }
-    iterate.make_admissible(g);
-    iterate.refresh();
   }
 } // namespace strait

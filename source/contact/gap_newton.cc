@@ -14,24 +14,12 @@ namespace strait
     return search() ? Outcome::moved : Outcome::stuck;
   }
 
-  /** z = M remainder. Return <z, remainder>. */
-  double
-  GapNewton::precondition()
-  {
-    z = remainder;
-    problem.precondition(z.data(), no_pass, no_pass);
-    iterate.project(z.data());
-    return weighted_sums<1>(problem, [this](const auto i, auto &sums) {
-      sums[0] += z[i] * remainder[i];
-    })[0];
-  }
-
   /** An approximate minimiser of the quadratic model on the free points. */
   void
   GapNewton::solve_model(const double residual)
   {
-    remainder = iterate.derivative;
-    iterate.project(remainder.data());
+    remainder = derivative;
+    project_on_free(remainder.data());
     std::fill(step.begin(), step.end(), 0.);
     std::fill(direction.begin(), direction.end(), 0.);
 
@@ -39,7 +27,12 @@ namespace strait
     double       first = 0, last = 0;
     for (int k = 0;; ++k)
       {
-        const double now = precondition();
+        z = remainder;
+        problem.precondition(z.data(), no_pass);
+        project_on_free(z.data());
+        const auto [now] = weighted_sums<1>(problem, [this](const auto i, auto &sums) {
+          sums[0] += z[i] * remainder[i];
+        });
         if (k == 0)
           first = now;
         else if (!(now > reduction * reduction * first))
@@ -51,7 +44,7 @@ namespace strait
         const double work  = problem.apply(direction.data(), response.data(), no_pass);
         const auto [local] = weighted_sums<1>(problem, [this](const auto i, auto &sums) {
           const double d = direction[i];
-          sums[0] += d * iterate.curvature[i] * d;
+          sums[0] += d * curvature[i] * d;
         });
         const bool is_concave = work + local <= 1e-10 * work;
         // Down the slope of the energy, as far as the search along it will say.
@@ -61,13 +54,12 @@ namespace strait
         for (std::size_t i = 0; i < problem.size(); ++i)
           {
             step[i] += length * direction[i];
-            if (iterate.is_free(i))
-              remainder[i] +=
-                length * (response[i] + iterate.curvature[i] * direction[i]);
+            if (is_free(i))
+              remainder[i] += length * (response[i] + curvature[i] * direction[i]);
           }
         if (is_concave)
           return;
-        iterate.project(remainder.data());
+        project_on_free(remainder.data());
       }
   }
 
@@ -75,26 +67,26 @@ namespace strait
   bool
   GapNewton::search()
   {
-    const double before = iterate.energy();
+    const double before = energy();
     for (double length = 1; length > std::numeric_limits<double>::epsilon(); length *= .5)
       {
         double       *d = direction.data();
-        const double *g = iterate.gap;
+        const double *g = gap;
         for (std::size_t i = 0; i < problem.size(); ++i)
           d[i] = g[i] + length * step[i];
-        iterate.make_admissible(d);
+        make_admissible(d);
         for (std::size_t i = 0; i < problem.size(); ++i)
           d[i] -= g[i];
         const double work  = problem.apply(d, response.data(), no_pass);
         const auto [slope] = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
-          sums[0] += d[i] * iterate.derivative[i];
+          sums[0] += d[i] * derivative[i];
         });
-        iterate.move(d, response.data(), work, 1.);
+        move(d, response.data(), work, 1.);
         step_length = length;
-        if (iterate.energy() <=
+        if (energy() <=
             before + 1e-4 * std::min(slope, 0.) + energy_noise * std::abs(before))
           return true;
-        iterate.move(d, response.data(), work, -1.);
+        move(d, response.data(), work, -1.);
       }
     return false;
   }

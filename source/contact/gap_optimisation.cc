@@ -8,57 +8,18 @@
 
 namespace strait
 {
-  namespace
-  {
-    /** Notices that nothing is to be gained any more. */
-    class Stagnation
-    {
-    public:
-      /** Whether neither the residual nor, beyond rounding, the energy has reached a new
-       *  low for many iterations. */
-      bool
-      is_reached(const int iteration, const double energy, const double residual)
-      {
-        // In iterations. Half of it risks giving up on a slow way to another state,
-        // double of it only reports a failure later.
-        constexpr int patience = 200;
-        if (residual < least_residual ||
-            energy < least_energy - energy_noise * std::abs(energy))
-          {
-            least_residual = std::min(least_residual, residual);
-            least_energy   = std::min(least_energy, energy);
-            last_gain      = iteration;
-          }
-        return iteration - last_gain > patience;
-      }
-
-    private:
-      double least_residual = std::numeric_limits<double>::infinity();
-      double least_energy   = std::numeric_limits<double>::infinity();
-      int    last_gain      = 0;
-    };
-  } // namespace
-
-  GapIterate::GapIterate(GapProblem &problem_, const GapConstraint &constraint_)
-    : elastic(problem_.size())
-    , derivative(problem_.size())
-    , curvature(problem_.size())
-    , problem(problem_)
+  GapOptimiser::GapOptimiser(GapProblem             &problem_,
+                             const GapConstraint    &constraint_,
+                             const ContactTolerance &tolerance_)
+    : problem(problem_)
     , constraint(constraint_)
+    , tolerance(tolerance_)
     , pressure(constraint_.fixes_mean_gap ? 0. : constraint_.value)
   {
   }
 
   void
-  GapIterate::start(double *values)
-  {
-    gap = values;
-    make_admissible(gap);
-    refresh();
-  }
-
-  void
-  GapIterate::make_admissible(double *values) const
+  GapOptimiser::make_admissible(double *values) const
   {
     const auto [sum] = weighted_sums<1>(problem, [=](const auto i, auto &sums) {
       values[i] = std::max(values[i], 0.);
@@ -73,7 +34,27 @@ namespace strait
   }
 
   void
-  GapIterate::refresh()
+  GapOptimiser::project_on_free(double *values) const
+  {
+    project(
+      problem,
+      [this](const std::size_t i) { return is_free(i); },
+      constraint.fixes_mean_gap,
+      values);
+  }
+
+  void
+  GapOptimiser::precondition_derivative(double *z)
+  {
+    problem.precondition(z, [&](const ContactProblem::Block &range) {
+      for (std::size_t i = range.begin; i < range.end; ++i)
+        z[i] = is_free(i) ? derivative[i] : 0.;
+    });
+    project_on_free(z);
+  }
+
+  void
+  GapOptimiser::refresh()
   {
     const double   *h = problem.heights();
     double         *g = gap, *w = derivative.data();
@@ -92,10 +73,10 @@ namespace strait
   }
 
   void
-  GapIterate::move(const double *direction,
-                   const double *response,
-                   const double  work,
-                   const double  length)
+  GapOptimiser::move(const double *direction,
+                     const double *response,
+                     const double  work,
+                     const double  length)
   {
     double *g = gap, *e = elastic.data();
     const auto [along_e, along] =
@@ -113,33 +94,31 @@ namespace strait
 
   /** All that follows from the gap and K w. */
   void
-  GapIterate::evaluate()
+  GapOptimiser::evaluate()
   {
-    const double *g = gap, *e = elastic.data();
-    double       *r      = derivative.data();
-    double        energy = 0, open_force = 0, open_area = 0;
-    double        least = std::numeric_limits<double>::infinity();
+    const double   *g = gap, *e = elastic.data();
+    double         *r     = derivative.data();
+    double          least = std::numeric_limits<double>::infinity();
+    WeightedSums<3> sums; // the energy; of open points, the force and how many they are
     for (const ContactProblem::Block &block : problem.blocks())
       {
-        const std::size_t begin = block.begin, n = block.end - begin;
-        energy += block.weight *
-                  problem.adhesion().evaluate(n, g + begin, r + begin, &curvature[begin]);
-        double force = 0, n_open = 0;
+        const std::size_t     begin = block.begin, n = block.end - begin;
+        std::array<double, 3> of_block{};
+        of_block[0] =
+          problem.adhesion.evaluate(n, g + begin, r + begin, &curvature[begin]);
         for (std::size_t i = begin; i < block.end; ++i)
           {
             r[i] += e[i];
-            force += g[i] > 0 ? r[i] : 0.;
-            n_open += g[i] > 0 ? 1. : 0.;
+            of_block[1] += g[i] > 0 ? r[i] : 0.;
+            of_block[2] += g[i] > 0 ? 1. : 0.;
             least = std::min(least, g[i]);
           }
-        open_force += block.weight * force;
-        open_area += block.weight * n_open;
+        sums.add(block, of_block);
       }
-    std::array<double, 3> sums = {{energy, open_force, open_area}};
-    problem.sum_over_ranks(sums.data(), 3);
-    adhesive_energy = sums[0];
+    const auto [adhesive, open_force, open_area] = sums.over_ranks(problem);
+    adhesive_energy                              = adhesive;
     if (constraint.fixes_mean_gap)
-      pressure = sums[2] > 0 ? -sums[1] / sums[2] : 0.;
+      pressure = open_area > 0 ? -open_force / open_area : 0.;
     const double p0    = pressure;
     double       worst = 0;
     for (std::size_t i = 0, n = problem.size(); i < n; ++i)
@@ -152,49 +131,45 @@ namespace strait
     smallest_gap      = -problem.largest_over_ranks(-least);
   }
 
+  /** No contact, and the load pulls at least twice as strongly as any point. */
   bool
-  GapIterate::is_detached() const
+  GapOptimiser::is_detached() const
   {
     return !constraint.fixes_mean_gap && pressure < 0 && smallest_gap > 0 &&
-           problem.adhesion().at(smallest_gap).traction < -.5 * pressure;
-  }
-
-  void
-  GapIterate::describe(GapSolution &solution) const
-  {
-    solution.energy           = energy();
-    solution.adhesive_energy  = adhesive_energy;
-    solution.nominal_pressure = pressure;
-    solution.detached         = is_detached();
-  }
-
-  GapOptimiser::GapOptimiser(GapProblem             &problem_,
-                             const GapConstraint    &constraint,
-                             const ContactTolerance &tolerance_)
-    : problem(problem_)
-    , iterate(problem_, constraint)
-    , tolerance(tolerance_)
-  {
+           problem.adhesion.at(smallest_gap).traction < -.5 * pressure;
   }
 
   GapSolution
-  GapOptimiser::solve(double *gap)
+  GapOptimiser::solve(double *gap_values)
   {
+    // In iterations without a gain. Half of it risks giving up on a slow way to another
+    // state, double of it only reports a failure later.
+    constexpr int patience = 200;
+
     begin();
-    iterate.start(gap);
+    gap = gap_values;
+    make_admissible(gap);
+    refresh();
     GapSolution solution;
-    Stagnation  stagnation;
+    double      least_residual = std::numeric_limits<double>::infinity();
+    double      least_energy   = least_residual;
+    int         last_gain      = 0; // when the residual or the energy reached a new low
     while (true)
       {
-        solution.residual  = iterate.violation() / tolerance.unit;
+        solution.residual  = largest_violation / tolerance.unit;
         solution.converged = solution.residual <= tolerance.residual;
         solution.way.push_back(
-          {solution.iterations, iterate.energy(), solution.residual, step_length});
+          {solution.iterations, energy(), solution.residual, step_length});
+        if (solution.residual < least_residual ||
+            energy() < least_energy - energy_noise * std::abs(energy()))
+          {
+            least_residual = std::min(least_residual, solution.residual);
+            least_energy   = std::min(least_energy, energy());
+            last_gain      = solution.iterations;
+          }
         if (solution.converged || solution.iterations >= tolerance.max_iterations ||
-            !std::isfinite(solution.residual) || iterate.is_detached() ||
-            stagnation.is_reached(solution.iterations,
-                                  iterate.energy(),
-                                  solution.residual))
+            !std::isfinite(solution.residual) || is_detached() ||
+            solution.iterations - last_gain > patience)
           break;
         const Outcome outcome = descend(solution.residual);
         if (outcome == Outcome::stuck)
@@ -202,7 +177,10 @@ namespace strait
         if (outcome == Outcome::moved)
           ++solution.iterations;
       }
-    iterate.describe(solution);
+    solution.energy           = energy();
+    solution.adhesive_energy  = adhesive_energy;
+    solution.nominal_pressure = pressure;
+    solution.detached         = is_detached();
     return solution;
   }
 } // namespace strait

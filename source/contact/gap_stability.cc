@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/contact/gap_optimisation.h>
-#include <strait/contact/gap_stability.h>
 
 #include <array>
 #include <cmath>
@@ -28,23 +27,20 @@ namespace strait
           for (int q = p + 1; q < n; ++q)
             if (a[p][q] != 0)
               {
-                const double theta = .5 * std::atan2(2 * a[p][q], a[q][q] - a[p][p]);
-                const double c = std::cos(theta), s = std::sin(theta);
+                const double theta  = .5 * std::atan2(2 * a[p][q], a[q][q] - a[p][p]);
+                const auto   rotate = [c = std::cos(theta),
+                                     s = std::sin(theta)](double &x, double &y) {
+                  const double old = x;
+                  x                = c * old - s * y;
+                  y                = s * old + c * y;
+                };
                 for (int k = 0; k < n; ++k)
                   {
-                    const double kp = a[k][p], kq = a[k][q];
-                    a[k][p]         = c * kp - s * kq;
-                    a[k][q]         = s * kp + c * kq;
-                    const double vp = v[k][p], vq = v[k][q];
-                    v[k][p] = c * vp - s * vq;
-                    v[k][q] = s * vp + c * vq;
+                    rotate(a[k][p], a[k][q]);
+                    rotate(v[k][p], v[k][q]);
                   }
                 for (int k = 0; k < n; ++k)
-                  {
-                    const double pk = a[p][k], qk = a[q][k];
-                    a[p][k] = c * pk - s * qk;
-                    a[q][k] = s * pk + c * qk;
-                  }
+                  rotate(a[p][k], a[q][k]);
               }
       int least = 0;
       for (int k = 1; k < n; ++k)
@@ -97,25 +93,18 @@ namespace strait
       return x;
     }
 
-    /** A descent of the quotient at one gap; see smallest_curvature(). */
-    class QuotientDescent
+    /** A descent of the quotient at one gap; see GapOptimiser::smallest_curvature(). */
+    struct QuotientDescent
     {
-    public:
-      QuotientDescent(GapProblem   &problem_,
-                      const bool    fixes_mean_gap_,
-                      const double *gap_,
-                      const double *curvature_)
-        : problem(problem_)
-        , fixes_mean_gap(fixes_mean_gap_)
-        , gap(gap_)
-        , curvature(curvature_)
-      {
-        for (int k = 0; k < 3; ++k)
-          {
-            vectors[k].resize(problem.size());
-            responses[k].resize(problem.size());
-          }
-      }
+      GapProblem   &problem;
+      const bool    fixes_mean_gap;
+      const double *gap;
+      const double *curvature; // γ''
+
+      // v, its gradient, its last change; K of each.
+      std::array<std::vector<double>, 3> vectors;
+      std::array<std::vector<double>, 3> responses = vectors;
+      double                             quotient  = 0;
 
       void
       find_lowest()
@@ -132,31 +121,22 @@ namespace strait
         for (int k = 0; n_settled < 2; ++k)
           {
             // The gradient of the quotient, preconditioned.
-            const double uniform = problem.mean_stiffness() * uniform_part(vectors[0]);
+            const auto [mean] =
+              weighted_sums<1>(problem, [this](const auto i, auto &sums) {
+                sums[0] += vectors[0][i];
+              });
+            const double uniform = problem.mean_stiffness() * mean;
             for (std::size_t i = 0; i < problem.size(); ++i)
               vectors[1][i] = (1 - quotient) * responses[0][i] +
                               curvature[i] * vectors[0][i] - quotient * uniform;
             mask(vectors[1]);
-            problem.precondition(vectors[1].data(), no_pass, no_pass);
+            problem.precondition(vectors[1].data(), no_pass);
             prepare(vectors[1], responses[1]);
             const double before = quotient;
             descend(k == 0 ? 2 : 3);
             n_settled =
               before - quotient > settled * std::abs(quotient) ? 0 : n_settled + 1;
           }
-      }
-
-      // v, its gradient, its last change; K of each.
-      std::vector<double> vectors[3];
-      std::vector<double> responses[3];
-      double              quotient = 0;
-
-    private:
-      double
-      uniform_part(const std::vector<double> &v) const
-      {
-        return weighted_sums<1>(problem,
-                                [&v](const auto i, auto &sums) { sums[0] += v[i]; })[0];
       }
 
       void
@@ -215,7 +195,7 @@ namespace strait
           quotient = NAN;
 
         // The new v and its change, and K of both.
-        for (auto *fields : {vectors, responses})
+        for (std::vector<double> *fields : {vectors.data(), responses.data()})
           for (std::size_t i = 0; i < problem.size(); ++i)
             {
               double change = 0;
@@ -225,30 +205,25 @@ namespace strait
               fields[0][i] = x[0] * fields[0][i] + change;
             }
       }
-
-      GapProblem   &problem;
-      const bool    fixes_mean_gap;
-      const double *gap;
-      const double *curvature; // γ''
     };
   } // namespace
 
   double
-  smallest_curvature(GapProblem          &problem,
-                     const bool           fixes_mean_gap,
-                     const double        *gap,
-                     const double        *curvature,
-                     std::vector<double> &direction)
+  GapOptimiser::smallest_curvature(std::vector<double> &direction) const
   {
     // A rank without points has none in either case.
     const bool is_known = problem.largest_over_ranks(direction.empty() ? 0. : 1.) > 0;
-    QuotientDescent descent(problem, fixes_mean_gap, gap, curvature);
+    QuotientDescent descent{problem,
+                            constraint.fixes_mean_gap,
+                            gap,
+                            curvature.data(),
+                            {{field(), field(), field()}}};
     if (is_known)
       descent.vectors[0] = std::move(direction);
     else
       {
         problem.fill_with_noise(descent.vectors[0].data());
-        problem.precondition(descent.vectors[0].data(), no_pass, no_pass);
+        problem.precondition(descent.vectors[0].data(), no_pass);
       }
     descent.find_lowest();
     direction = std::move(descent.vectors[0]);

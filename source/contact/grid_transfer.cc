@@ -1,10 +1,67 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
 #include <strait/contact/grid_transfer.h>
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace strait
 {
+  namespace
+  {
+    /** Find @p pressure in its window @p w from that at the points of the parent: linear
+     *  between these, and 0 where the nearest of them does not touch. Collective. */
+    void
+    fill_from_parent(SlabField &pressure, const int w)
+    {
+      const SlabLayout   &layout    = pressure.layout();
+      const ZoomWindow   &window    = layout.windows()[w];
+      const int           n_columns = window.nx + 2, n_rows = window.ny + 2;
+      std::vector<double> around(static_cast<std::size_t>(n_columns) * n_rows);
+      layout.for_each_around(w, 1, [&](const int a, const int b, const std::size_t k) {
+        around[static_cast<std::size_t>(b + 1) * n_columns + a + 1] = pressure[k];
+      });
+      if (window.parent < 0)
+        sum_in_place(layout.communicator(),
+                     around.data(),
+                     static_cast<int>(around.size()));
+      const auto at = [&](const int a, const int b) {
+        // The last column and row are only asked for with the weight 0.
+        return around[static_cast<std::size_t>(std::min(b, n_rows - 1)) * n_columns +
+                      std::min(a, n_columns - 1)];
+      };
+      std::size_t k = layout.start_of_window(w);
+      for (int iy = 0; iy < window.n_rows(); ++iy)
+        for (int ix = 0; ix < window.n_columns(); ++ix)
+          {
+            const int    a = (ix + 2) / 3, b = (iy + 2) / 3;
+            const double s = (ix + 2) % 3 / 3., t = (iy + 2) % 3 / 3.;
+            const bool   touches = at(ix / 3 + 1, iy / 3 + 1) > 0;
+            pressure[k++]        = touches
+                                     ? (1 - t) * ((1 - s) * at(a, b) + s * at(a + 1, b)) +
+                                  t * ((1 - s) * at(a, b + 1) + s * at(a + 1, b + 1))
+                                     : 0.;
+          }
+    }
+
+    /** The window of @p layout where window @p w of @p other is, or −1. */
+    int
+    find_window(const SlabLayout &layout, const SlabLayout &other, const int w)
+    {
+      const ZoomWindow &wanted = other.windows()[w];
+      for (std::size_t k = 0; k < layout.windows().size(); ++k)
+        {
+          const ZoomWindow &window = layout.windows()[k];
+          if (window.level == wanted.level && window.nx == wanted.nx &&
+              window.ny == wanted.ny &&
+              layout.position(static_cast<int>(k), 0, 0) == other.position(w, 0, 0))
+            return static_cast<int>(k);
+        }
+      return -1;
+    }
+  } // namespace
+
   bool
   can_be_coarsened(const PeriodicGrid &grid)
   {
@@ -57,5 +114,22 @@ namespace strait
           }
       }
     return fine;
+  }
+
+  SlabField
+  zoom_in(const SlabField &pressure, std::vector<ZoomWindow> windows)
+  {
+    const SlabLayout   &old    = pressure.layout();
+    const SlabLayoutPtr layout = with_windows(old, std::move(windows));
+    SlabField           result(layout);
+    std::copy_n(pressure.begin(), layout->n_local_points(), result.begin());
+    for (int w = 0; w < static_cast<int>(layout->windows().size()); ++w)
+      if (const int known = find_window(old, *layout, w); known >= 0)
+        std::copy(pressure.data() + old.start_of_window(known),
+                  pressure.data() + old.start_of_window(known + 1),
+                  result.data() + layout->start_of_window(w));
+      else
+        fill_from_parent(result, w);
+    return result;
   }
 } // namespace strait

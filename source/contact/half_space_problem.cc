@@ -21,11 +21,6 @@ namespace strait
       };
     }
 
-    void
-    no_row(int)
-    {
-    }
-
     /** Multiply waves, as BasicFourierTransform::multiply_in_passes(); after() is told
      * the mean of in·out, which is returned. Collective. */
     template <class Number, class Symbol, class Before, class After>
@@ -82,13 +77,13 @@ namespace strait
   {
     // Either transform needs its buffer only while it is in use.
     of_steps.release();
-    const double work =
-      multiply(transform,
-               pressure,
-               displacement,
-               WaveCompliance<double>(transform.layout().grid(), modulus),
-               no_row,
-               by_rows(transform.layout(), after));
+    const double work = multiply(
+      transform,
+      pressure,
+      displacement,
+      wave_compliance<double>(transform.layout().grid(), modulus),
+      [](int) {},
+      by_rows(transform.layout(), after));
     transform.release();
     return work;
   }
@@ -102,7 +97,7 @@ namespace strait
     return multiply(of_steps,
                     step,
                     response,
-                    WaveCompliance<float>(of_steps.layout().grid(), modulus),
+                    wave_compliance<float>(of_steps.layout().grid(), modulus),
                     by_rows(of_steps.layout(), before),
                     by_rows(of_steps.layout(), after));
   }
@@ -115,31 +110,12 @@ namespace strait
                     by_rows(of_steps.layout(), after));
   }
 
-  float *
-  HalfSpaceProblem::scratch()
-  {
-    return of_steps.scratch();
-  }
-
-  long
-  HalfSpaceProblem::n_applications() const
-  {
-    return transform.n_pairs() + of_steps.n_pairs();
-  }
-
-  void
-  HalfSpaceProblem::release()
-  {
-    of_steps.release();
-  }
-
   HalfSpaceGapProblem::HalfSpaceGapProblem(const SlabField   &heights,
                                            const double       contact_modulus,
                                            const AdhesionLaw &adhesion)
-    : GapProblem(points_of(heights))
-    , law(adhesion)
+    : GapProblem(points_of(heights), adhesion)
+    , modulus(contact_modulus)
     , transform(heights.layout_pointer())
-    , stiffness(heights.grid(), contact_modulus)
   {
     if (TwoScaleOperator::suits_compliance(heights.grid()))
       compliance.emplace(TwoScaleOperator::compliance(heights.layout_pointer(),
@@ -147,15 +123,10 @@ namespace strait
                                                       1. / mean_stiffness()));
   }
 
-  const AdhesionLaw &
-  HalfSpaceGapProblem::adhesion() const
-  {
-    return law;
-  }
-
   double
   HalfSpaceGapProblem::mean_stiffness() const
   {
+    const auto stiffness = wave_stiffness(transform.layout().grid(), modulus);
     return std::min(stiffness(1, 0), stiffness(0, 1));
   }
 
@@ -167,22 +138,19 @@ namespace strait
     return multiply(transform,
                     displacement,
                     traction,
-                    stiffness,
+                    wave_stiffness(transform.layout().grid(), modulus),
                     by_rows(transform.layout(), before),
                     [](int, double) {});
   }
 
   void
-  HalfSpaceGapProblem::precondition(double *values, const Pass &before, const Pass &after)
+  HalfSpaceGapProblem::precondition(double *values, const Pass &before)
   {
     const auto before_row = by_rows(transform.layout(), before);
-    const auto after_row  = by_rows(transform.layout(), after);
     if (compliance)
-      {
-        compliance->apply(values, before_row, after_row);
-        return;
-      }
-    const double uniform = 1. / mean_stiffness();
+      return compliance->apply(values, before_row, [](int) {});
+    const auto   stiffness = wave_stiffness(transform.layout().grid(), modulus);
+    const double uniform   = 1. / mean_stiffness();
     transform.multiply_in_passes(
       values,
       values,
@@ -191,7 +159,7 @@ namespace strait
       },
       before_row,
       [](double) {},
-      after_row);
+      [](int) {});
   }
 
   void
@@ -208,11 +176,5 @@ namespace strait
         z               = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
         values[i]       = static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1.;
       }
-  }
-
-  long
-  HalfSpaceGapProblem::n_applications() const
-  {
-    return transform.n_pairs();
   }
 } // namespace strait

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/contact/nine_point_stencil.h>
+#include <strait/contact/two_scale_operator.h>
 
 #include <algorithm>
 #include <array>
@@ -63,19 +63,13 @@ namespace strait
 
   template <class Number>
   StencilSweep<Number>::StencilSweep(const NinePointStencil &stencil_,
+                                     const Number           *row_above,
                                      const int               row_length)
     : stencil(stencil_)
-    , above(row_length)
+    , above(row_above, row_above + row_length)
     , here(row_length)
     , mixed(row_length + 2)
   {
-  }
-
-  template <class Number>
-  void
-  StencilSweep<Number>::begin(const Number *row_above)
-  {
-    std::copy_n(row_above, above.size(), above.begin());
   }
 
   template <class Number>

@@ -21,7 +21,9 @@ namespace strait
         solution.converged = solution.residual <= tolerance.residual;
         if (solution.converged || solution.iterations >= tolerance.max_iterations)
           break;
-        update_direction();
+        const double beta = restarts ? 0. : gap_squared / last_gap_squared;
+        for (std::size_t i = 0; i < problem.size(); ++i)
+          t[i] = p[i] > 0 ? g[i] + beta * t[i] : 0.;
         if (!step())
           break;
         ++solution.iterations;
@@ -33,15 +35,12 @@ namespace strait
   void
   PolonskyKeer::start()
   {
-    const double *h     = problem.heights();
-    const auto [mean]   = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
-      p[i] = std::max(p[i], 0.);
-      sums[0] += p[i];
-    });
-    const double factor = constraint.rescale(mean);
+    const double                   *h = problem.heights();
+    const std::vector<std::uint8_t> all(problem.size(), 1);
+    const WithinLimits              limit = within_limits(problem, constraint, all, p);
     for (std::size_t i = 0; i < problem.size(); ++i)
-      p[i] *= factor;
-    problem.apply(p, g, no_work_pass);
+      p[i] = limit(p[i], true);
+    problem.apply(p, g, no_pass);
     for (std::size_t i = 0; i < problem.size(); ++i)
       g[i] += constraint.displacement() - h[i];
   }
@@ -68,19 +67,11 @@ namespace strait
     return problem.largest_over_ranks(worst) / tolerance.unit;
   }
 
-  void
-  PolonskyKeer::update_direction()
-  {
-    const double beta = restarts ? 0. : gap_squared / last_gap_squared;
-    for (std::size_t i = 0; i < problem.size(); ++i)
-      t[i] = p[i] > 0 ? g[i] + beta * t[i] : 0.;
-  }
-
   /** Follow the direction; false if it leads nowhere. */
   bool
   PolonskyKeer::step()
   {
-    problem.apply(t.data(), r.data(), no_work_pass);
+    problem.apply(t.data(), r.data(), no_pass);
     const auto [g_t, r_t, sum_r, sum_t, area] =
       weighted_sums<5>(problem, [&](const auto i, auto &sums) {
         const double pressed = p[i] > 0 ? 1. : 0.;
@@ -92,8 +83,7 @@ namespace strait
       });
     const double curvature = r_t - constraint.excess(sum_r, area) * sum_t;
     const double length    = g_t / curvature;
-    const bool   moves     = curvature > 0 && std::isfinite(length);
-    if (!moves)
+    if (!(curvature > 0 && std::isfinite(length)))
       return false;
 
     const auto [mean, truncated, added] =
@@ -113,7 +103,7 @@ namespace strait
     const double u0 = constraint.displacement(), *h = problem.heights();
     const bool   same_contact = truncated == 0 && added == 0;
     if (!same_contact)
-      problem.apply(p, g, no_work_pass);
+      problem.apply(p, g, no_pass);
     // A step within one contact set is linear: no second application is needed.
     // (Any constant in g drops out with centre_gap(), or is kept by factor = 1.)
     for (std::size_t i = 0; i < problem.size(); ++i)

@@ -14,28 +14,12 @@ namespace strait
      *  points to a stencil that does not fit them. */
     constexpr int stride = 4;
 
-    double
-    aspect_of(const PeriodicGrid &grid)
-    {
-      return grid.dy() / grid.dx();
-    }
-
     /** |q| √(dx dy) from the phases per point. */
     double
-    phase(const double x, const double y, const double aspect)
+    phase(const PeriodicGrid &grid, const double x, const double y)
     {
+      const double aspect = grid.dy() / grid.dx();
       return std::sqrt(x * x * aspect + y * y / aspect);
-    }
-
-    NinePointStencil
-    fit_to(const std::function<double(double)> &symbol, const double aspect)
-    {
-      // 0.15 is the phase of a wave 42 points long: longer ones, which are corrected on
-      // the coarse grid, count no more in the fit. A smaller value fits the long waves at
-      // the expense of the short ones.
-      return fit_stencil([&](const double x, const double y) {
-        return symbol(std::hypot(phase(x, y, aspect), .15));
-      });
     }
 
     bool
@@ -63,44 +47,26 @@ namespace strait
     }
   } // namespace
 
-  TwoScaleOperator
-  TwoScaleOperator::stiffness(const SlabLayoutPtr &layout, const double contact_modulus)
-  {
-    const PeriodicGrid &grid = layout->grid();
-    const double        unit = contact_modulus / (2 * std::sqrt(grid.dx() * grid.dy()));
-    return {layout,
-            Transfer::constant,
-            [unit](const double of_phase) { return unit * of_phase; },
-            0.};
-  }
-
-  TwoScaleOperator
-  TwoScaleOperator::compliance(const SlabLayoutPtr &layout,
-                               const double         contact_modulus,
-                               const double         uniform)
-  {
-    const PeriodicGrid &grid = layout->grid();
-    const double        unit = 2 * std::sqrt(grid.dx() * grid.dy()) / contact_modulus;
-    return {layout,
-            Transfer::linear,
-            [unit](const double of_phase) { return unit / of_phase; },
-            uniform};
-  }
-
   bool
   TwoScaleOperator::suits_compliance(const PeriodicGrid &grid)
   {
-    const double aspect = aspect_of(grid);
+    const double aspect = grid.dy() / grid.dx();
     return has_coarse_grid(grid) && std::max(aspect, 1 / aspect) < 1.5;
   }
 
-  TwoScaleOperator::TwoScaleOperator(const SlabLayoutPtr                 &fine_layout,
-                                     const Transfer                       transfer_,
-                                     const std::function<double(double)> &symbol,
-                                     const double                         uniform)
+  TwoScaleOperator::TwoScaleOperator(const SlabLayoutPtr &fine_layout,
+                                     const Transfer       transfer_,
+                                     const double         contact_modulus,
+                                     const double         uniform)
     : layout(fine_layout)
     , transfer(transfer_)
-    , stencil(fit_to(symbol, aspect_of(layout->grid())))
+    , modulus(contact_modulus)
+    // 0.15 is the phase of a wave 42 points long: longer ones, which are corrected on the
+    // coarse grid, count no more in the fit. A smaller value fits the long waves at the
+    // expense of the short ones.
+    , stencil(fit_stencil([this](const double x, const double y) {
+      return symbol(std::hypot(phase(layout->grid(), x, y), .15));
+    }))
   {
     const PeriodicGrid &fine = layout->grid();
     if (!has_coarse_grid(fine))
@@ -108,7 +74,6 @@ namespace strait
     coarse_transform = std::make_unique<FourierTransform>(
       make_layout({fine.nx / stride, fine.ny / stride, fine.lx, fine.ly},
                   layout->communicator()));
-    coarse.resize(coarse_transform->layout().n_local_points());
     coarse_line.resize(fine.nx / stride);
     if (const int n_rows = layout->n_rows(); n_rows > 0)
       {
@@ -122,10 +87,17 @@ namespace strait
       for (int kx = 0; 2 * stride * kx <= fine.nx; ++kx)
         {
           const double x = 2 * M_PI / fine.nx * kx, y = 2 * M_PI / fine.ny * ky;
-          const double wanted =
-            kx == 0 && ky == 0 ? uniform : symbol(phase(x, y, aspect_of(fine)));
+          const double wanted = kx == 0 && ky == 0 ? uniform : symbol(phase(fine, x, y));
           coarse_symbol.push_back(correction(x, y, wanted - stencil.symbol(x, y)));
         }
+  }
+
+  double
+  TwoScaleOperator::symbol(const double of_phase) const
+  {
+    const double spacing = std::sqrt(layout->grid().dx() * layout->grid().dy());
+    return transfer == Transfer::constant ? modulus / (2 * spacing) * of_phase
+                                          : 2 * spacing / modulus / of_phase;
   }
 
   /** What a wave on the coarse grid is multiplied by, where @p missing is what the
@@ -167,9 +139,8 @@ namespace strait
     const std::vector<Number> beyond = fetch_rows(*layout, values, nx, outside);
     if (n_rows == 0)
       return;
-    StencilSweep<Number> sweep(stencil, nx);
+    StencilSweep<Number> sweep(stencil, beyond.data(), nx);
     std::vector<Number>  correction_line(nx);
-    sweep.begin(beyond.data());
     for (int row = 0; row < n_rows; ++row)
       {
         if (coarse_transform)
@@ -226,8 +197,8 @@ namespace strait
   void
   TwoScaleOperator::find_corrections()
   {
-    const SlabLayout &slabs = coarse_transform->layout();
-    std::fill(coarse.begin(), coarse.end(), 0.);
+    const SlabLayout   &slabs = coarse_transform->layout();
+    std::vector<double> coarse(slabs.n_local_points());
     add_rows(slabs, around, near_rows, coarse.data());
     const int n_waves = slabs.grid().nx / 2 + 1;
     coarse_transform->multiply(coarse.data(),

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
-#include <strait/contact/half_space.h>
+#include <strait/contact/half_space_problem.h>
 #include <strait/contact/wall.h>
-#include <strait/spectral/fourier_transform.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +36,8 @@ namespace strait
       {
         FourierTransform(layout()).multiply(fluid_pressure->data(),
                                             displaced.data(),
-                                            WaveCompliance<double>(layout()->grid(),
-                                                                   modulus));
+                                            wave_compliance<double>(layout()->grid(),
+                                                                    modulus));
         for (std::size_t i = 0; i < displaced.size(); ++i)
           displaced[i] = undeformed[i] - displaced[i];
         load = mean(*fluid_pressure);

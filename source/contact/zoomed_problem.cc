@@ -1,11 +1,223 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
 #include <strait/base/signals.h>
+#include <strait/contact/window_transfer.h>
 #include <strait/contact/zoomed_problem.h>
 
 #include <algorithm>
 
 namespace strait
 {
+  namespace
+  {
+    /** Points of the parent around the window in its box. Half of it lets the images of
+     *  the box disturb the critical load by 2e-5, double of it costs a third more. */
+    constexpr int padding = 8;
+
+    /** The grid of a window's box at the spacing of the parent, or @p refined times
+     *  finer. */
+    PeriodicGrid
+    box_grid(const SlabLayout &layout, const ZoomWindow &window, const int refined)
+    {
+      const auto [dx, dy] = layout.spacing(window.parent);
+      const int nx = window.nx + 2 * padding, ny = window.ny + 2 * padding;
+      return {refined * nx, refined * ny, nx * dx, ny * dy};
+    }
+
+    /** A periodic box with an array in its middle. */
+    template <class Number>
+    class Box
+    {
+    public:
+      /** With @p rim_ points around the array. */
+      Box(const PeriodicGrid &grid, const int rim_)
+        : transform(make_layout(grid, MPI_COMM_SELF))
+        , rim(rim_)
+        , values(grid.n_points())
+      {
+      }
+
+      /** Hold what multiply(transform, values) makes of @p array and zeros around it. */
+      template <class Multiply>
+      void
+      take(const std::vector<Number> &array, const Multiply &multiply)
+      {
+        std::fill(values.begin(), values.end(), Number(0));
+        for_each([&](const std::size_t k, Number &value) { value = array[k]; });
+        multiply(transform, values.data());
+      }
+
+      /** Call visit(k, value) with the values that are at the points k of the array. */
+      template <class Visit>
+      void
+      for_each(const Visit &visit)
+      {
+        const PeriodicGrid &grid = transform.layout().grid();
+        std::size_t         k    = 0;
+        for (int iy = rim; iy < grid.ny - rim; ++iy)
+          for (int ix = rim; ix < grid.nx - rim; ++ix)
+            visit(k++, values[static_cast<std::size_t>(iy) * grid.nx + ix]);
+      }
+
+    private:
+      BasicFourierTransform<Number> transform;
+      const int                     rim;
+      std::vector<Number>           values;
+    };
+  } // namespace
+
+  /** One window's share of the operator. */
+  template <class Number>
+  class ZoomedOperator<Number>::Window
+  {
+  public:
+    Window(const SlabLayout &layout_, const int w)
+      : number(w)
+      , place(layout_.windows()[w])
+      , layout(layout_)
+      , transfer(place)
+      , coarse_box(box_grid(layout, place, 1), padding - ZoomWindow::margin)
+      , fine_box(box_grid(layout, place, 3), 3 * padding)
+      , patch(static_cast<std::size_t>(transfer.patch_columns()) * transfer.patch_rows())
+      , own(static_cast<std::size_t>(place.n_columns()) * place.n_rows())
+    {
+    }
+
+    /** Call visit(position in the patch, position among the values of this rank) for the
+     *  points of the patch that this rank has. */
+    template <class Visit>
+    void
+    for_each_of_patch(const Visit &visit) const
+    {
+      constexpr int margin = ZoomWindow::margin;
+      layout.for_each_around(
+        number, margin, [&](const int a, const int b, const std::size_t at) {
+          visit(static_cast<std::size_t>(b + margin) * transfer.patch_columns() + a +
+                  margin,
+                at);
+        });
+    }
+
+    const int              number;
+    const ZoomWindow       place;
+    const SlabLayout      &layout;
+    WindowTransfer<Number> transfer;
+    Box<Number>            coarse_box, fine_box;
+    std::vector<Number>    patch, own; // of the parent; of the window
+  };
+
+  template <class Number>
+  ZoomedOperator<Number>::ZoomedOperator(const SlabLayoutPtr &layout,
+                                         const double         contact_modulus)
+    : modulus(contact_modulus)
+    , grid_transform(layout)
+  {
+    for (std::size_t w = 0; w < layout->windows().size(); ++w)
+      windows.push_back(std::make_unique<Window>(*layout, static_cast<int>(w)));
+  }
+
+  template <class Number>
+  ZoomedOperator<Number>::~ZoomedOperator() = default;
+
+  template <class Number>
+  void
+  ZoomedOperator<Number>::apply(Number *values)
+  {
+    const auto multiply = [this](BasicFourierTransform<Number> &box, Number *in_box) {
+      box.multiply(in_box, in_box, wave_compliance<Number>(box.layout().grid(), modulus));
+    };
+    act(
+      values, [&]() { multiply(grid_transform, values); }, multiply);
+  }
+
+  template <class Number>
+  void
+  ZoomedOperator<Number>::precondition(Number *values, TwoScaleOperator &grid_stiffness)
+  {
+    const auto no_row = [](int) {};
+    act(
+      values,
+      [&]() { grid_stiffness.apply(values, no_row, no_row); },
+      [this](BasicFourierTransform<Number> &box, Number *in_box) {
+        box.multiply(in_box, in_box, wave_stiffness(box.layout().grid(), modulus));
+      });
+  }
+
+  template <class Number>
+  template <class OnGrid, class Multiply>
+  void
+  ZoomedOperator<Number>::act(Number         *values,
+                              const OnGrid   &on_grid,
+                              const Multiply &multiply)
+  {
+    clear_covered(values);
+    gather_from_windows(values);
+    on_grid();
+    spread_to_windows(values, multiply);
+    clear_covered(values);
+  }
+
+  template <class Number>
+  void
+  ZoomedOperator<Number>::clear_covered(Number *values) const
+  {
+    for (const auto &window : windows)
+      layout().for_each_covered(window->number,
+                                [values](const std::size_t parent, std::size_t) {
+                                  values[parent] = 0;
+                                });
+  }
+
+  /** Give each parent the mean of what its windows have; what it has itself at points
+   *  that they cover is 0. */
+  template <class Number>
+  void
+  ZoomedOperator<Number>::gather_from_windows(Number *values)
+  {
+    for (std::size_t w = windows.size(); w-- > 0;)
+      {
+        Window       &window = *windows[w];
+        const Number *begin  = values + layout().start_of_window(window.number);
+        std::copy_n(begin, window.own.size(), window.own.begin());
+        window.transfer.deposit(window.own, window.patch);
+        window.for_each_of_patch([&](const std::size_t k, const std::size_t at) {
+          values[at] += window.patch[k];
+        });
+      }
+  }
+
+  /** Refine what the parents have found in their windows. */
+  template <class Number>
+  template <class Multiply>
+  void
+  ZoomedOperator<Number>::spread_to_windows(Number *values, const Multiply &multiply)
+  {
+    for (const auto &each : windows)
+      {
+        Window &window = *each;
+        window.coarse_box.take(window.patch, multiply);
+        std::fill(window.patch.begin(), window.patch.end(), Number(0));
+        window.for_each_of_patch([&](const std::size_t k, const std::size_t at) {
+          window.patch[k] = values[at];
+        });
+        if (window.place.parent < 0)
+          sum_in_place(layout().communicator(),
+                       window.patch.data(),
+                       static_cast<int>(window.patch.size()));
+        window.coarse_box.for_each(
+          [&](const std::size_t k, const Number value) { window.patch[k] -= value; });
+        window.fine_box.take(window.own, multiply);
+        Number *result = values + layout().start_of_window(window.number);
+        window.transfer.interpolate(window.patch, window.own);
+        window.fine_box.for_each([&](const std::size_t k, const Number value) {
+          result[k] = window.own[k] + value;
+        });
+      }
+  }
+
+  template class ZoomedOperator<double>;
+  template class ZoomedOperator<float>;
+
   ZoomedProblem::ZoomedProblem(const SlabField &heights, const double contact_modulus)
     : DualProblem(points_of(heights))
     , exact(heights.layout_pointer(), contact_modulus)
@@ -15,18 +227,6 @@ namespace strait
     , room(size())
     , pressed(size())
   {
-  }
-
-  float *
-  ZoomedProblem::scratch()
-  {
-    return room.data();
-  }
-
-  long
-  ZoomedProblem::n_applications() const
-  {
-    return exact.n_pairs() + of_steps.n_pairs();
   }
 
   double

@@ -21,17 +21,11 @@ namespace strait
 
   namespace
   {
-    struct GridCellHash
-    {
-      std::size_t
-      operator()(const GridCell &cell) const
-      {
-        std::size_t seed = 0;
-        for (const int part : {cell.exponent, cell.i, cell.j})
-          boost::hash_combine(seed, part);
-        return seed;
-      }
-    };
+    // The nodes of FE_Q(2) at the corners of the children, deal.II's order throughout.
+    constexpr unsigned int child_corners[4][4] = {{0, 6, 4, 8},
+                                                  {6, 1, 8, 5},
+                                                  {4, 8, 2, 7},
+                                                  {8, 5, 7, 3}};
 
     /**
      * On cells of the grid's quadtree, from the moments that the bridge knows; for
@@ -50,24 +44,25 @@ namespace strait
         , coefficient(coefficient_)
         , of_children(of_children_)
         , set_size(set.size())
-        , answers(set_size, 0)
       {
       }
 
       void
       update(const GapField &gap) override
       {
-        std::vector<GridCell> wanted = mesh.owned_grid_cells();
-        if (of_children)
-          {
-            std::vector<GridCell> children;
-            for (const GridCell &parent : wanted)
-              for (int child = 0; child < 4; ++child)
-                children.push_back({parent.exponent - 1,
-                                    2 * parent.i + child % 2,
-                                    2 * parent.j + child / 2});
-            wanted = std::move(children);
-          }
+        std::vector<GridCell> wanted;
+        wanted.reserve((of_children ? 4 : 1) *
+                       mesh.triangulation().n_locally_owned_active_cells());
+        for (const auto &cell : mesh.triangulation().active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              const GridCell here = mesh.grid_cell(*cell);
+              if (!of_children)
+                wanted.push_back(here);
+              for (int child = 0; of_children && child < 4; ++child)
+                wanted.push_back(
+                  {here.exponent - 1, 2 * here.i + child % 2, 2 * here.j + child / 2});
+            }
         if (gap.revision() != revision)
           cells.clear();
         revision = gap.revision();
@@ -90,18 +85,17 @@ namespace strait
       stiffness(const std::size_t cell, FullMatrix<double> &matrix) const override
       {
         // Of cells and of children alike: it depends on the ratio of both only.
-        const double width  = mesh.width(cells.front()),
-                     height = mesh.height(cells.front());
+        const auto [width, height] = mesh.edges(cells.front());
         if (!of_children)
           {
-            element.stiffness(answers[cell], width, height, matrix);
+            element.stiffness(&answers(cell, 0), width, height, matrix);
             return;
           }
         FullMatrix<double> small(4, 4);
         matrix = 0.;
         for (std::size_t child = 0; child < 4; ++child)
           {
-            element.stiffness(answers[4 * cell + child], width, height, small);
+            element.stiffness(&answers(4 * cell + child, 0), width, height, small);
             for (unsigned int i = 0; i < 4; ++i)
               for (unsigned int j = 0; j < 4; ++j)
                 matrix(child_corners[child][i], child_corners[child][j]) += small(i, j);
@@ -114,7 +108,14 @@ namespace strait
       void
       ask(const GapField &gap, const std::vector<GridCell> &wanted)
       {
-        std::unordered_map<GridCell, std::size_t, GridCellHash> known(cells.size());
+        const auto hash = [](const GridCell &cell) {
+          std::size_t seed = 0;
+          for (const int part : {cell.exponent, cell.i, cell.j})
+            boost::hash_combine(seed, part);
+          return seed;
+        };
+        std::unordered_map<GridCell, std::size_t, decltype(hash)> known(cells.size(),
+                                                                        hash);
         for (std::size_t c = 0; c < cells.size(); ++c)
           known.emplace(cells[c], c);
         std::vector<GridCell> others;
@@ -122,14 +123,14 @@ namespace strait
           if (known.count(cell) == 0)
             others.push_back(cell);
         const CellAnswers found = gap.ask(coefficient, others);
-        CellAnswers       all(set_size, wanted.size());
+        CellAnswers       all(wanted.size(), set_size);
         std::size_t       n_others = 0;
         for (std::size_t c = 0; c < wanted.size(); ++c)
           {
             const auto    before = known.find(wanted[c]);
             const double *answer =
-              before == known.end() ? found[n_others++] : answers[before->second];
-            std::copy_n(answer, set_size, all[c]);
+              before == known.end() ? &found(n_others++, 0) : &answers(before->second, 0);
+            std::copy_n(answer, set_size, &all(c, 0));
           }
         answers = std::move(all);
       }
@@ -148,7 +149,7 @@ namespace strait
      * On the cells of a seal mesh, by Gauss quadrature of the gap in parts of at most one
      * grid spacing, and in cells that are smaller than four in quarters of one, enlarged
      * by what twice as large parts find otherwise. Along an edge there are at least
-     * @p fewest_parts, a power of two.
+     * @p fewest_parts, a power of two, on each of which a potential has @p degree.
      */
     class MappedCoefficient : public CellCoefficient
     {
@@ -156,16 +157,59 @@ namespace strait
       MappedCoefficient(const FlowMesh             &mesh_,
                         const FiniteElement<2>     &fe_,
                         const GapField::Coefficient coefficient_,
+                        const unsigned int          degree_,
                         const int                   fewest_parts_)
         : mesh(mesh_)
         , fe(fe_)
         , coefficient(coefficient_)
+        , degree(degree_)
         , fewest_parts(fewest_parts_)
         , n(fe.n_dofs_per_cell())
       {
       }
 
-      void update(const GapField &gap) override;
+      void
+      update(const GapField &gap) override
+      {
+        const auto &tria = mesh.triangulation();
+        double      low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const auto &cell : tria.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              const auto box =
+                mesh.mapping().get_bounding_box(cell).get_boundary_points();
+              low  = std::min(low, box.first[1]);
+              high = std::max(high, box.second[1]);
+            }
+        const GapRows rows = gap.rows(low, high);
+        means.clear();
+        entries.clear();
+        std::vector<double> sums;
+        for (const auto &cell : tria.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              // Cells of fewer spacings are integrated more finely, as the bracket rests
+              // on them. Half of it leaves more to the refinement, double of it costs
+              // four times as much in cells that do not need it.
+              constexpr double small   = 4.;
+              const double     size    = mesh.size_in_spacings(*cell);
+              int              n_parts = fewest_parts;
+              while (n_parts < (size < small ? 2. * size : size))
+                n_parts *= 2; // about one for each grid spacing along a side
+              double mean = integrate(gap, rows, values_on(cell, n_parts), sums);
+              if (size < small)
+                {
+                  const double coarser = mean;
+                  mean = integrate(gap, rows, values_on(cell, 2 * n_parts), sums);
+                  const double factor =
+                    mean > 0 ? 1. + std::abs(mean - coarser) / mean : 1.;
+                  for (double &entry : sums)
+                    entry *= factor;
+                }
+              means.push_back(mean);
+              entries.insert(entries.end(), sums.begin(), sums.end());
+            }
+      }
 
       double
       mean(const std::size_t cell) const override
@@ -186,19 +230,57 @@ namespace strait
       using Cell = FlowMesh::Triangulation::active_cell_iterator;
 
       /** Shape functions at the points of a cell, those of n_parts × n_parts parts. */
-      FEValues<2> &values_on(const Cell &cell, int n_parts);
+      FEValues<2> &
+      values_on(const Cell &cell, const int n_parts)
+      {
+        // Without a curved edge the map is bilinear, which costs less to say so.
+        bool is_curved = false;
+        for (const unsigned int f : cell->face_indices())
+          is_curved =
+            is_curved || cell->face(f)->manifold_id() != numbers::flat_manifold_id;
+        std::unique_ptr<FEValues<2>> &entry = values[{n_parts, is_curved}];
+        if (!entry)
+          entry = std::make_unique<FEValues<2>>(
+            is_curved ? mesh.mapping() : static_cast<const Mapping<2> &>(bilinear),
+            fe,
+            QIterated<2>(QGauss<1>(degree + 1), n_parts),
+            update_quadrature_points | update_gradients | update_JxW_values);
+        entry->reinit(cell);
+        return *entry;
+      }
 
       /** Find the lower half of the matrix of a cell. Returns the mean of the
        *  coefficient. */
-      double integrate(const GapField      &gap,
-                       const GapRows       &rows,
-                       const FEValues<2>   &at,
-                       std::vector<double> &sums) const;
+      double
+      integrate(const GapField      &gap,
+                const GapRows       &rows,
+                const FEValues<2>   &at,
+                std::vector<double> &sums) const
+      {
+        double area = 0., total = 0.;
+        sums.assign(n * (n + 1) / 2, 0.);
+        for (const unsigned int q : at.quadrature_point_indices())
+          {
+            const Point<2> &x = at.quadrature_point(q);
+            const double    c =
+              gap.coefficient_of(coefficient, rows(x[0], x[1])) * at.JxW(q);
+            area += at.JxW(q);
+            total += c;
+            if (!(c > 0))
+              continue;
+            double *entry = sums.data();
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int j = 0; j <= i; ++j)
+                *entry++ += c * (at.shape_grad(i, q) * at.shape_grad(j, q));
+          }
+        return total / area;
+      }
 
       const FlowMesh         &mesh;
       const MappingQ<2>       bilinear{1};
       const FiniteElement<2> &fe;
       GapField::Coefficient   coefficient;
+      unsigned int            degree;
       int                     fewest_parts;
       unsigned int            n; // unknowns of a cell
       std::map<std::pair<int, bool>, std::unique_ptr<FEValues<2>>>
@@ -206,91 +288,6 @@ namespace strait
       std::vector<double> means;
       std::vector<double> entries; // of the lower halves of the matrices
     };
-
-    FEValues<2> &
-    MappedCoefficient::values_on(const Cell &cell, const int n_parts)
-    {
-      // Without a curved edge the map is bilinear, which costs less to say so.
-      bool is_curved = false;
-      for (const unsigned int f : cell->face_indices())
-        is_curved =
-          is_curved || cell->face(f)->manifold_id() != numbers::flat_manifold_id;
-      std::unique_ptr<FEValues<2>> &entry = values[{n_parts, is_curved}];
-      if (!entry)
-        entry = std::make_unique<FEValues<2>>(
-          is_curved ? mesh.mapping() : static_cast<const Mapping<2> &>(bilinear),
-          fe,
-          QIterated<2>(QGauss<1>(fe.degree / fewest_parts + 1), n_parts),
-          update_quadrature_points | update_gradients | update_JxW_values);
-      entry->reinit(cell);
-      return *entry;
-    }
-
-    double
-    MappedCoefficient::integrate(const GapField      &gap,
-                                 const GapRows       &rows,
-                                 const FEValues<2>   &at,
-                                 std::vector<double> &sums) const
-    {
-      double area = 0., total = 0.;
-      sums.assign(n * (n + 1) / 2, 0.);
-      for (const unsigned int q : at.quadrature_point_indices())
-        {
-          const Point<2> &x = at.quadrature_point(q);
-          const double c = gap.coefficient_of(coefficient, rows(x[0], x[1])) * at.JxW(q);
-          area += at.JxW(q);
-          total += c;
-          if (!(c > 0))
-            continue;
-          double *entry = sums.data();
-          for (unsigned int i = 0; i < n; ++i)
-            for (unsigned int j = 0; j <= i; ++j)
-              *entry++ += c * (at.shape_grad(i, q) * at.shape_grad(j, q));
-        }
-      return total / area;
-    }
-
-    void
-    MappedCoefficient::update(const GapField &gap)
-    {
-      const auto &tria = mesh.triangulation();
-      double      low = std::numeric_limits<double>::infinity(), high = -low;
-      for (const auto &cell : tria.active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            const auto box = mesh.mapping().get_bounding_box(cell).get_boundary_points();
-            low            = std::min(low, box.first[1]);
-            high           = std::max(high, box.second[1]);
-          }
-      const GapRows rows = gap.rows(low, high);
-      means.clear();
-      entries.clear();
-      std::vector<double> sums;
-      for (const auto &cell : tria.active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            // Cells of fewer spacings are integrated more finely, as the bracket rests on
-            // them. Half of it leaves more to the refinement, double of it costs four
-            // times as much in cells that do not need it.
-            constexpr double small   = 4.;
-            const double     size    = mesh.size_in_spacings(*cell);
-            int              n_parts = fewest_parts;
-            while (n_parts < (size < small ? 2. * size : size))
-              n_parts *= 2; // about one for each grid spacing along a side
-            double mean = integrate(gap, rows, values_on(cell, n_parts), sums);
-            if (size < small)
-              {
-                const double coarser = mean;
-                mean = integrate(gap, rows, values_on(cell, 2 * n_parts), sums);
-                const double factor =
-                  mean > 0 ? 1. + std::abs(mean - coarser) / mean : 1.;
-                for (double &entry : sums)
-                  entry *= factor;
-              }
-            means.push_back(mean);
-            entries.insert(entries.end(), sums.begin(), sums.end());
-          }
-    }
   } // namespace
 
   std::unique_ptr<CellCoefficient>
@@ -299,18 +296,10 @@ namespace strait
                    const FiniteElement<2>     &fe,
                    const GapField::Coefficient coefficient)
   {
+    const unsigned int n_parts = fe.degree / set.degree(); // of a cell, along an edge
     if (mesh.seal() == nullptr)
-      return std::make_unique<GridCoefficient>(mesh, set, coefficient, false);
-    return std::make_unique<MappedCoefficient>(mesh, fe, coefficient, 1);
-  }
-
-  std::unique_ptr<CellCoefficient>
-  make_child_coefficient(const FlowMesh             &mesh,
-                         const FiniteElement<2>     &fe,
-                         const GapField::Coefficient coefficient)
-  {
-    if (mesh.seal() == nullptr)
-      return std::make_unique<GridCoefficient>(mesh, MomentSet(1), coefficient, true);
-    return std::make_unique<MappedCoefficient>(mesh, fe, coefficient, 2);
+      return std::make_unique<GridCoefficient>(mesh, set, coefficient, n_parts > 1);
+    return std::make_unique<MappedCoefficient>(
+      mesh, fe, coefficient, set.degree(), n_parts);
   }
 } // namespace strait

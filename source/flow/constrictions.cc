@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -39,31 +40,26 @@ namespace strait
       // Of cells that hold the point, and of those beside it, which serve where no other
       // does, on any rank.
       std::vector<double>    result(path.points.size(), unknown), beside(result);
-      const auto            &dofs = solver.pressure().dof_handler();
-      dealii::Vector<double> corners(dofs.get_fe().n_dofs_per_cell());
-      for (const auto &cell : dofs.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (int level = 0; level < n_levels; ++level)
-            if (const Places &places = wanted[level]; !places.empty())
-              for (const PointInCell &p :
-                   points_in_cell(solver.mesh(), *cell, rows[level]))
-                if (const auto point = places.find({p.ix, p.iy}); point != places.end())
-                  {
-                    cell->get_dof_values(solver.pressure().solution(), corners);
-                    (p.inside ? result : beside)[point->second] = p.interpolate(corners);
-                  }
+      dealii::Vector<double> corners(
+        solver.pressure().dof_handler().get_fe().n_dofs_per_cell());
+      for (const auto &cell : solver.pressure().cells())
+        for (int level = 0; level < n_levels; ++level)
+          if (const Places &places = wanted[level]; !places.empty())
+            for (const PointInCell &p : points_in_cell(solver.mesh(), *cell, rows[level]))
+              if (const auto point = places.find({p.ix, p.iy}); point != places.end())
+                {
+                  cell->get_dof_values(solver.pressure().solution(), corners);
+                  (p.inside ? result : beside)[point->second] = p.interpolate(corners);
+                }
       for (std::vector<double> *values : {&result, &beside})
         dealii::Utilities::MPI::max(*values,
                                     solver.mesh().triangulation().get_communicator(),
                                     *values);
       for (std::size_t k = 0; k < result.size(); ++k)
-        if (result[k] == unknown)
-          result[k] = beside[k];
+        result[k] = std::max(result[k] == unknown ? beside[k] : result[k], 0.);
       // The path begins and ends in the reservoirs, perhaps beyond the outline of a mesh.
       result.front() = 1.;
       result.back()  = 0.;
-      for (double &value : result)
-        value = std::max(value, 0.);
       return result;
     }
   } // namespace
@@ -78,27 +74,23 @@ namespace strait
     const auto [dx, dy] = layout.spacing(path.bottleneck.window);
     report.points_along = report.throat.length / std::max(dx, dy);
 
-    const std::vector<double>  pressure = pressure_along(solver, layout, path);
-    std::vector<PressureDrop> &drops    = report.drops;
-    double                     total    = 0;
+    const std::vector<double> pressure = pressure_along(solver, layout, path);
+    std::vector<double>       drops;
+    double                    total = 0;
     for (const Constriction &c : divide_into_constrictions(path.gaps))
       {
-        drops.push_back({path.points[c.narrowest],
-                         path.gaps[c.narrowest],
-                         std::max(pressure[c.first] - pressure[c.last], 0.)});
-        total += drops.back().fraction;
+        drops.push_back(std::max(pressure[c.first] - pressure[c.last], 0.));
+        total += drops.back();
       }
-    std::sort(drops.begin(), drops.end(), [](const auto &a, const auto &b) {
-      return a.fraction > b.fraction;
-    });
+    std::sort(drops.begin(), drops.end(), std::greater<>());
     report.n_constrictions = static_cast<int>(drops.size());
     if (!(total > 0))
       return report;
-    for (PressureDrop &drop : drops)
-      drop.fraction /= total;
-    report.fraction_at_worst = drops.front().fraction;
+    for (double &drop : drops)
+      drop /= total;
+    report.fraction_at_worst = drops.front();
     for (double carried = 0; carried < .9; ++report.n_for_90_percent)
-      carried += drops[report.n_for_90_percent].fraction;
+      carried += drops[report.n_for_90_percent];
     return report;
   }
 } // namespace strait

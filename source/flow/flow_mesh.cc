@@ -19,12 +19,15 @@ namespace strait
     // more of that to refinement, double of it costs time at every point.
     constexpr unsigned int degree_of_arcs = 4;
 
-    // Periodicity in deal.II wants two coarse cells across.
+    /** The exponent of cells, at most @p largest, of which there are at least @p fewest
+     *  along and across, unless those of one spacing are fewer. */
     int
-    coarsest_exponent(const PeriodicGrid &grid, const int n_halvings)
+    exponent_of_coarse_cells(const PeriodicGrid &grid,
+                             const int           largest,
+                             const int           fewest)
     {
-      int e = n_halvings;
-      while (e > 0 && ((grid.nx >> e) < 2 || (grid.ny >> e) < 2))
+      int e = largest;
+      while (e > 0 && std::min(grid.nx, grid.ny) >> e < fewest)
         --e;
       return e;
     }
@@ -36,7 +39,8 @@ namespace strait
     : periodic_grid(gap.layout().grid())
     , flow_direction(direction)
     , seal_mesh(seal)
-    , root_exponent(coarsest_exponent(periodic_grid, gap.n_halvings()))
+    // Periodicity in deal.II wants two coarse cells across.
+    , root_exponent(exponent_of_coarse_cells(periodic_grid, gap.n_halvings(), 2))
     , cell_mapping(seal != nullptr && !seal->circles.empty() ? degree_of_arcs : 1)
     , tria(gap.layout().communicator())
   {
@@ -52,26 +56,16 @@ namespace strait
     const std::vector<unsigned int> n_roots = {
       static_cast<unsigned int>(periodic_grid.nx >> root_exponent),
       static_cast<unsigned int>(periodic_grid.ny >> root_exponent)};
-    dealii::GridGenerator::subdivided_hyper_rectangle(tria,
-                                                      n_roots,
-                                                      dealii::Point<2>(0., 0.),
-                                                      dealii::Point<2>(periodic_grid.lx,
-                                                                       periodic_grid.ly));
-
-    const unsigned int along = axis_along();
-    for (const auto &cell : tria.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary())
-          {
-            const bool first = f % 2 == 0;
-            if (f / 2 == along)
-              cell->face(f)->set_boundary_id(first ? inlet : outlet);
-            else
-              cell->face(f)->set_boundary_id(first ? periodic_first : periodic_last);
-          }
+    dealii::GridGenerator::subdivided_hyper_rectangle(
+      tria, n_roots, {0., 0.}, {periodic_grid.lx, periodic_grid.ly}, true);
+    // The ends along x now have the ids 0 and 1, those along y 2 and 3.
+    if (axis_along() == 1)
+      for (const auto &face : tria.active_face_iterators())
+        if (face->at_boundary())
+          face->set_boundary_id((face->boundary_id() + 2) % 4);
     std::vector<dealii::GridTools::PeriodicFacePair<Triangulation::cell_iterator>> pairs;
     dealii::GridTools::collect_periodic_faces(
-      tria, periodic_first, periodic_last, 1 - along, pairs);
+      tria, periodic_first, periodic_last, 1 - axis_along(), pairs);
     tria.add_periodicity(pairs);
   }
 
@@ -83,10 +77,7 @@ namespace strait
     std::vector<dealii::CellData<2>> cells;
     dealii::SubCellData              boundary;
     for (const auto &corners : seal_mesh->cells)
-      {
-        cells.emplace_back();
-        cells.back().vertices = {corners[0], corners[1], corners[3], corners[2]};
-      }
+      cells.emplace_back().vertices = {corners[0], corners[1], corners[3], corners[2]};
     for (const SealMesh::Edge &edge : seal_mesh->edges)
       {
         dealii::CellData<1> line;
@@ -107,23 +98,12 @@ namespace strait
   GridCell
   FlowMesh::grid_cell(const dealii::CellAccessor<2> &cell) const
   {
-    GridCell   result;
-    const auto corner = cell.vertex(0);
-    result.exponent   = exponent_of_level(cell.level());
-    result.i          = static_cast<int>(std::lround(corner[0] / width(result)));
-    result.j          = static_cast<int>(std::lround(corner[1] / height(result)));
+    GridCell result;
+    result.exponent            = root_exponent - cell.level();
+    const auto [width, height] = edges(result);
+    result.i                   = static_cast<int>(std::lround(cell.vertex(0)[0] / width));
+    result.j = static_cast<int>(std::lround(cell.vertex(0)[1] / height));
     return result;
-  }
-
-  std::vector<GridCell>
-  FlowMesh::owned_grid_cells() const
-  {
-    std::vector<GridCell> cells;
-    cells.reserve(tria.n_locally_owned_active_cells());
-    for (const auto &cell : tria.active_cell_iterators())
-      if (cell->is_locally_owned())
-        cells.push_back(grid_cell(*cell));
-    return cells;
   }
 
   double
@@ -166,16 +146,20 @@ namespace strait
     return level < most_levels &&
            (seal_mesh != nullptr ||
             std::ldexp(std::max(periodic_grid.nx, periodic_grid.ny),
-                       -exponent_of_level(level)) < std::ldexp(1., most_bits));
+                       level - root_exponent) < std::ldexp(1., most_bits));
   }
 
-  void
-  FlowMesh::constrain_periodic(const dealii::DoFHandler<2>       &dofs,
-                               dealii::AffineConstraints<double> &constraints) const
+  dealii::AffineConstraints<double>
+  FlowMesh::continuity(const dealii::DoFHandler<2> &dofs) const
   {
+    dealii::IndexSet relevant;
+    dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+    dealii::AffineConstraints<double> constraints(relevant);
+    dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
     if (seal_mesh == nullptr)
       dealii::DoFTools::make_periodicity_constraints(
         dofs, periodic_first, periodic_last, 1 - axis_along(), constraints);
+    return constraints;
   }
 
   void
@@ -184,10 +168,9 @@ namespace strait
     // Coarser cells, or fewer across the box, cost a mesh more, which is a small one;
     // finer ones and more of them are a burden where nothing flows.
     constexpr int largest_exponent = 6, fewest_cells = 8;
-    int           exponent = std::min(periodic_grid.n_halvings(), largest_exponent);
-    while (exponent > 0 &&
-           std::min(periodic_grid.nx, periodic_grid.ny) >> exponent < fewest_cells)
-      --exponent;
-    refine_uniformly(exponent);
+    refine_uniformly(
+      exponent_of_coarse_cells(periodic_grid,
+                               std::min(periodic_grid.n_halvings(), largest_exponent),
+                               fewest_cells));
   }
 } // namespace strait

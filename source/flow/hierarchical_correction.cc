@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/hierarchical_correction.h>
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/diagonal_matrix.h>
 
 #include <algorithm>
+#include <array>
 
 namespace strait
 {
@@ -15,6 +15,8 @@ namespace strait
     // The nodes of a cell in the order of FE_Q(2): vertices, middles of edges, centre.
     constexpr unsigned int n_vertices = 4, n_rim = 8, centre = 8;
 
+    using Nodes = std::array<double, n_rim + 1>;
+
     /**
      * The equations of the freed nodes, kept cell by cell: of its nine nodes the centre
      * is eliminated and the rest, the rim, depends on at most a few freed ones.
@@ -24,30 +26,28 @@ namespace strait
     public:
       using Vector = LinearAlgebra::distributed::Vector<double>;
 
-      explicit RimSystems(const CorrectionNodes &nodes_)
+      explicit RimSystems(const std::vector<FreedNodes> &nodes_)
         : nodes(nodes_)
       {
-        first_entry.reserve(nodes.cells.size() + 1);
-        first_entry.push_back(0);
       }
 
       /**
        * Append the next cell, and add what it contributes to the residual @p r and the
        * diagonal @p d. @p base are the values before correction; a closed cell
-       * contributes nothing. The nodes of @p fixed_faces, bit f for face f, are kept.
+       * contributes nothing. Nodes of the rim that are @p fixed are kept.
        */
       void
-      append(const FullMatrix<double>       &matrix,
-             const CorrectedSolution::Nodes &base,
-             const bool                      closed,
-             const unsigned int              fixed_faces,
-             Vector                         &r,
-             Vector                         &d)
+      append(const FullMatrix<double>      &matrix,
+             const Nodes                   &base,
+             const bool                     closed,
+             const std::array<bool, n_rim> &fixed,
+             Vector                        &r,
+             Vector                        &d)
       {
-        const CorrectionNodes::Cell &here = nodes.cells[first_entry.size() - 1];
-        const unsigned int           m    = here.n_indices;
-        first_entry.push_back(first_entry.back() + m * m);
-        entries.resize(first_entry.back(), 0.);
+        const auto &[indices, dependences] = nodes[n_cells++];
+        const std::size_t m                = indices.size();
+        matrices.resize(matrices.size() + m * m);
+        double *entries = matrices.data() + matrices.size() - m * m;
         if (closed)
           return;
         // Eliminate the centre; residual of the rim with the centre at its optimum.
@@ -64,26 +64,18 @@ namespace strait
             for (unsigned int j = 0; j < n_rim; ++j)
               rim[i][j] = matrix(i, j) - ratio * matrix(centre, j);
           }
-        const CorrectionNodes::Dependence *first =
-          nodes.dependences.data() + here.first_dependence;
-        double             *entry = entries.data() + first_entry[first_entry.size() - 2];
-        const unsigned int *index = nodes.indices.data() + here.first_index;
-        const auto          is_fixed = [&](const unsigned int node) {
-          return node >= n_vertices && (fixed_faces >> (node - n_vertices) & 1U) != 0;
-        };
-        for (unsigned int k = 0; k < here.n_dependences; ++k)
+        for (const FreedNodes::Dependence &row : dependences)
           {
-            const CorrectionNodes::Dependence &row = first[k];
-            if (is_fixed(row.node))
+            if (fixed[row.node])
               continue;
-            r.local_element(index[row.column]) += row.weight * residual[row.node];
-            for (unsigned int l = 0; l < here.n_dependences; ++l)
-              if (!is_fixed(first[l].node))
-                entry[row.column * m + first[l].column] +=
-                  row.weight * first[l].weight * rim[row.node][first[l].node];
+            r.local_element(indices[row.column]) += row.weight * residual[row.node];
+            for (const FreedNodes::Dependence &other : dependences)
+              if (!fixed[other.node])
+                entries[row.column * m + other.column] +=
+                  row.weight * other.weight * rim[row.node][other.node];
           }
-        for (unsigned int k = 0; k < m; ++k)
-          d.local_element(index[k]) += entry[k * m + k];
+        for (std::size_t k = 0; k < m; ++k)
+          d.local_element(indices[k]) += entries[k * m + k];
       }
 
       /** The product with x, whose ghost values come and go. Collective. */
@@ -92,41 +84,27 @@ namespace strait
       {
         image = 0.;
         x.update_ghost_values();
-        for (std::size_t c = 0; c + 1 < first_entry.size(); ++c)
-          {
-            const CorrectionNodes::Cell &here  = nodes.cells[c];
-            const unsigned int           m     = here.n_indices;
-            const unsigned int          *index = nodes.indices.data() + here.first_index;
-            const double                *entry = entries.data() + first_entry[c];
-            for (unsigned int k = 0; k < m; ++k)
-              {
-                double sum = 0;
-                for (unsigned int l = 0; l < m; ++l)
-                  sum += entry[k * m + l] * x.local_element(index[l]);
-                image.local_element(index[k]) += sum;
-              }
-          }
+        const double *entry = matrices.data();
+        for (const FreedNodes &cell : nodes)
+          for (const unsigned int k : cell.indices)
+            {
+              double sum = 0;
+              for (const unsigned int l : cell.indices)
+                sum += *entry++ * x.local_element(l);
+              image.local_element(k) += sum;
+            }
         x.zero_out_ghost_values();
         image.compress(VectorOperation::add);
       }
 
     private:
-      const CorrectionNodes   &nodes;
-      std::vector<std::size_t> first_entry;
-      std::vector<double>      entries;
+      const std::vector<FreedNodes> &nodes;
+      std::size_t                    n_cells = 0; // that were appended
+      std::vector<double>            matrices;    // one after the other, row by row
     };
 
-    std::vector<double>
-    child_values(const CorrectedSolution::Nodes &nodes, const unsigned int child)
-    {
-      std::vector<double> values(n_vertices);
-      for (unsigned int v = 0; v < n_vertices; ++v)
-        values[v] = nodes[child_corners[child][v]];
-      return values;
-    }
-
     /** The bilinear function with the given values at the vertices, less the first. */
-    CorrectedSolution::Nodes
+    Nodes
     interpolate(const std::vector<double> &vertices)
     {
       const double a = vertices[1] - vertices[0], b = vertices[2] - vertices[0],
@@ -138,7 +116,6 @@ namespace strait
 
   HierarchicalCorrection::HierarchicalCorrection(const FlowMesh &mesh_)
     : mesh(mesh_)
-    , element(MomentSet(1))
     , fe(2)
     , dofs(mesh.triangulation())
   {
@@ -148,12 +125,7 @@ namespace strait
   HierarchicalCorrection::set_up()
   {
     dofs.distribute_dofs(fe);
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    constraints.clear();
-    constraints.reinit(relevant);
-    DoFTools::make_hanging_node_constraints(dofs, constraints);
-    mesh.constrain_periodic(dofs, constraints);
+    constraints = mesh.continuity(dofs);
     // The vertices of the mesh keep their values. A vertex that hangs on an edge is
     // the new node of that edge and follows it.
     std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
@@ -167,41 +139,25 @@ namespace strait
         }
     constraints.close();
     layout.reinit(dofs.locally_owned_dofs(),
-                  relevant,
-                  mesh.triangulation().get_communicator());
-    list_nodes();
-  }
-
-  void
-  HierarchicalCorrection::list_nodes()
-  {
-    nodes                                            = {};
-    const auto                          &partitioner = *layout.get_partitioner();
-    std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
+                  constraints.get_local_lines(),
+                  dofs.get_communicator());
+    nodes.clear();
+    nodes.reserve(mesh.triangulation().n_locally_owned_active_cells());
+    const auto &partitioner = *layout.get_partitioner();
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          CorrectionNodes::Cell here;
-          here.first_index      = nodes.indices.size();
-          here.first_dependence = nodes.dependences.size();
-          for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary())
-              {
-                if (cell->face(f)->boundary_id() <= FlowMesh::outlet)
-                  here.at_reservoir |= 1U << f;
-                else if (mesh.seal() != nullptr)
-                  here.at_wall |= 1U << f;
-              }
-          const auto add = [&](const unsigned int            node,
+          FreedNodes &here = nodes.emplace_back();
+          const auto  add  = [&](const unsigned int            node,
                                const types::global_dof_index dof,
                                const double                  weight) {
             const unsigned int k      = partitioner.global_to_local(dof);
-            const auto         begin  = nodes.indices.begin() + here.first_index;
-            const auto         found  = std::find(begin, nodes.indices.end(), k);
+            const auto         begin  = here.indices.begin();
+            const auto         found  = std::find(begin, here.indices.end(), k);
             const auto         column = static_cast<unsigned int>(found - begin);
-            if (found == nodes.indices.end())
-              nodes.indices.push_back(k);
-            nodes.dependences.push_back({node, column, weight});
+            if (found == here.indices.end())
+              here.indices.push_back(k);
+            here.dependences.push_back({node, column, weight});
           };
           cell->get_dof_indices(local);
           for (unsigned int node = 0; node < n_rim; ++node)
@@ -210,59 +166,49 @@ namespace strait
             else if (const auto *line = constraints.get_constraint_entries(local[node]))
               for (const auto &[dof, weight] : *line)
                 add(node, dof, weight);
-          here.n_indices =
-            static_cast<unsigned int>(nodes.indices.size() - here.first_index);
-          here.n_dependences =
-            static_cast<unsigned int>(nodes.dependences.size() - here.first_dependence);
-          nodes.cells.push_back(here);
         }
   }
 
-  CellCoefficient &
-  HierarchicalCorrection::coefficient_on_children(const GapField::Coefficient kind)
-  {
-    std::unique_ptr<CellCoefficient> &result = on_children[kind];
-    if (!result)
-      result = make_child_coefficient(mesh, fe, kind);
-    return *result;
-  }
-
-  CorrectedSolution
+  CorrectedEnergy
   HierarchicalCorrection::relax(const PotentialProblem &problem, const GapField &gap)
   {
     // Half as many steps leave a wider bracket and hence more cells, twice as many cost
     // more than the cells that they save; each costs about as much as the one before.
-    constexpr unsigned int n_steps = 4;
-    const bool       is_pressure   = problem.kind() == PotentialProblem::Kind::pressure;
-    CellCoefficient &coefficient   = coefficient_on_children(problem.coefficient_kind());
-    coefficient.update(gap);
-    CorrectedSolution   result;
+    constexpr unsigned int            n_steps = 4;
+    std::unique_ptr<CellCoefficient> &coefficient =
+      on_children[problem.coefficient_kind()];
+    if (!coefficient)
+      coefficient = make_coefficient(mesh, MomentSet(1), fe, problem.coefficient_kind());
+    coefficient->update(gap);
     Vector              x(layout), r(layout), diagonal(layout);
     RimSystems          systems(nodes);
+    std::vector<Nodes>  potentials;
     std::vector<double> vertices;
-    const auto is_open = [&](const std::size_t c) { return coefficient.mean(c) > 0; };
+    const auto is_open = [&](const std::size_t c) { return coefficient->mean(c) > 0; };
     FullMatrix<double> matrix(n_rim + 1, n_rim + 1);
     const auto         find_matrix = [&](const std::size_t c) {
-      coefficient.stiffness(c, matrix);
+      coefficient->stiffness(c, matrix);
       matrix *= problem.coefficient_weight(c);
     };
-    result.values.reserve(nodes.cells.size());
-    for (const auto &cell : problem.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const std::size_t c = result.values.size();
-          problem.cell_values(cell, vertices);
-          result.values.push_back(interpolate(vertices));
-          if (is_open(c))
-            find_matrix(c);
-          systems.append(matrix,
-                         result.values.back(),
-                         !is_open(c),
-                         is_pressure ? nodes.cells[c].at_reservoir
-                                     : nodes.cells[c].at_wall,
-                         r,
-                         diagonal);
-        }
+    potentials.reserve(nodes.size());
+    for (std::size_t c = 0; c < nodes.size(); ++c)
+      {
+        const auto &cell = problem.cells()[c];
+        problem.cell_values(c, vertices);
+        potentials.push_back(interpolate(vertices));
+        std::array<bool, n_rim> fixed = {};
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary())
+            {
+              const bool at_reservoir = cell->face(f)->boundary_id() <= FlowMesh::outlet;
+              fixed[n_vertices + f]   = problem.is_pressure()
+                                          ? at_reservoir
+                                          : !at_reservoir && mesh.seal() != nullptr;
+            }
+        if (is_open(c))
+          find_matrix(c);
+        systems.append(matrix, potentials.back(), !is_open(c), fixed, r, diagonal);
+      }
     r.compress(VectorOperation::add);
     diagonal.compress(VectorOperation::add);
     for (double &entry : diagonal)
@@ -272,7 +218,8 @@ namespace strait
     constraints.distribute(x);
     x.update_ghost_values();
 
-    result.cell_energies.assign(nodes.cells.size(), 0.);
+    CorrectedEnergy result;
+    result.of_cells.assign(nodes.size(), 0.);
     std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
     std::size_t                          c = 0;
     for (const auto &cell : dofs.active_cell_iterators())
@@ -280,7 +227,7 @@ namespace strait
         {
           if (is_open(c))
             {
-              Nodes &values = result.values[c];
+              Nodes &values = potentials[c];
               cell->get_dof_indices(local);
               for (unsigned int node = 0; node < n_rim; ++node)
                 values[node] += x(local[node]);
@@ -288,23 +235,13 @@ namespace strait
               double at_centre = 0;
               for (unsigned int node = 0; node < n_rim; ++node)
                 at_centre -= matrix(centre, node) * values[node];
-              values[centre]          = at_centre / matrix(centre, centre);
-              result.cell_energies[c] = ElementMatrix::energy(matrix, values);
-              result.energy += result.cell_energies[c];
+              values[centre]     = at_centre / matrix(centre, centre);
+              result.of_cells[c] = ElementMatrix::energy(matrix, values);
+              result.total += result.of_cells[c];
             }
           ++c;
         }
-    result.energy =
-      Utilities::MPI::sum(result.energy, mesh.triangulation().get_communicator());
+    result.total = Utilities::MPI::sum(result.total, dofs.get_communicator());
     return result;
-  }
-
-  double
-  HierarchicalCorrection::gradient_times_curl(const Nodes &u, const Nodes &v) const
-  {
-    double sum = 0;
-    for (unsigned int child = 0; child < 4; ++child)
-      sum += element.gradient_times_curl(child_values(u, child), child_values(v, child));
-    return sum;
   }
 } // namespace strait

@@ -3,15 +3,161 @@
 
 #include <deal.II/distributed/grid_refinement.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace strait
 {
+  namespace
+  {
+    using Cell = dealii::CellAccessor<2>;
+
+    /** Tells cells on a path, or beside it by no more than their own size. */
+    class PathOnMesh
+    {
+    public:
+      PathOnMesh(const Channel &channel, const FlowMesh &mesh)
+      {
+        if (channel.paths.empty())
+          return;
+        const SlabLayout    &layout = channel.gap.layout();
+        const PeriodicGrid  &grid   = layout.grid();
+        dealii::Tensor<1, 2> period;
+        period[1 - mesh.axis_along()] = mesh.axis_along() == 0 ? grid.ly : grid.lx;
+        // In a window the path may be one period away from the box, and beside it two.
+        const int reach = mesh.seal() == nullptr ? 2 : 0;
+        for (const GridPoint &on_path : channel.paths.front().points)
+          {
+            const auto [x, y] = layout.position(on_path.window, on_path.ix, on_path.iy);
+            for (int n = -reach; n <= reach; ++n)
+              points.push_back(dealii::Point<2>(x, y) + static_cast<double>(n) * period);
+          }
+        std::sort(points.begin(), points.end(), [](const auto &a, const auto &b) {
+          return a[0] < b[0];
+        });
+      }
+
+      bool
+      touches(const Cell &cell) const
+      {
+        // Steps of the path that are longer than the cell must leave no gap, nor may
+        // cells touch at a corner alone: the box counts with one more on each side.
+        const auto   box   = cell.bounding_box();
+        const double left  = box.lower_bound(0) - box.side_length(0);
+        const double right = box.upper_bound(0) + box.side_length(0);
+        auto         point =
+          std::lower_bound(points.begin(),
+                           points.end(),
+                           left,
+                           [](const auto &a, const double x) { return a[0] < x; });
+        for (; point != points.end() && (*point)[0] <= right; ++point)
+          if (box.point_inside(*point, 1.))
+            return true;
+        return false;
+      }
+
+    private:
+      std::vector<dealii::Point<2>> points; // in the order of x
+    };
+
+    /** The flow through @p cell on which both disagree. */
+    double
+    disagreement(const Cell                &cell,
+                 const std::vector<double> &p,
+                 const double               conductivity,
+                 const std::vector<double> &psi,
+                 const double               leak)
+    {
+      const auto change_along_x = [](const std::vector<double> &corners) {
+        return .5 * (corners[1] - corners[0] + corners[3] - corners[2]);
+      };
+      const auto change_along_y = [](const std::vector<double> &corners) {
+        return .5 * (corners[2] - corners[0] + corners[3] - corners[1]);
+      };
+      const double shape = cell.extent_in_direction(1) / cell.extent_in_direction(0);
+      return std::hypot(conductivity * shape * change_along_x(p) +
+                          leak * change_along_y(psi),
+                        conductivity / shape * change_along_y(p) -
+                          leak * change_along_x(psi));
+    }
+
+    /**
+     * Of each active cell: the flow through it on which pressure and stream function
+     * disagree, over the whole one, times the part of the pressure drop that the stream
+     * function would take to let it pass, at most one.
+     *
+     * A coarse cell lets the pressure leak through a barrier, or bars the stream
+     * function's way, and costs them nothing: what that changes is at other throats,
+     * where Bracket::contributions show it and refinement does not help. These flows show
+     * the cell itself. In the wide parts of a channel, where the pressure on coarse cells
+     * spreads the flow over many of them, those on the first path of @p channel, if it
+     * has one, and beside it count as if all passed there, or what passes a throat as
+     * wide as long.
+     *
+     * The flows are those of uniform coefficients, the means of the cell.
+     */
+    dealii::Vector<float>
+    hidden_flows(const FlowMesh         &mesh,
+                 const GapField         &gap,
+                 const Bracket          &bracket,
+                 const PotentialProblem &pressure,
+                 const PotentialProblem &stream_function,
+                 const Channel          &channel)
+    {
+      const PathOnMesh path(channel, mesh);
+      const double     width = 1. - bracket.lower / bracket.upper;
+      const double     through_path =
+        channel.paths.empty()
+              ? 0.
+              : std::min(bracket.upper - bracket.lower,
+                     gap.conductivity_of(channel.paths.front().bottleneck_gap));
+      dealii::Vector<float> result(mesh.triangulation().n_active_cells());
+      std::vector<double>   p, psi;
+      for (std::size_t c = 0; c < pressure.cells().size(); ++c)
+        {
+          const auto &cell = pressure.cells()[c];
+          pressure.cell_values(c, p);
+          stream_function.cell_values(c, psi);
+          const double conductivity = pressure.mean_coefficient(c);
+          const double resistivity  = stream_function.mean_coefficient(c);
+          // Where the gap is wide, rounding alone makes currents larger than the leak.
+          const double flow =
+            std::min(disagreement(*cell, p, conductivity, psi, bracket.lower),
+                     bracket.upper - bracket.lower);
+          double hidden = flow / bracket.upper * std::min(flow * resistivity, 1.);
+          // A cell without contact takes as much of the drop however small it is.
+          const double excess  = resistivity - 1. / conductivity;
+          const double on_path = width * std::min(through_path * excess, 1.);
+          if (on_path > hidden && path.touches(*cell))
+            hidden = on_path;
+          result(cell->active_cell_index()) = static_cast<float>(hidden);
+        }
+      return result;
+    }
+
+    /** Of the bracket's width, the part that a cell may hide: another channel is about as
+     *  long as the first one, and coarse cells may bar it, or let the pressure leak
+     * through a barrier, in as many places as that has constrictions, so that none of
+     * them takes much of the drop. */
+    double
+    largest_part_of_hidden_flow(const Channel &channel)
+    {
+      return channel.paths.empty()
+               ? 1.
+               : 1. / static_cast<double>(
+                        divide_into_constrictions(channel.paths.front().gaps).size());
+    }
+  } // namespace
+
   bool
-  mark(FlowMesh::Triangulation     &tria,
-       const Bracket               &bracket,
-       const dealii::Vector<float> &hidden,
-       const double                 largest_hidden,
-       const double                 excess,
-       const double                 affordable)
+  mark(FlowMesh               &mesh,
+       const GapField         &gap,
+       const Bracket          &bracket,
+       const PotentialProblem &pressure,
+       const PotentialProblem &stream_function,
+       const Channel          &channel,
+       const double            excess,
+       const double            affordable)
   {
     // A cell is refined if it contributes more to the width of the bracket than this
     // fraction of the mean. Half of it refines more cells on each mesh and ends with
@@ -24,6 +170,7 @@ namespace strait
     // By how much the level rises at a time: its root and its square find alike.
     constexpr double rise = 1.25;
     using dealii::Utilities::MPI::sum;
+    auto        &tria              = mesh.triangulation();
     MPI_Comm     comm              = tria.get_communicator();
     const auto   n_cells           = static_cast<double>(tria.n_global_active_cells());
     const double width             = sum(bracket.contributions.l1_norm(), comm);
@@ -37,7 +184,10 @@ namespace strait
     while (held_by_more_than(rise * contribution) >
            (excess_factor * excess + least_share) * width)
       contribution *= rise;
-    const double hidden_flow    = largest_hidden * (1. - bracket.lower / bracket.upper);
+    const double hidden_flow =
+      largest_part_of_hidden_flow(channel) * (1. - bracket.lower / bracket.upper);
+    const dealii::Vector<float> hidden =
+      hidden_flows(mesh, gap, bracket, pressure, stream_function, channel);
     unsigned long long n_marked = 0;
     for (const auto &cell : tria.active_cell_iterators())
       if (cell->is_locally_owned() &&

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
-#include <strait/flow/mesh_file.h>
+#include <strait/flow/seal_mesh.h>
 
 #include <cmath>
 #include <map>
@@ -228,13 +228,13 @@ namespace strait
           }
       }
 
-      std::istringstream                         in;
-      std::size_t                                length;
-      std::string                                name;
-      MeshFile                                   mesh;
-      std::map<int, int>                         boundary_ids; // of curves
-      std::map<long long, std::array<double, 2>> nodes;
-      std::map<long long, unsigned int>          numbers;
+      std::istringstream                    in;
+      std::size_t                           length;
+      std::string                           name;
+      MeshFile                              mesh;
+      std::map<int, int>                    boundary_ids; // of curves
+      std::map<long long, dealii::Point<2>> nodes;
+      std::map<long long, unsigned int>     numbers;
     };
   } // namespace
 

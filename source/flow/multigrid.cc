@@ -2,8 +2,6 @@
 #include <strait/base/exceptions.h>
 #include <strait/flow/multigrid.h>
 
-#include <deal.II/lac/trilinos_precondition.h>
-
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Map.h>
 #include <HYPRE.h>
@@ -17,6 +15,8 @@
 
 namespace strait
 {
+  using dealii::TrilinosWrappers::PreconditionBase;
+
   namespace
   {
     void
@@ -30,17 +30,15 @@ namespace strait
         }
     }
 
-    class BoomerAmg : public Multigrid
+    class BoomerAmg : public PreconditionBase
     {
     public:
-      explicit BoomerAmg(const Matrix &matrix)
+      explicit BoomerAmg(const UnknownsMatrix &matrix)
         : comm(matrix.get_mpi_communicator())
-        , first(matrix.trilinos_matrix().RowMap().MinMyGID())
-        , last(first + matrix.trilinos_matrix().NumMyRows() - 1)
       {
         HYPRE_Init();
         // A rank without rows still has to name an empty range that ascends.
-        const int n_mine = last + 1 - first;
+        const int n_mine = matrix.trilinos_matrix().NumMyRows();
         int       end    = n_mine;
         MPI_Scan(MPI_IN_PLACE, &end, 1, MPI_INT, MPI_SUM, comm);
         first = end - n_mine;
@@ -65,7 +63,7 @@ namespace strait
       BoomerAmg &operator=(const BoomerAmg &) = delete;
 
       void
-      vmult(Vector &z, const Vector &r) override
+      vmult(UnknownsVector &z, const UnknownsVector &r) const override
       {
         const auto n_rows = static_cast<int>(rows.size());
         HYPRE_IJVectorSetValues(right, n_rows, rows.data(), r.begin());
@@ -96,7 +94,7 @@ namespace strait
       }
 
       void
-      copy_matrix(const Matrix &matrix)
+      copy_matrix(const UnknownsMatrix &matrix)
       {
         const Epetra_CrsMatrix &source = matrix.trilinos_matrix();
         const int               n_rows = source.NumMyRows();
@@ -152,46 +150,30 @@ namespace strait
       }
 
       MPI_Comm           comm;
-      int                first;
-      int                last;
-      std::vector<int>   rows; // this rank's
+      int                first, last; // of this rank's rows
+      std::vector<int>   rows;
       HYPRE_IJVector     right = nullptr, left = nullptr;
       HYPRE_IJMatrix     ij_matrix = nullptr;
       HYPRE_ParCSRMatrix parcsr    = nullptr;
       HYPRE_Solver       solver    = nullptr;
     };
-
-    class Ml : public Multigrid
-    {
-    public:
-      explicit Ml(const Matrix &matrix)
-      {
-        dealii::TrilinosWrappers::PreconditionAMG::AdditionalData data;
-        data.elliptic              = true;
-        data.w_cycle               = true;
-        data.aggregation_threshold = 0.02;
-        data.smoother_type         = "symmetric Gauss-Seidel";
-        data.smoother_sweeps       = 2;
-        data.coarse_type           = "Amesos-KLU";
-        amg.initialize(matrix, data);
-      }
-
-      void
-      vmult(Vector &z, const Vector &r) override
-      {
-        amg.vmult(z, r);
-      }
-
-    private:
-      dealii::TrilinosWrappers::PreconditionAMG amg;
-    };
   } // namespace
 
-  std::unique_ptr<Multigrid>
-  make_multigrid(const FlowPreconditioner kind, const Multigrid::Matrix &matrix)
+  std::unique_ptr<PreconditionBase>
+  make_multigrid(const FlowPreconditioner kind, const UnknownsMatrix &matrix)
   {
-    if (kind == FlowPreconditioner::ml)
-      return std::make_unique<Ml>(matrix);
-    return std::make_unique<BoomerAmg>(matrix);
+    if (kind == FlowPreconditioner::boomeramg)
+      return std::make_unique<BoomerAmg>(matrix);
+    using Ml = dealii::TrilinosWrappers::PreconditionAMG;
+    Ml::AdditionalData data;
+    data.elliptic              = true;
+    data.w_cycle               = true;
+    data.aggregation_threshold = 0.02;
+    data.smoother_type         = "symmetric Gauss-Seidel";
+    data.smoother_sweeps       = 2;
+    data.coarse_type           = "Amesos-KLU";
+    auto ml                    = std::make_unique<Ml>();
+    ml->initialize(matrix, data);
+    return ml;
   }
 } // namespace strait

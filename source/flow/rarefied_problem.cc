@@ -16,21 +16,33 @@ namespace strait
     weights_of_cells(const PotentialProblem &pressure, const GapField &gap)
     {
       const RarefiedFlow &gas = *gap.gas();
-      std::vector<double> weights, values;
-      for (const auto &cell : pressure.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
+      std::vector<double> weights(pressure.cells().size(), 1.), values;
+      for (std::size_t c = 0; c < weights.size(); ++c)
+        if (pressure.is_active(c))
           {
-            const std::size_t c = weights.size();
-            weights.push_back(1.);
-            if (!pressure.is_active(c))
-              continue;
-            pressure.cell_values(cell, values);
+            pressure.cell_values(c, values);
             const double mean = std::accumulate(values.begin(), values.end(), 0.) /
                                 static_cast<double>(values.size());
-            weights.back() = gas.relative_weight(gap.gap_of(pressure.unweighted_mean(c)),
-                                                 gas.pressure(mean));
+            weights[c] = gas.relative_weight(gap.gap_of(pressure.unweighted_mean(c)),
+                                             gas.pressure(mean));
           }
       return weights;
+    }
+
+    /** Mean free path over gap of @p gas in the throat of @p path, at the pressure that
+     *  the path's resistances give. */
+    double
+    knudsen_number(const FlowPath &path, const RarefiedFlow &gas)
+    {
+      const auto bottleneck = static_cast<std::size_t>(
+        std::min_element(path.gaps.begin(), path.gaps.end()) - path.gaps.begin());
+      // In the middle of the steps of the path that meet there: at the outlet there may
+      // be vacuum.
+      const double before =
+        .5 * (path.resistances[bottleneck == 0 ? 0 : bottleneck - 1] +
+              path.resistances[std::min(bottleneck + 1, path.gaps.size() - 1)]);
+      return gas.gas.knudsen_number(path.bottleneck_gap,
+                                    gas.pressure(1. - before / path.resistance()));
     }
   } // namespace
 
@@ -38,26 +50,21 @@ namespace strait
   solve_rarefied(PotentialProblem     &pressure,
                  const GapField       &gap,
                  const LinearAccuracy &accuracy,
-                 const double          tolerance,
-                 const bool            starts_from_solution)
+                 const double          tolerance)
   {
     // Each round changes the weights several times less than the one before: two or three
     // are usual, and this ends what does not converge.
     constexpr unsigned int most_rounds = 50;
     LinearSolve            outcome;
-    pressure.set_up();
+    const bool             has_solution = pressure.solution().size() > 0;
     pressure.take_coefficient(gap);
-    if (starts_from_solution)
+    if (has_solution)
       pressure.set_weights(weights_of_cells(pressure, gap));
     for (unsigned int round = 1;; ++round)
       {
-        pressure.set_up();
-        pressure.assemble();
-        const LinearSolve solve =
-          pressure.solve(accuracy.preconditioner, accuracy.energy);
+        const LinearSolve solve = pressure.solve(accuracy);
         outcome.iterations += solve.iterations;
-        outcome.error_energy = solve.error_energy;
-        const double before  = pressure.energy();
+        const double before = pressure.energy();
         pressure.set_weights(weights_of_cells(pressure, gap));
         const double change = std::abs(pressure.energy() / before - 1.);
         outcome.converged   = solve.converged && change <= tolerance;
@@ -69,27 +76,23 @@ namespace strait
   void
   bound_rarefied(FlowMesh               &mesh,
                  const GapField         &gap,
+                 const FlowPath         &path,
                  const LinearAccuracy   &accuracy,
                  HierarchicalCorrection *correction,
                  Leakage                &leakage)
   {
     using Coefficient       = GapField::Coefficient;
     const auto least_energy = [&](const Coefficient coefficient) {
-      PotentialProblem problem(coefficient == Coefficient::largest_conductivity
-                                 ? PotentialProblem::Kind::pressure
-                                 : PotentialProblem::Kind::stream_function,
-                               mesh,
-                               gap.moment_set(),
-                               coefficient);
-      problem.set_up();
-      problem.assemble(gap);
-      leakage.iterations +=
-        problem.solve(accuracy.preconditioner, accuracy.energy).iterations;
-      return correction != nullptr ? correction->relax(problem, gap).energy
+      PotentialProblem problem(mesh, gap.moment_set(), coefficient);
+      problem.take_coefficient(gap);
+      leakage.iterations += problem.solve(accuracy).iterations;
+      return correction != nullptr ? correction->relax(problem, gap).total
                                    : problem.energy();
     };
     const RarefiedFlow &gas   = *gap.gas();
     const double        drive = std::abs(gas.drive());
+    leakage.mesh_width        = leakage.relative_width();
+    leakage.knudsen           = knudsen_number(path, gas);
     leakage.upper             = drive * least_energy(Coefficient::largest_conductivity);
     leakage.lower             = drive / least_energy(Coefficient::largest_resistivity);
     leakage.bound             = "any-order";
@@ -105,19 +108,8 @@ namespace strait
           }
       }
     leakage.lower = std::min(leakage.lower, leakage.upper);
-  }
-
-  double
-  knudsen_number(const FlowPath &path, const RarefiedFlow &gas)
-  {
-    const auto bottleneck = static_cast<std::size_t>(
-      std::min_element(path.gaps.begin(), path.gaps.end()) - path.gaps.begin());
-    // In the middle of the steps of the path that meet there: at the outlet there may be
-    // vacuum.
-    const double before =
-      .5 * (path.resistances[bottleneck == 0 ? 0 : bottleneck - 1] +
-            path.resistances[std::min(bottleneck + 1, path.gaps.size() - 1)]);
-    return gas.gas.knudsen_number(path.bottleneck_gap,
-                                  gas.pressure(1. - before / path.resistance()));
+    // One weight for a cell is not the gas's own, which the bounds are of.
+    const double rate = std::clamp(std::abs(leakage.rate), leakage.lower, leakage.upper);
+    leakage.rate      = gas.drive() < 0 ? -rate : rate;
   }
 } // namespace strait

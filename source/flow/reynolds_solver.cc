@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/flow/hidden_flow.h>
 #include <strait/flow/marking.h>
 #include <strait/flow/reynolds_solver.h>
 
@@ -24,19 +23,6 @@ namespace strait
     // wrong by far more if the solver failed, so that half and double find the same.
     constexpr double rounding = 1e-6;
 
-    /** Of the bracket's width, the part that a cell may hide: another channel is about as
-     *  long as the first one, and coarse cells may bar it, or let the pressure leak
-     * through a barrier, in as many places as that has constrictions, so that none of
-     * them takes much of the drop. */
-    double
-    largest_part_of_hidden_flow(const Channel &channel)
-    {
-      return channel.paths.empty()
-               ? 1.
-               : 1. / static_cast<double>(
-                        divide_into_constrictions(channel.paths.front().gaps).size());
-    }
-
     // While a barrier or a channel is being resolved the bracket may rest for a mesh or
     // two before it narrows again. Half of the patience gives up while it rests; double
     // of it makes more meshes in vain where the grid is too coarse.
@@ -50,11 +36,9 @@ namespace strait
     , gap_field(gap)
     , pressure_drop(fluid.inlet_pressure - fluid.outlet_pressure)
     , flow_mesh(gap, fluid.direction, seal)
-    , pressure_problem(PotentialProblem::Kind::pressure, flow_mesh, gap.moment_set())
-    , stream_problem(PotentialProblem::Kind::stream_function, flow_mesh, gap.moment_set())
+    , pressure_problem(flow_mesh, gap.moment_set(), GapField::Coefficient::conductivity)
+    , stream_problem(flow_mesh, gap.moment_set(), GapField::Coefficient::resistivity)
   {
-    if (fluid.element_degree == 1)
-      correction = std::make_unique<HierarchicalCorrection>(flow_mesh);
     flow_mesh.refine_to_start();
   }
 
@@ -64,12 +48,18 @@ namespace strait
                       const double             tolerance_factor,
                       const unsigned long long most_unknowns)
   {
+    if (parameters.element_degree == 1)
+      correction = std::make_unique<HierarchicalCorrection>(flow_mesh);
     Leakage leakage =
       refine_to_target(channel, observer, tolerance_factor, most_unknowns);
     if (gap_field.gas() != nullptr)
-      enclose_rarefied(channel, leakage);
-    if (correction)
-      correction->release();
+      bound_rarefied(flow_mesh,
+                     gap_field,
+                     channel.paths.front(),
+                     accuracy(),
+                     correction.get(),
+                     leakage);
+    correction.reset(); // and what it keeps of the coefficients from mesh to mesh
     return leakage;
   }
 
@@ -97,7 +87,13 @@ namespace strait
         const double width = leakage.relative_width();
         if (unknowns_needed == 0 && width <= target)
           unknowns_needed = leakage.unknowns;
-        if (width <= tolerance_factor * target || is_enough(leakage) ||
+        // More than the target accuracy must not cost too many times the unknowns that
+        // the target took. Half of it ends the search for a narrower bracket earlier,
+        // double of it makes it up to twice as expensive.
+        constexpr unsigned long long most_growth = 8;
+        const bool                   is_enough =
+          width <= target && leakage.unknowns > most_growth * unknowns_needed;
+        if (width <= tolerance_factor * target || is_enough ||
             leakage.unknowns > most_unknowns)
           return leakage;
         std::string reason = obstacle(leakage);
@@ -117,17 +113,6 @@ namespace strait
       }
   }
 
-  /** Whether more than the target accuracy would cost too much. */
-  bool
-  ReynoldsSolver::is_enough(const Leakage &leakage) const
-  {
-    // Of the unknowns over those that the target took. Half of it ends the search for a
-    // narrower bracket earlier, double of it makes it up to twice as expensive.
-    constexpr unsigned long long most_growth = 8;
-    return leakage.relative_width() <= parameters.target_accuracy &&
-           leakage.unknowns > most_growth * unknowns_needed;
-  }
-
   LinearAccuracy
   ReynoldsSolver::accuracy() const
   {
@@ -139,32 +124,13 @@ namespace strait
   ReynoldsSolver::solve(PotentialProblem &problem)
   {
     if (gap_field.gas() != nullptr && &problem == &pressure_problem)
-      {
-        const bool starts_from_solution = pressure_is_known;
-        pressure_is_known               = true;
-        return solve_rarefied(problem,
-                              gap_field,
-                              accuracy(),
-                              nonlinear_tolerance_factor * parameters.target_accuracy,
-                              starts_from_solution);
-      }
-    problem.set_up();
+      return solve_rarefied(problem,
+                            gap_field,
+                            accuracy(),
+                            nonlinear_tolerance_factor * parameters.target_accuracy);
     problem.take_coefficient(gap_field);
     problem.set_weights(pressure_problem.weights());
-    problem.assemble();
-    return problem.solve(accuracy().preconditioner, accuracy().energy);
-  }
-
-  /** Replace the bounds for the weights that were found by those for their extremes. */
-  void
-  ReynoldsSolver::enclose_rarefied(const Channel &channel, Leakage &leakage)
-  {
-    leakage.mesh_width = leakage.relative_width();
-    leakage.knudsen    = knudsen_number(channel.paths.front(), *gap_field.gas());
-    bound_rarefied(flow_mesh, gap_field, accuracy(), correction.get(), leakage);
-    // One weight for a cell is not the gas's own, which the bounds are of.
-    const double rate = std::clamp(std::abs(leakage.rate), leakage.lower, leakage.upper);
-    leakage.rate      = drive() < 0 ? -rate : rate;
+    return problem.solve(accuracy());
   }
 
   /** What a conductance is to be multiplied with to give the leak rate. */
@@ -193,6 +159,19 @@ namespace strait
     return pressure_problem.energy() * std::abs(pressure_drop);
   }
 
+  double
+  ReynoldsSolver::change_in(const GapField &other)
+  {
+    PotentialProblem problem(flow_mesh,
+                             other.moment_set(),
+                             GapField::Coefficient::conductivity);
+    problem.take_coefficient(other);
+    problem.set_weights(pressure_problem.weights());
+    return problem.solve(accuracy()).converged
+             ? problem.energy() / pressure_problem.energy() - 1.
+             : std::numeric_limits<double>::infinity();
+  }
+
   bool
   ReynoldsSolver::solve_on_mesh(Leakage &leakage)
   {
@@ -203,16 +182,19 @@ namespace strait
         leakage.iterations += outcome.iterations;
         solved = solved && outcome.converged;
       }
-    plain                 = plain_bracket(flow_mesh, pressure_problem, stream_problem);
-    const Bracket closest = correction ? corrected_bracket(flow_mesh,
-                                                           gap_field,
-                                                           pressure_problem,
-                                                           stream_problem,
-                                                           *correction)
-                                       : plain;
-
-    leakage.mesh_upper = closest.upper * std::abs(drive());
-    leakage.mesh_lower = closest.lower * std::abs(drive());
+    plain        = plain_bracket(pressure_problem, stream_problem);
+    double upper = plain.upper, lower = plain.lower;
+    // Correction brings the bounds closer, to stop on. What cells contribute to them is
+    // no guide for refinement: it stops a short cut through a coarse cell after the fact,
+    // when the pressure around has already adjusted to it.
+    if (correction)
+      {
+        correction->set_up();
+        upper = correction->relax(pressure_problem, gap_field).total;
+        lower = 1. / correction->relax(stream_problem, gap_field).total;
+      }
+    leakage.mesh_upper = upper * std::abs(drive());
+    leakage.mesh_lower = lower * std::abs(drive());
     // A bound of an earlier mesh still holds, should the solver fail on this one,
     // unless its cells were so coarse that it contradicts this one.
     const bool first = leakage.upper == 0;
@@ -264,14 +246,14 @@ namespace strait
     if (parameters.refinement == Refinement::uniform && affordable >= 1.)
       tria.set_all_refine_flags();
     else if (parameters.refinement == Refinement::uniform ||
-             !mark(
-               tria,
-               plain,
-               hidden_flows(
-                 flow_mesh, gap_field, plain, pressure_problem, stream_problem, channel),
-               largest_part_of_hidden_flow(channel),
-               1. - wanted / leakage.relative_width(),
-               affordable))
+             !mark(flow_mesh,
+                   gap_field,
+                   plain,
+                   pressure_problem,
+                   stream_problem,
+                   channel,
+                   1. - wanted / leakage.relative_width(),
+                   affordable))
       return false;
     tria.prepare_coarsening_and_refinement();
     pressure_problem.prepare_for_refinement();

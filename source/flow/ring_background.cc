@@ -20,43 +20,27 @@ namespace strait
     }
   } // namespace
 
-  void
-  RingBackground::set_up(const FlowMesh      &mesh,
-                         const DoFHandler<2> &dofs,
-                         const IndexSet      &owned,
-                         const IndexSet      &relevant)
+  UnknownsVector
+  ring_background(const FlowMesh            &mesh,
+                  const DoFHandler<2>       &dofs,
+                  AffineConstraints<double> &constraints)
   {
     const SealMesh                             &seal = *mesh.seal();
     std::map<types::global_dof_index, Point<2>> points;
     DoFTools::map_dofs_to_support_points(mesh.mapping(), dofs, points);
-    MPI_Comm          comm = mesh.triangulation().get_communicator();
-    Multigrid::Vector own(owned, comm);
-    const double      turn = (seal.flows_outwards ? .5 : -.5) / numbers::PI;
+    const IndexSet &owned = dofs.locally_owned_dofs();
+    MPI_Comm        comm  = dofs.get_communicator();
+    UnknownsVector  own(owned, comm);
+    const double    turn = (seal.flows_outwards ? .5 : -.5) / numbers::PI;
     for (const auto k : owned)
       {
         const Tensor<1, 2> arm = points.at(k) - seal.pole;
         own(k)                 = turn * std::atan2(arm[1], arm[0]);
       }
     own.compress(VectorOperation::insert);
-    angles.reinit(owned, relevant, comm);
+    UnknownsVector angles(owned, constraints.get_local_lines(), comm);
     angles = own;
-  }
-
-  void
-  RingBackground::values(const DoFHandler<2>::active_cell_iterator &cell,
-                         std::vector<double>                       &values) const
-  {
-    dealii::Vector<double> turns(values.size());
-    cell->get_dof_values(angles, turns);
-    for (unsigned int i = 0; i < values.size(); ++i)
-      values[i] = shorter_way(turns(i) - turns(0));
-  }
-
-  void
-  RingBackground::complete(AffineConstraints<double> &constraints,
-                           const IndexSet            &relevant) const
-  {
-    for (const auto k : relevant)
+    for (const auto k : constraints.get_local_lines())
       if (const auto *line = constraints.get_constraint_entries(k))
         {
           double jump = 0.;
@@ -64,5 +48,17 @@ namespace strait
             jump += weight * shorter_way(angles(dof) - angles(k));
           constraints.set_inhomogeneity(k, jump);
         }
+    return angles;
+  }
+
+  void
+  background_values(const UnknownsVector                      &background,
+                    const DoFHandler<2>::active_cell_iterator &cell,
+                    std::vector<double>                       &values)
+  {
+    dealii::Vector<double> turns(values.size());
+    cell->get_dof_values(background, turns);
+    for (unsigned int i = 0; i < values.size(); ++i)
+      values[i] = shorter_way(turns(i) - turns(0));
   }
 } // namespace strait

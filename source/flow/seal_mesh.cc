@@ -28,25 +28,20 @@ namespace strait
         : file(file_)
         , name(name_)
       {
-        for (const auto &p : file.points)
-          mesh.points.emplace_back(p[0], p[1]);
       }
 
       SealMesh
       build()
       {
+        mesh.points = file.points;
         take_cells();
         find_edges();
         find_circles();
-        for (const auto &[from, edge] : boundary)
-          mesh.edges.push_back(edge);
-        recognise_shape(mesh, name);
+        recognise_shape(mesh, boundary, name);
         return std::move(mesh);
       }
 
     private:
-      using PointPair = std::pair<unsigned int, unsigned int>;
-
       [[noreturn]] void
       fail(const std::string &what) const
       {
@@ -87,7 +82,8 @@ namespace strait
       void
       find_edges()
       {
-        std::map<PointPair, int> n_cells; // to the left of an edge
+        std::map<std::pair<unsigned int, unsigned int>, int>
+          n_cells; // to the left of an edge
         for (const auto &corners : mesh.cells)
           for (unsigned int v = 0; v < 4; ++v)
             if (++n_cells[{corners[v], corners[(v + 1) % 4]}] > 1)
@@ -95,9 +91,7 @@ namespace strait
         for (const auto &[ends, n] : n_cells)
           if (n_cells.count({ends.second, ends.first}) == 0)
             {
-              SealMesh::Edge edge;
-              edge.from = ends.first;
-              edge.to   = ends.second;
+              const SealMesh::Edge edge{ends.first, ends.second};
               if (!boundary.emplace(edge.from, edge).second)
                 fail("touches itself at " + place(edge.from));
             }
@@ -139,13 +133,12 @@ namespace strait
                 points.push_back(mesh.points[edge->from]);
                 points.push_back(mesh.points[edge->to]);
               }
-            const auto circle =
-              edges.size() > 1 ? fit_circle(points) : std::optional<SealMesh::Circle>();
-            if (!circle)
-              continue;
-            for (SealMesh::Edge *edge : edges)
-              edge->circle = static_cast<int>(mesh.circles.size());
-            mesh.circles.push_back(*circle);
+            if (const auto circle = fit_circle(points))
+              {
+                for (SealMesh::Edge *edge : edges)
+                  edge->circle = static_cast<int>(mesh.circles.size());
+                mesh.circles.push_back(*circle);
+              }
           }
       }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
-#include <strait/flow/seal_shape.h>
+#include <strait/flow/seal_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,12 +24,9 @@ namespace strait
 
     /** The closed boundaries, each from edge to edge. */
     std::vector<Loop>
-    find_loops(const std::vector<SealMesh::Edge> &edges)
+    find_loops(std::map<unsigned int, SealMesh::Edge> left)
     {
-      std::vector<Loop>                      loops;
-      std::map<unsigned int, SealMesh::Edge> left;
-      for (const SealMesh::Edge &edge : edges)
-        left.emplace(edge.from, edge);
+      std::vector<Loop> loops;
       while (!left.empty())
         {
           Loop loop;
@@ -45,14 +42,6 @@ namespace strait
     }
 
     bool
-    has(const SealMesh &mesh, const Part part)
-    {
-      return std::any_of(mesh.edges.begin(), mesh.edges.end(), [part](const auto &e) {
-        return e.part == part;
-      });
-    }
-
-    bool
     consists_of(const Loop &loop, const Part part)
     {
       return std::all_of(loop.begin(), loop.end(), [part](const SealMesh::Edge &e) {
@@ -65,10 +54,7 @@ namespace strait
     {
       double area = 0.;
       for (const SealMesh::Edge &e : loop)
-        {
-          const Point<2> &a = mesh.points[e.from], &b = mesh.points[e.to];
-          area += .5 * (a[0] * b[1] - a[1] * b[0]);
-        }
+        area += .5 * cross(mesh.points[e.from], mesh.points[e.to]);
       return area;
     }
 
@@ -76,25 +62,21 @@ namespace strait
     bool
     name_walls_of_strip(Loop &loop)
     {
-      const auto is_start = [&loop](const std::size_t k) {
-        return loop[k].part == Part::inlet &&
-               loop[(k + loop.size() - 1) % loop.size()].part != Part::inlet;
-      };
-      std::size_t start = 0;
-      while (start < loop.size() && !is_start(start))
-        ++start;
+      // Begin at the first edge of the inlet.
+      const auto is_inlet = [](const SealMesh::Edge &e) { return e.part == Part::inlet; };
       std::rotate(loop.begin(),
-                  loop.begin() + static_cast<std::ptrdiff_t>(start % loop.size()),
+                  std::find_if_not(loop.begin(), loop.end(), is_inlet),
+                  loop.end());
+      std::rotate(loop.begin(),
+                  std::find_if(loop.begin(), loop.end(), is_inlet),
                   loop.end());
       Part              last     = Part::inlet;
       std::vector<Part> sequence = {last};
       for (SealMesh::Edge &edge : loop)
         {
-          const bool is_wall = edge.part != Part::inlet && edge.part != Part::outlet;
-          if (is_wall && (last == Part::inlet || last == Part::right_wall))
-            edge.part = Part::right_wall;
-          else if (is_wall)
-            edge.part = Part::left_wall;
+          if (edge.part != Part::inlet && edge.part != Part::outlet)
+            edge.part = last == Part::inlet || last == Part::right_wall ? Part::right_wall
+                                                                        : Part::left_wall;
           if (edge.part != last)
             sequence.push_back(edge.part);
           last = edge.part;
@@ -149,18 +131,46 @@ namespace strait
                                  : consists_of(loops[0], Part::inlet) &&
                                      consists_of(loops[1], Part::outlet);
     }
+
+    /** A chain of points on the arc of @p circle between two points on it, the shorter
+     * way, in steps of at most @p longest; @p from is included, @p to is not. */
+    std::vector<Point<2>>
+    divide_arc(const SealMesh::Circle &circle,
+               const Point<2>         &from,
+               const Point<2>         &to,
+               const double            longest)
+    {
+      const Tensor<1, 2> first = from - circle.centre, last = to - circle.centre;
+      const double       angle  = std::atan2(cross(first, last), first * last);
+      const double       length = std::abs(angle) * circle.radius;
+      const int          n = std::max(1, static_cast<int>(std::ceil(length / longest)));
+      std::vector<Point<2>> chain = {from};
+      for (int k = 1; k < n; ++k)
+        {
+          const double t = angle * k / n;
+          chain.push_back(
+            circle.centre +
+            Tensor<1, 2>({std::cos(t) * first[0] - std::sin(t) * first[1],
+                          std::sin(t) * first[0] + std::cos(t) * first[1]}));
+        }
+      return chain;
+    }
   } // namespace
 
   void
-  recognise_shape(SealMesh &mesh, const std::string &name)
+  recognise_shape(SealMesh                                     &mesh,
+                  const std::map<unsigned int, SealMesh::Edge> &edges,
+                  const std::string                            &name)
   {
     for (const Part part : {Part::inlet, Part::outlet})
-      if (!has(mesh, part))
+      if (std::none_of(edges.begin(), edges.end(), [part](const auto &e) {
+            return e.second.part == part;
+          }))
         throw InputError("The mesh '" + name + "' has no boundary edge with the id " +
                          (part == Part::inlet ? "0, the inlet" : "1, the outlet") +
                          "; in the .geo file of Gmsh write Physical Curve(0) = {...} and "
                          "Physical Curve(1) = {...}, without names.");
-    std::vector<Loop> loops = find_loops(mesh.edges);
+    std::vector<Loop> loops = find_loops(edges);
     if (!(loops.size() == 1 && name_walls_of_strip(loops.front())) &&
         !recognise_ring(mesh, loops))
       throw InputError(
@@ -168,7 +178,6 @@ namespace strait
         "' is neither a strip (one closed boundary: inlet, wall, outlet, wall) nor a ring "
         "(two closed boundaries, one the inlet and the other the outlet); of other shapes "
         "the leak rate cannot be bounded.");
-    mesh.edges.clear();
     for (const Loop &loop : loops)
       mesh.edges.insert(mesh.edges.end(), loop.begin(), loop.end());
   }
@@ -180,21 +189,18 @@ namespace strait
       return {};
     // Three points far from each other: the first, the farthest from it, and the one
     // that is farthest from the line through both.
+    const auto farthest = [&points](const auto &distance) {
+      return *std::max_element(points.begin(),
+                               points.end(),
+                               [&](const Point<2> &p, const Point<2> &q) {
+                                 return distance(p) < distance(q);
+                               });
+    };
     const Point<2>    &a  = points.front();
-    const Point<2>     b  = *std::max_element(points.begin(),
-                                         points.end(),
-                                         [&a](const Point<2> &p, const Point<2> &q) {
-                                           return a.distance(p) < a.distance(q);
-                                         });
-    const Tensor<1, 2> ab = b - a;
-    const Point<2>     c =
-      *std::max_element(points.begin(),
-                        points.end(),
-                        [&](const Point<2> &p, const Point<2> &q) {
-                          return std::abs(cross(ab, p - a)) < std::abs(cross(ab, q - a));
-                        });
-    const Tensor<1, 2> ac   = c - a;
-    const double       area = cross(ab, ac);
+    const Tensor<1, 2> ab = farthest([&](const auto &p) { return a.distance(p); }) - a;
+    const Tensor<1, 2> ac =
+      farthest([&](const auto &p) { return std::abs(cross(ab, p - a)); }) - a;
+    const double area = cross(ab, ac);
     if (std::abs(area) <= precision_of_meshes * ab.norm_square())
       return {};
     const double       bb = ab.norm_square(), cc = ac.norm_square();
@@ -206,27 +212,6 @@ namespace strait
           precision_of_meshes * circle.radius)
         return {};
     return circle;
-  }
-
-  std::vector<Point<2>>
-  divide_arc(const SealMesh::Circle &circle,
-             const Point<2>         &from,
-             const Point<2>         &to,
-             const double            longest)
-  {
-    const Tensor<1, 2>    first = from - circle.centre, last = to - circle.centre;
-    const double          angle  = std::atan2(cross(first, last), first * last);
-    const double          length = std::abs(angle) * circle.radius;
-    const int             n = std::max(1, static_cast<int>(std::ceil(length / longest)));
-    std::vector<Point<2>> chain = {from};
-    for (int k = 1; k < n; ++k)
-      {
-        const double t = angle * k / n;
-        chain.push_back(circle.centre +
-                        Tensor<1, 2>({std::cos(t) * first[0] - std::sin(t) * first[1],
-                                      std::sin(t) * first[0] + std::cos(t) * first[1]}));
-      }
-    return chain;
   }
 
   std::vector<OutlineEdge>

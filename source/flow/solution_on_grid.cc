@@ -47,17 +47,17 @@ namespace strait
       counts.reinit(owned, relevant, comm, true);
       std::vector<double>                  values;
       std::vector<types::global_dof_index> indices(dofs.get_fe().n_dofs_per_cell());
-      for (const auto &cell : dofs.active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            problem.cell_values(cell, values);
-            cell->get_dof_indices(indices);
-            for (const unsigned int v : cell->vertex_indices())
-              {
-                sums(indices[v]) += slope_at_vertex(cell, v, values);
-                counts(indices[v]) += 1.;
-              }
-          }
+      for (std::size_t c = 0; c < problem.cells().size(); ++c)
+        {
+          const auto &cell = problem.cells()[c];
+          problem.cell_values(c, values);
+          cell->get_dof_indices(indices);
+          for (const unsigned int v : cell->vertex_indices())
+            {
+              sums(indices[v]) += slope_at_vertex(cell, v, values);
+              counts(indices[v]) += 1.;
+            }
+        }
       sums.compress(VectorOperation::add);
       counts.compress(VectorOperation::add);
       PotentialProblem::Vector result(owned, comm);
@@ -81,14 +81,13 @@ namespace strait
 
     GridDeposit         deposit(layout, fe.degree);
     std::vector<double> values, sorted(fe.n_dofs_per_cell());
-    std::size_t         owned = 0;
-    for (const auto &cell : pressure.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() && pressure.is_active(owned++))
+    for (std::size_t c = 0; c < pressure.cells().size(); ++c)
+      if (pressure.is_active(c))
         {
-          pressure.cell_values(cell, values);
+          pressure.cell_values(c, values);
           for (unsigned int i = 0; i < sorted.size(); ++i)
             sorted[i] = values[row_by_row[i]];
-          deposit.add(solver.mesh().grid_cell(*cell), sorted);
+          deposit.add(solver.mesh().grid_cell(*pressure.cells()[c]), sorted);
         }
     return deposit.collect();
   }
@@ -96,33 +95,28 @@ namespace strait
   FlowAtPoints
   flow_at_points(const ReynoldsSolver &solver, const PointRows &rows)
   {
-    const FlowMesh    &mesh = solver.mesh();
-    const auto        &dofs = solver.pressure().dof_handler();
+    const FlowMesh    &mesh  = solver.mesh();
+    const auto        &cells = solver.pressure().cells();
     std::vector<float> nothing(static_cast<std::size_t>(rows.nx) * rows.ny, 0.F);
     FlowAtPoints       result{nothing, nothing};
     const auto         slope = vertex_slopes(solver.stream_function());
-    Vector<double>     pressures(dofs.get_fe().n_dofs_per_cell());
-    Vector<double>     slopes(pressures.size());
-    auto               psi_cell = solver.stream_function().dof_handler().begin_active();
-    for (const auto &cell : dofs.active_cell_iterators())
-      {
-        if (cell->is_locally_owned())
-          if (const auto points = points_in_cell(mesh, *cell, rows); !points.empty())
+    Vector<double> pressures(solver.pressure().dof_handler().get_fe().n_dofs_per_cell());
+    Vector<double> slopes(pressures.size());
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      if (const auto points = points_in_cell(mesh, *cells[c], rows); !points.empty())
+        {
+          cells[c]->get_dof_values(solver.pressure().solution(), pressures);
+          solver.stream_function().cells()[c]->get_dof_values(slope, slopes);
+          for (const PointInCell &p : points)
             {
-              cell->get_dof_values(solver.pressure().solution(), pressures);
-              psi_cell->get_dof_values(slope, slopes);
-              for (const PointInCell &p : points)
+              const std::size_t k = static_cast<std::size_t>(p.iy) * rows.nx + p.ix;
+              if (p.inside || result.current[k] == 0.F)
                 {
-                  const std::size_t k = static_cast<std::size_t>(p.iy) * rows.nx + p.ix;
-                  if (p.inside || result.current[k] == 0.F)
-                    {
-                      result.pressure[k] = static_cast<float>(p.interpolate(pressures));
-                      result.current[k]  = static_cast<float>(p.interpolate(slopes));
-                    }
+                  result.pressure[k] = static_cast<float>(p.interpolate(pressures));
+                  result.current[k]  = static_cast<float>(p.interpolate(slopes));
                 }
             }
-        ++psi_cell;
-      }
+        }
     // Cells of a seal mesh share the points on their edges.
     const MPI_Op operation = mesh.seal() != nullptr ? MPI_MAX : MPI_SUM;
     MPI_Comm     comm      = mesh.triangulation().get_communicator();

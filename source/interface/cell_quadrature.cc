@@ -43,21 +43,14 @@ namespace strait
   } // namespace
 
   /** The integral over one square, as it grows part by part. */
-  class CellQuadrature::Sum
+  struct CellQuadrature::Sum
   {
-  public:
-    Sum(const CellQuadrature &quadrature_,
-        const CoefficientLaw &law_,
-        const GapStencil     &gap_,
-        const Square         &square_,
-        double               *moments_)
-      : quadrature(quadrature_)
-      , law(law_)
-      , gap(quadrature.interpolant, gap_)
-      , square(square_)
-      , moments(moments_)
-    {
-    }
+    const CellQuadrature &quadrature;
+    const CoefficientLaw &law;
+    const CellGap         gap;
+    const Square         &square;
+    double               *moments;
+    double                scale = 0.; // of the integral
 
     /** Add a part on which the coefficient is taken to be constant. */
     void
@@ -194,18 +187,11 @@ namespace strait
       return along_x > along_y + rounding ||
              (along_x >= along_y - rounding && part.width > part.height);
     }
-
-    const CellQuadrature &quadrature;
-    const CoefficientLaw &law;
-    const CellGap         gap;
-    const Square         &square;
-    double               *moments;
-    double                scale = 0.; // of the integral
   };
 
   CellQuadrature::CellQuadrature(const FluidParameters &fluid)
     : set(fluid.element_degree)
-    , interpolant(fluid.interpolation, fluid.direction)
+    , interpolant{fluid.interpolation, fluid.direction}
     , rigorous(fluid.bounds == FlowBounds::rigorous)
   {
     for (Rule *rule : {&coarse, &fine})
@@ -234,7 +220,7 @@ namespace strait
                     y0,
                     std::min(square.x0 + square.edge, 1.) - x0,
                     std::min(square.y0 + square.edge, 1.) - y0};
-    Sum          sum(*this, law, gap, square, moments);
+    Sum          sum{*this, law, CellGap(interpolant, gap), square, moments};
     if (!is_open)
       sum.add_constant(part, law(0.));
     else

@@ -3,10 +3,10 @@
 #include <strait/interface/gap_field.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/mpi_consensus_algorithms.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace strait
 {
@@ -21,12 +21,12 @@ namespace strait
   } // namespace
 
   GapField::GapField(SlabLayoutPtr layout, const FluidParameters &fluid)
-    : levels(layout)
+    : slab_layout(layout)
+    , grid_rows{layout->grid(), {fluid.interpolation, fluid.direction}, 0, {}}
     , quadrature(fluid)
     , conductivity_of_one(1. / (12. * fluid.viscosity))
     , halvings(fluid.mesh_file.empty() ? layout->grid().n_halvings() : 0)
   {
-    room_for(Coefficient::conductivity);
   }
 
   CoefficientLaw
@@ -74,86 +74,139 @@ namespace strait
   {
     floor_value = conductivity_floor;
     ++n_updates;
-    levels.update(gap);
-    forget_others();
+    slab_layout = gap.layout_pointer();
+    std::vector<int> wanted;
+    const int        begin = layout().first_row(), n_rows = layout().n_rows();
+    if (n_rows > 0)
+      for (int row = begin - 1; row < begin + n_rows + 3; ++row)
+        wanted.push_back(row);
+    grid_rows.first_row = begin - 1;
+    grid_rows.rows      = fetch_rows(gap, wanted);
+    window_values.assign(gap.begin() +
+                           static_cast<std::ptrdiff_t>(layout().n_local_points()),
+                         gap.end());
+    known.clear();
     build(Coefficient::conductivity);
     if (floor_value > 0)
       build(Coefficient::resistivity);
-    else
-      known.erase(Coefficient::resistivity);
   }
 
-  /** Those after conductivity and resistivity. */
-  void
-  GapField::forget_others() const
+  std::optional<GridPoint>
+  GapField::first_finer_cell(const GridPoint &cell) const
   {
-    known.erase(known.upper_bound(Coefficient::resistivity), known.end());
+    const int w = layout().covered_by(cell.window, cell.ix, cell.iy);
+    if (w < 0)
+      return {};
+    const ZoomWindow &window = layout().windows()[w];
+    int               a = cell.ix - window.x, b = cell.iy - window.y;
+    if (cell.window < 0)
+      {
+        const PeriodicGrid &grid = layout().grid();
+        a                        = (a + grid.nx) % grid.nx;
+        b                        = (b + grid.ny) % grid.ny;
+      }
+    if (a + 1 == window.nx || b + 1 == window.ny)
+      return {};
+    return GridPoint{3 * a + 1, 3 * b + 1, w};
   }
 
-  GapField::Known &
-  GapField::room_for(const Coefficient coefficient) const
+  GapStencil
+  GapField::stencil(const GridPoint &cell) const
   {
-    if (known.count(coefficient) == 0)
-      known.emplace(coefficient,
-                    Known{MomentPyramid(levels.layout_pointer(), moment_set(), halvings),
-                          {}});
-    return known.at(coefficient);
+    if (cell.window < 0)
+      return grid_rows.stencil(cell.ix, cell.iy);
+    GapStencil gap;
+    for (int b = 0; b < 4; ++b)
+      std::copy_n(window_values.data() +
+                    position({cell.ix - 1, cell.iy - 1 + b, cell.window}),
+                  4,
+                  gap[b].begin());
+    return gap;
+  }
+
+  std::size_t
+  GapField::position(const GridPoint &cell) const
+  {
+    return layout().start_of_window(cell.window) - layout().n_local_points() +
+           static_cast<std::size_t>(cell.iy) *
+             layout().windows()[cell.window].n_columns() +
+           cell.ix;
+  }
+
+  GapRows
+  GapField::rows(const double y_low, const double y_high) const
+  {
+    const PeriodicGrid &grid  = layout().grid();
+    int                 first = 0;
+    std::vector<int>    wanted;
+    if (y_low <= y_high) // else this rank has no cells
+      {
+        first = std::clamp(static_cast<int>(y_low / grid.dy()), 0, grid.ny - 1) - 1;
+        const int last = std::min(static_cast<int>(y_high / grid.dy()), grid.ny - 1) + 2;
+        for (int row = first; row <= last; ++row)
+          wanted.push_back(row);
+      }
+    // The rows of this rank follow the one before them.
+    const double *own_rows =
+      grid_rows.rows.data() + (grid_rows.rows.empty() ? 0 : grid.nx);
+    return {grid,
+            grid_rows.interpolant,
+            first,
+            fetch_rows(layout(), own_rows, grid.nx, wanted)};
   }
 
   void
   GapField::build(const Coefficient coefficient) const
   {
-    Known     &result     = room_for(coefficient);
-    const auto moments_of = [&](const LevelCell &cell, double *moments) {
-      return add_cell(coefficient, cell, Square(), result, moments);
+    const std::size_t   n_moments = moment_set().size();
+    std::vector<double> of_window_cells(window_values.size() * n_moments);
+    const auto          moments_of = [&](const GridPoint &cell, double *moments) {
+      return add_cell(coefficient, cell, Square(), of_window_cells.data(), moments);
     };
     // A window's cells are made of those of the windows in it, which come after it.
-    const auto &windows = levels.layout().windows();
-    result.of_window_cells.assign(levels.n_window_points() * moment_set().size(), 0.);
+    const auto &windows = layout().windows();
     for (int w = static_cast<int>(windows.size()) - 1; w >= 0; --w)
       for (int iy = 1; iy < windows[w].n_rows() - 2; ++iy)
         for (int ix = 1; ix < windows[w].n_columns() - 2; ++ix)
-          moments_of({w, ix, iy},
-                     result.of_window_cells.data() +
-                       levels.position({w, ix, iy}) * moment_set().size());
-    const int first_row = levels.layout().first_row();
-    result.pyramid.build([&](const int ix, const int row, double *moments) {
-      return moments_of({-1, ix, first_row + row}, moments);
-    });
+          moments_of({ix, iy, w}, &of_window_cells[position({ix, iy, w}) * n_moments]);
+    MomentPyramid pyramid(slab_layout,
+                          moment_set(),
+                          halvings,
+                          [&](const int ix, const int iy, double *moments) {
+                            return moments_of({ix, iy}, moments);
+                          });
+    known.emplace(coefficient, Known{std::move(of_window_cells), std::move(pyramid)});
   }
 
   bool
   GapField::add_cell(const Coefficient coefficient,
-                     const LevelCell  &cell,
+                     const GridPoint  &cell,
                      const Square     &square,
-                     const Known      &of_grid,
+                     const double     *of_window_cells,
                      double           *moments) const
   {
-    const std::optional<LevelCell> first = levels.first_finer_cell(cell);
+    const std::optional<GridPoint> first = first_finer_cell(cell);
     if (!first)
-      return quadrature.integrate(law(coefficient),
-                                  levels.stencil(cell),
-                                  square,
-                                  moments);
+      return quadrature.integrate(law(coefficient), stencil(cell), square, moments);
     bool adds = false;
     for (int b = 0; b < 3; ++b)
       for (int a = 0; a < 3; ++a)
         {
-          const LevelCell finer{first->window, first->ix + a, first->iy + b};
+          const GridPoint finer{first->ix + a, first->iy + b, first->window};
           const Square    part{3. * square.x0 - a, 3. * square.y0 - b, 3. * square.edge};
           const double    right = part.x0 + part.edge, upper = part.y0 + part.edge;
           if (part.x0 <= 0. && part.y0 <= 0. && right >= 1. && upper >= 1.)
             {
               moment_set().add_part(moments,
-                                    of_grid.of_window_cells.data() +
-                                      levels.position(finer) * moment_set().size(),
+                                    of_window_cells +
+                                      position(finer) * moment_set().size(),
                                     -part.x0 / part.edge,
                                     -part.y0 / part.edge,
                                     1. / part.edge);
               adds = true;
             }
           else if (part.x0 < 1. && part.y0 < 1. && right > 0. && upper > 0.)
-            adds |= add_cell(coefficient, finer, part, of_grid, moments);
+            adds |= add_cell(coefficient, finer, part, of_window_cells, moments);
         }
     return adds;
   }
@@ -163,7 +216,7 @@ namespace strait
                    const GridCell   &cell,
                    double           *moments) const
   {
-    const Known &of_grid = known.at(coefficient);
+    const Known &found = known.at(coefficient);
     if (cell.exponent > 0 && cell.exponent < MomentPyramid::finest)
       {
         std::vector<double> child(moment_set().size());
@@ -180,16 +233,16 @@ namespace strait
       }
     if (cell.exponent > 0)
       {
-        std::copy_n(of_grid.pyramid.moments(cell), moment_set().size(), moments);
+        std::copy_n(found.pyramid.moments(cell), moment_set().size(), moments);
         return;
       }
     const int    shift = -cell.exponent;
     const int    ix = cell.i >> shift, iy = cell.j >> shift;
     const double edge = std::ldexp(1., -shift);
     add_cell(coefficient,
-             {-1, ix, iy},
+             {ix, iy},
              {(cell.i - (ix << shift)) * edge, (cell.j - (iy << shift)) * edge, edge},
-             of_grid,
+             found.of_window_cells.data(),
              moments);
   }
 
@@ -199,49 +252,48 @@ namespace strait
     interruption_point(); // once a mesh
     if (known.count(coefficient) == 0)
       {
-        forget_others();
+        // All but conductivity and resistivity.
+        known.erase(known.upper_bound(Coefficient::resistivity), known.end());
         build(coefficient);
       }
-    namespace mpi = dealii::Utilities::MPI;
-    using Words   = std::map<unsigned int, std::vector<int>>;
-    using Numbers = std::map<unsigned int, std::vector<double>>;
-    CellAnswers answers(moment_set().size(), cells.size());
-    const auto  me = static_cast<unsigned int>(levels.layout().rank());
-
-    Words                                            questions;
+    const std::size_t                                n_moments = moment_set().size();
+    CellAnswers                                      answers(cells.size(), n_moments);
     std::map<unsigned int, std::vector<std::size_t>> asked_of;
     for (std::size_t c = 0; c < cells.size(); ++c)
-      {
-        const auto owner = static_cast<unsigned int>(
-          levels.layout().owner_of_row(first_grid_row(cells[c])));
-        if (owner == me)
-          answer(coefficient, cells[c], answers[c]);
-        else
-          {
-            questions[owner].insert(questions[owner].end(),
-                                    {cells[c].exponent, cells[c].i, cells[c].j});
-            asked_of[owner].push_back(c);
-          }
-      }
-    if (levels.layout().n_ranks() == 1)
-      return answers;
+      if (const int owner = layout().owner_of_row(first_grid_row(cells[c]));
+          owner == layout().rank())
+        answer(coefficient, cells[c], &answers(c, 0));
+      else
+        asked_of[owner].push_back(c);
+    std::vector<unsigned int> owners;
+    for (const auto &asked : asked_of)
+      owners.push_back(asked.first);
 
-    const std::size_t n_moments = moment_set().size();
-    Numbers           replies;
-    for (const auto &[rank, words] :
-         mpi::some_to_some(levels.layout().communicator(), questions))
-      {
-        std::vector<double> &reply = replies[rank];
-        reply.resize(words.size() / 3 * n_moments);
-        for (std::size_t q = 0; q < words.size() / 3; ++q)
+    using Question = std::vector<int>; // three numbers a cell
+    using Reply    = std::vector<double>;
+    dealii::Utilities::MPI::ConsensusAlgorithms::selector<Question, Reply>(
+      owners,
+      [&](const unsigned int owner) {
+        Question question;
+        for (const std::size_t c : asked_of.at(owner))
+          question.insert(question.end(), {cells[c].exponent, cells[c].i, cells[c].j});
+        return question;
+      },
+      [&](const unsigned int /*asker*/, const Question &question) {
+        Reply reply(question.size() / 3 * n_moments);
+        for (std::size_t q = 0; q < question.size() / 3; ++q)
           answer(coefficient,
-                 GridCell{words[3 * q], words[3 * q + 1], words[3 * q + 2]},
-                 reply.data() + q * n_moments);
-      }
-    for (const auto &[rank, reply] :
-         mpi::some_to_some(levels.layout().communicator(), replies))
-      for (std::size_t q = 0; q < asked_of[rank].size(); ++q)
-        std::copy_n(reply.data() + q * n_moments, n_moments, answers[asked_of[rank][q]]);
+                 {question[3 * q], question[3 * q + 1], question[3 * q + 2]},
+                 &reply[q * n_moments]);
+        return reply;
+      },
+      [&](const unsigned int owner, const Reply &reply) {
+        for (std::size_t q = 0; q < asked_of.at(owner).size(); ++q)
+          std::copy_n(&reply[q * n_moments],
+                      n_moments,
+                      &answers(asked_of.at(owner)[q], 0));
+      },
+      layout().communicator());
     return answers;
   }
 } // namespace strait

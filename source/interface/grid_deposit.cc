@@ -7,28 +7,34 @@
 
 namespace strait
 {
+  namespace
+  {
+    /** The nodal polynomials of @p degree at @p x. */
+    std::vector<double>
+    polynomials_at(const unsigned int degree, const double x)
+    {
+      if (degree == 1)
+        return {1. - x, x};
+      return {(1. - x) * (1. - 2. * x), 4. * x * (1. - x), x * (2. * x - 1.)};
+    }
+  } // namespace
+
   GridDeposit::GridDeposit(SlabLayoutPtr layout_, const unsigned int degree_)
     : layout(std::move(layout_))
     , degree(degree_)
   {
   }
 
-  std::vector<double>
-  GridDeposit::polynomials_at(const double x) const
+  const GridDeposit::Weights &
+  GridDeposit::weights(const int exponent, const int index_in_grid_cell)
   {
-    if (degree == 1)
-      return {1. - x, x};
-    return {(1. - x) * (1. - 2. * x), 4. * x * (1. - x), x * (2. * x - 1.)};
-  }
-
-  GridDeposit::Weights
-  GridDeposit::compute_weights(const int exponent, const int index_in_grid_cell) const
-  {
+    Weights &result = known_weights[{exponent, index_in_grid_cell}];
+    if (result.n > 0)
+      return result;
     const double edge    = std::ldexp(1., exponent); // in grid spacings
     const double origin  = exponent < 0 ? index_in_grid_cell * edge : 0.;
     const int    n_spans = exponent < 0 ? 1 : 1 << exponent;
 
-    Weights result;
     result.n = n_spans + 1;
     result.values.assign((degree + 1) * result.n, 0.);
     const dealii::QGauss<1> gauss(2);
@@ -38,7 +44,8 @@ namespace strait
         {
           const double              x      = origin + length * gauss.point(q)[0];
           const double              weight = length * gauss.weight(q);
-          const std::vector<double> phi    = polynomials_at((span + x - origin) / edge);
+          const std::vector<double> phi =
+            polynomials_at(degree, (span + x - origin) / edge);
           for (unsigned int k = 0; k <= degree; ++k)
             {
               double *of_k = result.values.data() + k * result.n + span;
@@ -47,16 +54,6 @@ namespace strait
             }
         }
     return result;
-  }
-
-  const GridDeposit::Weights &
-  GridDeposit::weights(const int exponent, const int index_in_grid_cell)
-  {
-    const std::pair<int, int> key(exponent, index_in_grid_cell);
-    const auto                known = known_weights.find(key);
-    if (known != known_weights.end())
-      return known->second;
-    return known_weights[key] = compute_weights(exponent, index_in_grid_cell);
   }
 
   void

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/interface/moment_pyramid.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
+#include <map>
 
 namespace strait
 {
   MomentPyramid::MomentPyramid(SlabLayoutPtr layout_,
                                MomentSet     set_,
-                               const int     n_halvings)
+                               const int     n_halvings,
+                               const Leaf   &leaf)
     : layout(std::move(layout_))
     , set(std::move(set_))
     , levels(std::max(n_halvings - finest + 1, 0))
@@ -22,13 +26,6 @@ namespace strait
         level.moments.resize(static_cast<std::size_t>(level.n_columns) * level.n_rows *
                              set.size());
       }
-  }
-
-  void
-  MomentPyramid::build(const Leaf &leaf)
-  {
-    for (Level &level : levels)
-      std::fill(level.moments.begin(), level.moments.end(), 0.);
     if (levels.empty())
       return;
     sum_grid_cells(leaf);
@@ -54,7 +51,7 @@ namespace strait
         for (int ix = 0; ix < nx; ++ix)
           {
             std::fill(child.begin(), child.end(), 0.);
-            if (leaf(ix, row, child.data()))
+            if (leaf(ix, global, child.data()))
               set.add_child(line.moments.data() + (ix >> 1) * set.size(),
                             child.data(),
                             ix & 1,
@@ -91,38 +88,25 @@ namespace strait
   {
     // Sums are linear in the children: each rank has summed its own, and a row of
     // cells that several ranks share is completed by the rank that owns it.
-    MPI_Comm comm = layout->communicator();
+    const int begin = layout->first_row();
     for (std::size_t k = 0; k < levels.size(); ++k)
       {
-        const int  e             = static_cast<int>(k) + finest;
-        Level     &level         = levels[k];
-        const auto n_values      = static_cast<int>(level.n_columns * set.size());
-        const auto begins_inside = [e](const int grid_row) {
-          return grid_row != ((grid_row >> e) << e);
+        const int  e        = static_cast<int>(k) + finest;
+        Level     &level    = levels[k];
+        const int  n_values = level.n_columns * set.size();
+        const auto row_of   = [&](const int first_grid_row) {
+          return level.moments.data() +
+                 static_cast<std::size_t>((first_grid_row >> e) - level.first_row) *
+                   n_values;
         };
-        MPI_Request request = MPI_REQUEST_NULL;
-        if (level.n_rows > 0 && begins_inside(layout->first_row()))
-          MPI_Isend(level.moments.data(),
-                    n_values,
-                    MPI_DOUBLE,
-                    layout->owner_of_row(level.first_row << e),
-                    e,
-                    comm,
-                    &request);
-        std::vector<double> shares(n_values);
-        for (int r = layout->rank() + 1; r < layout->n_ranks(); ++r)
-          {
-            const int begin = layout->first_row_of(r);
-            if (begin == layout->first_row_of(r + 1) || !begins_inside(begin) ||
-                layout->owner_of_row((begin >> e) << e) != layout->rank())
-              continue;
-            MPI_Recv(shares.data(), n_values, MPI_DOUBLE, r, e, comm, MPI_STATUS_IGNORE);
-            const std::size_t start =
-              static_cast<std::size_t>((begin >> e) - level.first_row) * level.n_columns;
-            for (int v = 0; v < n_values; ++v)
-              level.moments[start * set.size() + v] += shares[v];
-          }
-        MPI_Wait(&request, MPI_STATUS_IGNORE);
+        std::map<unsigned int, std::vector<double>> shares;
+        if (level.n_rows > 0 && begin != level.first_row << e)
+          shares[layout->owner_of_row(level.first_row << e)].assign(
+            level.moments.begin(), level.moments.begin() + n_values);
+        for (const auto &[rank, share] :
+             dealii::Utilities::MPI::some_to_some(layout->communicator(), shares))
+          for (int v = 0; v < n_values; ++v)
+            row_of(layout->first_row_of(rank))[v] += share[v];
       }
   }
 

@@ -103,13 +103,11 @@ namespace strait
           drive += trial[i] * lengths[i];
         for (std::size_t k = 0; k < parts.size(); ++k)
           {
-            double extreme = 0.;
-            for (std::size_t i = 0; i < trial.size(); ++i)
-              {
-                const double here = weights[k][i] / trial[i];
-                if (i == 0 || sign * (here - extreme) > 0.)
-                  extreme = here;
-              }
+            double extreme = weights[k][0] / trial[0];
+            for (std::size_t i = 1; i < trial.size(); ++i)
+              if (const double here = weights[k][i] / trial[i];
+                  sign * (here - extreme) > 0.)
+                extreme = here;
             resistance += parts[k].resistance / extreme;
           }
         const double bound = drive / resistance;
@@ -162,32 +160,16 @@ namespace strait
     , total_drive(gas.drive(reference_gap, low, high))
     , falls(fluid.inlet_pressure > fluid.outlet_pressure)
   {
-    pressure_drive = (falls ? total_drive : -total_drive) / mean_pressure;
     tabulate_potential();
     const double middle = pressure(.5);
     middle_weight =
       GapFactor(reference_gap, [&](const double gap) { return weight(gap, middle); });
-    choose_bounds(parts);
+    least_weight   = extreme_weight(parts, false);
+    largest_weight = extreme_weight(parts, true);
     if (fluid.rarefaction == Rarefaction::slip)
       molecular_weight = GapFactor(reference_gap, [&](const double gap) {
         return gas.mobility(gap, 0.) / gas.mobility(reference_gap, 0.);
       });
-  }
-
-  void
-  RarefiedFlow::choose_bounds(const std::vector<PathPart> &parts)
-  {
-    std::vector<std::vector<double>> weights;
-    for (const PathPart &part : parts)
-      {
-        weights.emplace_back();
-        for (const double p : pressures)
-          weights.back().push_back(weight(part.gap, p));
-      }
-    for (const bool is_largest : {false, true})
-      (is_largest ? largest_weight : least_weight) =
-        extreme_weight(FreePotential(parts, weights, potentials, is_largest).factors(),
-                       is_largest);
   }
 
   double
@@ -202,36 +184,41 @@ namespace strait
             std::sqrt(.25 * (a - b) * (a - b) + viscous * k * mixed * mixed));
   }
 
-  /** For a Ψ' that is the reference's times factors that are linear in the reference's Ψ
-   *  between the pressures of the table. */
   GapFactor
-  RarefiedFlow::extreme_weight(const std::vector<double> &potential_factors,
-                               const bool                 is_largest) const
+  RarefiedFlow::extreme_weight(const std::vector<PathPart> &parts,
+                               const bool                   is_largest) const
   {
+    std::vector<std::vector<double>> weights;
+    for (const PathPart &part : parts)
+      {
+        weights.emplace_back();
+        for (const double p : pressures)
+          weights.back().push_back(weight(part.gap, p));
+      }
+    const std::vector<double> factors =
+      FreePotential(parts, weights, potentials, is_largest).factors();
     // The extremes are close to these pressures, unless the mobility varies with the
     // logarithm of the pressure, where they need others in between. With steps twice as
     // large the bounds miss 2·10⁻⁵ of the leak rate, with a thousand times the lowest
     // pressure 6·10⁻⁵, and with less nothing.
     constexpr double    step = 1.15, lowest = 1e-9;
     std::vector<double> samples{low};
-    std::vector<double> values{gas.mobility(reference_gap, low) * potential_factors[0]};
+    std::vector<double> values{gas.mobility(reference_gap, low) * factors[0]};
     for (std::size_t i = 1; i < pressures.size(); ++i)
       for (double p = pressures[i]; p > pressures[i - 1] && p > lowest * high; p /= step)
         {
           const double t = gas.drive(reference_gap, pressures[i - 1], p) /
                            (total_drive * (potentials[i] - potentials[i - 1]));
           samples.push_back(p);
-          values.push_back(
-            gas.mobility(reference_gap, p) *
-            ((1. - t) * potential_factors[i - 1] + t * potential_factors[i]));
+          values.push_back(gas.mobility(reference_gap, p) *
+                           ((1. - t) * factors[i - 1] + t * factors[i]));
         }
     return GapFactor(reference_gap, [&](const double gap) {
-      double extreme = 0.;
-      for (std::size_t i = 0; i < samples.size(); ++i)
+      double extreme = gas.mobility(gap, samples[0]) / values[0];
+      for (std::size_t i = 1; i < samples.size(); ++i)
         {
           const double here = gas.mobility(gap, samples[i]) / values[i];
-          if (i == 0 || (is_largest ? here > extreme : here < extreme))
-            extreme = here;
+          extreme = is_largest ? std::max(extreme, here) : std::min(extreme, here);
         }
       return extreme * (is_largest ? 1. + margin : 1. - margin);
     });

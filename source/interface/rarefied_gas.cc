@@ -17,35 +17,6 @@ namespace strait
              2.505582, 2.354204, 2.211201, 2.077721, 1.955002, 1.844397, 1.747428, 1.665866,
              1.601874, 1.558234, 1.538678, 1.548410, 1.594857, 1.688788, 1.845900, 2.089040,
              2.451206, 2.979593, 3.741129, 4.830333}};
-
-    /** Q_P of the table less that of viscous flow. */
-    std::array<double, solution.size()>
-    make_excess()
-    {
-      std::array<double, solution.size()> excess = solution;
-      for (std::size_t k = 0; k < excess.size(); ++k)
-        excess[k] -= std::exp2(first_exponent + .5 * static_cast<double>(k)) / 6.;
-      return excess;
-    }
-
-    double
-    transitional_coefficient(const double delta)
-    {
-      static const auto excess = make_excess();
-      const double      place  = 2. * (std::log2(delta) - first_exponent);
-      if (place <= 0.) // molecular
-        return solution.front() - std::log(2.) / std::sqrt(M_PI) * .5 * place;
-      if (place >= solution.size() - 1.) // the expansion in 1/δ
-        return delta / 6. + 1.016191 + (1.0653 - 2.1354 / delta) / delta;
-      // The cubic through four neighbours of the excess, which has no more than a bend.
-      const auto k =
-        std::clamp<std::size_t>(static_cast<std::size_t>(place), 1, solution.size() - 3);
-      const double t = place - static_cast<double>(k);
-      return delta / 6. - t * (t - 1.) * (t - 2.) / 6. * excess[k - 1] +
-             (t + 1.) * (t - 1.) * (t - 2.) / 2. * excess[k] -
-             (t + 1.) * t * (t - 2.) / 2. * excess[k + 1] +
-             (t + 1.) * t * (t - 1.) / 6. * excess[k + 2];
-    }
   } // namespace
 
   RarefiedGas::RarefiedGas(const FluidParameters &fluid)
@@ -57,17 +28,28 @@ namespace strait
   }
 
   double
-  RarefiedGas::poiseuille_coefficient(const double delta) const
+  RarefiedGas::poiseuille_coefficient(const double delta)
   {
-    switch (kind)
-      {
-        case Rarefaction::transitional:
-          return transitional_coefficient(delta);
-        case Rarefaction::slip:
-          return delta / 6. + slip;
-        default:
-          return delta / 6.;
-      }
+    // Q_P of the table less that of viscous flow.
+    static const auto excess = []() {
+      auto result = solution;
+      for (std::size_t k = 0; k < result.size(); ++k)
+        result[k] -= std::exp2(first_exponent + .5 * static_cast<double>(k)) / 6.;
+      return result;
+    }();
+    const double place = 2. * (std::log2(delta) - first_exponent);
+    if (place <= 0.) // molecular
+      return solution.front() - std::log(2.) / std::sqrt(M_PI) * .5 * place;
+    if (place >= solution.size() - 1.) // the expansion in 1/δ
+      return delta / 6. + 1.016191 + (1.0653 - 2.1354 / delta) / delta;
+    // The cubic through four neighbours of the excess, which has no more than a bend.
+    const auto k =
+      std::clamp<std::size_t>(static_cast<std::size_t>(place), 1, solution.size() - 3);
+    const double t = place - static_cast<double>(k);
+    return delta / 6. - t * (t - 1.) * (t - 2.) / 6. * excess[k - 1] +
+           (t + 1.) * (t - 1.) * (t - 2.) / 2. * excess[k] -
+           (t + 1.) * t * (t - 2.) / 2. * excess[k + 1] +
+           (t + 1.) * t * (t - 1.) / 6. * excess[k + 2];
   }
 
   double

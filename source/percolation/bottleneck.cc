@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 namespace strait
 {
@@ -31,53 +31,42 @@ namespace strait
 
       return std::isfinite(end.cost) ? static_cast<int>(end.cost) : 0;
     }
-
-    /** The bottleneck of ways that cost as much as they are closed at their worst. */
-    Bottleneck
-    find_bottleneck(const FlowLattice &lattice)
-    {
-      LatticeSearch            search(lattice, 4);
-      const LatticeSearch::End end = search.run(
-        lattice.inlet_points(),
-        [&](const std::size_t k) { return -lattice[k]; },
-        [&](const double worst, const FlowLattice::Step &step) {
-          return std::max(worst, -lattice[step.point]);
-        },
-        [&](const std::size_t k) { return lattice.is_outlet(k); });
-
-      // Where the walls are apart a gap is infinite.
-      constexpr auto nowhere = std::numeric_limits<double>::infinity();
-      if (end.cost == nowhere)
-        throw InputError(
-          "The contact grid is too coarse for Fluid/Mesh: no chain of grid points leads "
-          "from the inlet to the outlet; raise Contact/Grid points.");
-      // The first of the points whose value it is.
-      double first = nowhere;
-      for (std::size_t k = 0; k < lattice.size(); ++k)
-        if (lattice.is_own(k) && -lattice[k] == end.cost && search.cost(k) == end.cost)
-          first = std::min(first, static_cast<double>(lattice.global_number(k)));
-      const auto global =
-        static_cast<std::size_t>(minimum(lattice.communicator(), first));
-      const std::size_t k = lattice.own_number(global);
-      Bottleneck        result;
-      result.value = -end.cost;
-      result.reach = steps_to_other_side(lattice, k, result.value > 0);
-      int owner    = 0;
-      if (k != FlowLattice::none)
-        {
-          result.point = lattice.point(k);
-          MPI_Comm_rank(lattice.communicator(), &owner);
-        }
-      MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MAX, lattice.communicator());
-      MPI_Bcast(&result.point, 3, MPI_INT, owner, lattice.communicator());
-      return result;
-    }
   } // namespace
 
   Bottleneck
   find_bottleneck(const SlabField &openness, const FlowDomain &domain)
   {
-    return find_bottleneck(FlowLattice(openness, domain));
+    // Ways cost as much as they are closed at their worst.
+    const FlowLattice        lattice(openness, domain);
+    LatticeSearch            search(lattice, 4);
+    const LatticeSearch::End end = search.run(
+      lattice.points_at(OutlineKind::inlet),
+      [&](const std::size_t k) { return -lattice[k]; },
+      [&](const double worst, const FlowLattice::Step &step) {
+        return std::max(worst, -lattice[step.point]);
+      },
+      [&](const std::size_t k) { return lattice.is_outlet(k); });
+
+    // Where the walls are apart a gap is infinite.
+    constexpr double nowhere = LatticeSearch::infinity;
+    if (end.cost == nowhere)
+      throw InputError(
+        "The contact grid is too coarse for Fluid/Mesh: no chain of grid points leads "
+        "from the inlet to the outlet; raise Contact/Grid points.");
+    // The first of the points whose value it is.
+    double first = nowhere;
+    for (std::size_t k = 0; k < lattice.size(); ++k)
+      if (lattice.is_own(k) && -lattice[k] == end.cost && search.cost(k) == end.cost)
+        first = std::min(first, static_cast<double>(lattice.global_number(k)));
+    MPI_Comm          comm = lattice.communicator();
+    const std::size_t k =
+      lattice.own_number(static_cast<std::size_t>(minimum(comm, first)));
+    std::vector<GridPoint> point; // on its owner
+    if (k != FlowLattice::none)
+      point.push_back(lattice.point(k));
+    return {gather_all(comm, point).front(),
+            -end.cost,
+            steps_to_other_side(lattice, k, -end.cost > 0)};
   }
 
   std::array<double, 2>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/channel.h>
 #include <strait/spectral/fill_windows.h>
-#include <strait/spectral/rows_around.h>
+#include <strait/spectral/slab_field.h>
 
 #include <algorithm>
 #include <limits>
@@ -61,53 +61,47 @@ namespace strait
             gap(ix, row) = 0.;
     }
 
-    /** @p value or, if it is closed, no less than minus the smallest open one around
-     *  (@p ix, @p row), of @p at(ix, row). */
+    /** Raise what is closed of the @p values on lines of @p n_columns to no less than
+     * minus the smallest open one around, of @p at(column, line). */
     template <class Gap>
-    double
-    limited(const double value, const int ix, const int row, const Gap &at)
+    void
+    limit(double *values, const int n_columns, const int n_lines, const Gap &at)
     {
-      if (!(value < 0))
-        return value;
-      double smallest = std::numeric_limits<double>::infinity();
-      for (int b = row - 1; b <= row + 1; ++b)
-        for (int a = ix - 1; a <= ix + 1; ++a)
-          if (const double neighbour = at(a, b); neighbour > 0)
-            smallest = std::min(smallest, neighbour);
-      return std::max(value, -smallest);
+      for (int line = 0; line < n_lines; ++line)
+        for (int column = 0; column < n_columns; ++column)
+          {
+            double &value = *values++;
+            if (!(value < 0))
+              continue;
+            double smallest = std::numeric_limits<double>::infinity();
+            for (int b = line - 1; b <= line + 1; ++b)
+              for (int a = column - 1; a <= column + 1; ++a)
+                if (const double neighbour = at(a, b); neighbour > 0)
+                  smallest = std::min(smallest, neighbour);
+            value = std::max(value, -smallest);
+          }
     }
 
-    /**
-     * Raise closed values such that the interpolant stays open for half a spacing around
-     * every open point, however deep its neighbours are closed.
-     */
+    /** Raise closed values on all levels, such that the interpolant stays open for half a
+     *  spacing around every open point, however deep its neighbours are closed. */
     void
     limit_closed_values(SlabField &gap)
     {
       const SlabLayout &layout = gap.layout();
-      const int         nx = gap.grid().nx, n_rows = layout.n_rows();
+      const int         nx     = gap.grid().nx;
       const RowsAround  rows(gap);
-      const auto        on_grid = [&](const int ix, const int row) {
+      limit(gap.data(), nx, layout.n_rows(), [&](const int ix, const int row) {
         return rows[row][(ix + nx) % nx];
-      };
-      for (int row = 0; row < n_rows; ++row)
-        for (int ix = 0; ix < nx; ++ix)
-          gap(ix, row) = limited(gap(ix, row), ix, row, on_grid);
+      });
       for (std::size_t w = 0; w < layout.windows().size(); ++w)
         {
           const ZoomWindow &window    = layout.windows()[w];
           const int         n_columns = window.n_columns(), n_lines = window.n_rows();
-          double           *values    = gap.data() + layout.start_of_window(w);
-          const auto        in_window = [=](const int ix, const int iy) {
+          double           *values = gap.data() + layout.start_of_window(w);
+          limit(values, n_columns, n_lines, [=](const int ix, const int iy) {
             const bool exists = ix >= 0 && ix < n_columns && iy >= 0 && iy < n_lines;
             return exists ? values[static_cast<std::size_t>(iy) * n_columns + ix] : 0.;
-          };
-          for (int iy = 0; iy < n_lines; ++iy)
-            for (int ix = 0; ix < n_columns; ++ix)
-              {
-                double &value = values[static_cast<std::size_t>(iy) * n_columns + ix];
-                value         = limited(value, ix, iy, in_window);
-              }
+          });
         }
       copy_to_covered(gap);
     }
@@ -145,16 +139,12 @@ namespace strait
                const FlowDomain  &domain,
                const unsigned int n_paths)
   {
-    Channel channel;
-    channel.domain   = domain;
-    channel.gap      = open_gap(gap, slip_length);
-    channel.clusters = find_clusters(channel.gap, domain);
+    Channel   channel;
+    SlabField open   = open_gap(gap, slip_length);
+    channel.clusters = find_clusters(open, domain);
     if (!channel.percolates())
-      {
-        channel.gap = SlabField();
-        return channel;
-      }
-    channel.gap   = percolating_gap(std::move(channel.gap), channel.clusters, domain);
+      return channel;
+    channel.gap   = percolating_gap(std::move(open), channel.clusters, domain);
     channel.paths = find_flow_paths(channel.gap, domain, n_paths);
     if (!channel.paths.empty())
       channel.throat = measure_throat(gap, slip_length, channel.paths.front().bottleneck);

@@ -59,12 +59,8 @@ namespace strait
     void
     for_each_open_point(const FlowLattice &gap, const Visit &visit)
     {
-      const auto [first, end] = gap.grid_lines().own_points();
-      for (std::size_t k = first; k < end; ++k)
-        if (gap[k] > 0)
-          visit(k);
-      for (std::size_t k = gap.grid_lines().size(); k < gap.size(); ++k)
-        if (gap[k] > 0)
+      for (std::size_t k = 0; k < gap.size(); ++k)
+        if (gap[k] > 0 && (gap.is_own(k) || gap.in_window(k)))
           visit(k);
     }
 
@@ -78,8 +74,7 @@ namespace strait
         , labels(gap.size(), no_label)
       {
         label_here();
-        note_ghosts();
-        rename();
+        join_ranks();
         find_reservoirs();
       }
 
@@ -106,8 +101,7 @@ namespace strait
 
     private:
       void label_here();
-      void note_ghosts();
-      void rename();
+      void join_ranks();
       void find_reservoirs();
 
       const FlowLattice                &gap;
@@ -146,21 +140,16 @@ namespace strait
         touching.push_back({{labels[from], labels[to]}});
     }
 
-    /** Note which labels of other ranks those here meet. Collective. */
+    /** Give labels that belong together, here and on other ranks, the least of their
+     *  names. Collective. */
     void
-    Labels::note_ghosts()
+    Labels::join_ranks()
     {
       gap.grid_lines().for_each_ghost(labels,
                                       [&](const std::size_t k, const Label label) {
                                         if (labels[k] != no_label)
                                           touching.push_back({{labels[k], label}});
                                       });
-    }
-
-    /** Give labels that belong together the least of their names. Collective. */
-    void
-    Labels::rename()
-    {
       touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
       const auto         pairs = gather_all(gap.communicator(), touching);
       std::vector<Label> names;
@@ -199,8 +188,8 @@ namespace strait
         sort_unique(all);
         return all;
       };
-      inlet  = labels_at(gap.inlet_points());
-      outlet = labels_at(gap.outlet_points());
+      inlet  = labels_at(gap.points_at(OutlineKind::inlet));
+      outlet = labels_at(gap.points_at(OutlineKind::outlet));
     }
 
     /** The states at the points of a region, of copies across the seam that which carries
@@ -266,7 +255,7 @@ namespace strait
     const Labels           labels(lattice);
     Clusters               clusters;
     std::vector<GridPoint> leaks;
-    for (const std::size_t k : lattice.outlet_points())
+    for (const std::size_t k : lattice.points_at(OutlineKind::outlet))
       if (labels.state(k) == NodeState::percolating)
         leaks.push_back(lattice.point(k));
     clusters.leaks      = gather_all(lattice.communicator(), leaks);

@@ -59,20 +59,6 @@ namespace strait
   }
 
   std::size_t
-  FlowLattice::number_of_copy(const Place &p, const int periods) const
-  {
-    const Level &level = levels[p.level];
-    if (p.level > 0)
-      return periods != 0
-               ? none
-               : level.begin + static_cast<std::size_t>(p.across) * level.n_along +
-                   p.along;
-    const int across = levels.wrapped(p.across) + periods * level.n_across;
-    return levels.along_x ? lines.number_of(across, p.along)
-                          : lines.number_of(p.along, across);
-  }
-
-  std::size_t
   FlowLattice::global_number(const Place &p) const
   {
     const Level &grid = levels[0];
@@ -127,17 +113,19 @@ namespace strait
               points.push_back(k);
             add_fine({0, a, b});
           }
-    for (std::size_t i = 0; i < in_windows.size(); ++i)
+    for (std::size_t i = 0; i < in_windows.size(); ++i) // it grows meanwhile
       {
-        points.push_back(number_of(in_windows[i]));
-        add_fine(in_windows[i]);
+        const Place place = in_windows[i];
+        points.push_back(number_of(place));
+        add_fine(place);
       }
     return points;
   }
 
   std::vector<std::size_t>
-  FlowLattice::points_at(const bool outlet) const
+  FlowLattice::points_at(const OutlineKind kind) const
   {
+    const bool               outlet = kind == OutlineKind::outlet;
     std::vector<std::size_t> points;
     if (region != nullptr)
       {
@@ -153,22 +141,10 @@ namespace strait
           continue;
         const int along = outlet ? level.n_along - 1 - level.rim() : level.rim();
         for (int across = level.rim(); across < level.n_across - level.rim(); ++across)
-          if (const std::size_t k = number_of_copy({l, along, across}, 0);
+          if (const std::size_t k = number_of({l, along, across});
               k != none && is_own(k) && (is_covered.empty() || !is_covered[k]))
             points.push_back(k);
       }
     return points;
-  }
-
-  bool
-  FlowLattice::can_go_around(const std::size_t k,
-                             const int         d_along,
-                             const int         d_across,
-                             const bool        first_along) const
-  {
-    const int         da = first_along ? d_along : 0, db = first_along ? 0 : d_across;
-    const std::size_t corner = k + da + static_cast<std::ptrdiff_t>(db) * lines.length();
-    return region->is_joined(k, da, db) &&
-           region->is_joined(corner, d_along - da, d_across - db);
   }
 } // namespace strait

@@ -3,39 +3,18 @@
 #include <strait/percolation/lattice_search.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <limits>
 #include <utility>
 
 namespace strait
 {
   namespace
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double infinity = LatticeSearch::infinity;
 
     double
     resistivity(const double g)
     {
       return g > 0 ? 1. / (g * g * g) : infinity;
-    }
-
-    /** Append to @p path the @p part that rank @p owner holds. Collective. */
-    void
-    append(FlowPath &path, FlowPath &part, const int owner, MPI_Comm comm)
-    {
-      auto n = static_cast<int>(part.points.size());
-      MPI_Bcast(&n, 1, MPI_INT, owner, comm);
-      part.points.resize(n);
-      static_assert(sizeof(GridPoint) == 3 * sizeof(int));
-      MPI_Bcast(part.points.data(), 3 * n, MPI_INT, owner, comm);
-      path.points.insert(path.points.end(), part.points.begin(), part.points.end());
-      for (auto values : {&FlowPath::gaps, &FlowPath::resistances})
-        {
-          (part.*values).resize(n);
-          MPI_Bcast((part.*values).data(), n, MPI_DOUBLE, owner, comm);
-          (path.*values)
-            .insert((path.*values).end(), (part.*values).begin(), (part.*values).end());
-        }
     }
 
     /** Searches for paths on the gap, and bars the way to later ones. All collective. */
@@ -68,8 +47,8 @@ namespace strait
       /** From points of the grid to the nearest closed ones, in spacings. */
       std::vector<int> reaches_of(const std::vector<GridPoint> &points) const;
 
-      /** The way to the end of the last search. */
-      FlowPath trace_back(const LatticeSearch::End &end) const;
+      /** The way of the last search to the end with this global number. */
+      FlowPath trace_back(std::size_t end) const;
 
       const FlowLattice &gap;
       LatticeSearch      search;
@@ -100,61 +79,55 @@ namespace strait
     FlowPath
     PathSearch::run(const double most)
     {
-      std::vector<std::size_t> inlet = gap.inlet_points();
-      inlet.erase(std::remove_if(inlet.begin(),
-                                 inlet.end(),
-                                 [this](const std::size_t k) { return !is_open(k); }),
-                  inlet.end());
       const LatticeSearch::End end = search.run(
-        inlet,
-        [](std::size_t) { return 0.; },
+        gap.points_at(OutlineKind::inlet),
+        [this](const std::size_t k) { return is_open(k) ? 0. : infinity; },
         [this](const double here, const FlowLattice::Step &step) {
           return here + step_resistance(step);
         },
         [this](const std::size_t k) { return gap.is_outlet(k); },
         most);
-      return end.cost < infinity ? trace_back(end) : FlowPath();
+      return end.cost < infinity ? trace_back(end.point) : FlowPath();
     }
 
     FlowPath
-    PathSearch::trace_back(const LatticeSearch::End &end) const
+    PathSearch::trace_back(const std::size_t end) const
     {
-      int my_rank = 0;
-      MPI_Comm_rank(gap.communicator(), &my_rank);
-      FlowPath      path;
-      std::uint64_t next = my_rank == end.rank ? gap.global_number(end.point) : 0;
-      MPI_Bcast(&next, 1, MPI_UINT64_T, end.rank, gap.communicator());
-      for (bool is_complete = false; !is_complete;)
+      struct Stop
+      {
+        GridPoint   point;
+        double      gap, resistance;
+        std::size_t before; // global number
+      };
+      std::vector<Stop> way; // backwards
+      for (std::size_t next = end; next != FlowLattice::none; next = way.back().before)
         {
           // The owner of the next point follows the path as far as it is its own.
-          FlowPath    part;
-          std::size_t k     = gap.own_number(next);
-          int         owner = k == FlowLattice::none ? 0 : my_rank;
-          while (k != FlowLattice::none && !is_complete)
+          std::vector<Stop> part;
+          for (std::size_t k = gap.own_number(next); k != FlowLattice::none;)
             {
-              part.points.push_back(gap.point(k));
-              part.gaps.push_back(gap[k]);
-              part.resistances.push_back(search.cost(k));
-              is_complete = search.last_step(k) == LatticeSearch::start_of_way;
-              if (!is_complete)
-                {
-                  next = gap.start_of(k, search.last_step(k));
-                  k    = gap.own_number(next);
-                }
+              const bool is_start = search.last_step(k) == LatticeSearch::start_of_way;
+              next = is_start ? FlowLattice::none : gap.start_of(k, search.last_step(k));
+              part.push_back({gap.point(k), gap[k], search.cost(k), next});
+              k = is_start ? FlowLattice::none : gap.own_number(next);
             }
-          MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MAX, gap.communicator());
-          MPI_Bcast(&next, 1, MPI_UINT64_T, owner, gap.communicator());
-          MPI_Bcast(&is_complete, 1, MPI_CXX_BOOL, owner, gap.communicator());
-          append(path, part, owner, gap.communicator());
+          part = gather_all(gap.communicator(), part);
+          way.insert(way.end(), part.begin(), part.end());
         }
-      std::reverse(path.points.begin(), path.points.end());
-      std::reverse(path.gaps.begin(), path.gaps.end());
-      std::reverse(path.resistances.begin(), path.resistances.end());
+      FlowPath path;
+      for (auto stop = way.rbegin(); stop != way.rend(); ++stop)
+        {
+          path.points.push_back(stop->point);
+          path.gaps.push_back(stop->gap);
+          path.resistances.push_back(stop->resistance);
+        }
       // Of points of the same gap the last one.
       const auto narrowest =
-        std::min_element(path.gaps.rbegin(), path.gaps.rend()) - path.gaps.rbegin();
-      path.bottleneck_gap = path.gaps.rbegin()[narrowest];
-      path.bottleneck     = path.points.rbegin()[narrowest];
+        std::min_element(way.begin(), way.end(), [](const Stop &a, const Stop &b) {
+          return a.gap < b.gap;
+        });
+      path.bottleneck_gap = narrowest->gap;
+      path.bottleneck     = narrowest->point;
       return path;
     }
 

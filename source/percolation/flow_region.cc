@@ -14,29 +14,18 @@ namespace strait
   {
     /** The outline in units of half a grid spacing, so that grid points and the middles
      *  between them have integer coordinates. */
-    struct Segment
+    std::vector<OutlineEdge>
+    in_half_spacings(const PeriodicGrid &grid, std::vector<OutlineEdge> outline)
     {
-      double       x[2], y[2];
-      std::uint8_t kind; // a bit
-    };
-
-    std::uint8_t
-    bit_of(const OutlineKind kind)
-    {
-      return static_cast<std::uint8_t>(1U << static_cast<unsigned int>(kind));
-    }
-
-    std::vector<Segment>
-    in_half_spacings(const PeriodicGrid &grid, const std::vector<OutlineEdge> &outline)
-    {
-      const double         sx = 2. / grid.dx(), sy = 2. / grid.dy();
-      std::vector<Segment> segments;
-      segments.reserve(outline.size());
-      for (const OutlineEdge &edge : outline)
-        segments.push_back({{edge.x0 * sx, edge.x1 * sx},
-                            {edge.y0 * sy, edge.y1 * sy},
-                            bit_of(edge.kind)});
-      return segments;
+      const double sx = 2. / grid.dx(), sy = 2. / grid.dy();
+      for (OutlineEdge &edge : outline)
+        {
+          edge.x0 *= sx;
+          edge.x1 *= sx;
+          edge.y0 *= sy;
+          edge.y1 *= sy;
+        }
+      return outline;
     }
 
     /** Call @p visit(line, where) for each integer line from @p a0 to @p a1, half open
@@ -54,32 +43,34 @@ namespace strait
         visit(line, b0 + (b1 - b0) * (line - a0) / (a1 - a0));
     }
 
+    /** The bits of FlowRegion for inlet and outlet, and one for walls. */
+    constexpr std::uint8_t
+    bit_of(const OutlineKind kind)
+    {
+      return static_cast<std::uint8_t>(2U << static_cast<unsigned int>(kind));
+    }
+
     /** The doubled lattice: which points lie inside, and on which parts of the outline.
      */
     class FineLattice
     {
     public:
-      FineLattice(const PeriodicGrid &grid, const std::vector<Segment> &segments)
+      FineLattice(const PeriodicGrid &grid, const std::vector<OutlineEdge> &outline)
         : n_x(2 * grid.nx + 1)
         , n_y(2 * grid.ny + 1)
-        , is_inside(static_cast<std::size_t>(n_x) * n_y, 0)
-        , on_outline(is_inside.size(), 0)
+        , marks(static_cast<std::size_t>(n_x) * n_y, 0)
       {
-        fill_inside(segments);
-        for (const Segment &segment : segments)
-          mark_outline(segment);
+        fill_inside(outline);
+        for (const OutlineEdge &edge : outline)
+          mark_outline(edge);
       }
 
-      bool
-      inside(const int x, const int y) const
-      {
-        return is_inside[index(x, y)] != 0 || on_outline[index(x, y)] != 0;
-      }
-
+      /** The bits of the kinds of outline that a point lies on, and 1 if it lies inside;
+       *  0 for one outside. */
       std::uint8_t
-      outline(const int x, const int y) const
+      operator()(const int x, const int y) const
       {
-        return on_outline[index(x, y)];
+        return marks[index(x, y)];
       }
 
     private:
@@ -91,11 +82,11 @@ namespace strait
 
       /** By the even–odd rule. */
       void
-      fill_inside(const std::vector<Segment> &segments)
+      fill_inside(const std::vector<OutlineEdge> &outline)
       {
         std::vector<std::vector<double>> crossings(n_y);
-        for (const Segment &s : segments)
-          cross_lines(s.y[0], s.y[1], s.x[0], s.x[1], [&](const int y, const double x) {
+        for (const OutlineEdge &e : outline)
+          cross_lines(e.y0, e.y1, e.x0, e.x1, [&](const int y, const double x) {
             if (y >= 0 && y < n_y)
               crossings[y].push_back(x);
           });
@@ -107,16 +98,16 @@ namespace strait
               for (int x = std::max(static_cast<int>(std::ceil(here[c])), 0);
                    x <= here[c + 1] && x < n_x;
                    ++x)
-                is_inside[index(x, y)] = 1;
+                marks[index(x, y)] = 1;
           }
       }
 
       void
-      mark_outline(const Segment &s)
+      mark_outline(const OutlineEdge &e)
       {
-        const bool   steep = std::abs(s.y[1] - s.y[0]) > std::abs(s.x[1] - s.x[0]);
-        const double a0 = steep ? s.y[0] : s.x[0], a1 = steep ? s.y[1] : s.x[1];
-        const double b0 = steep ? s.x[0] : s.y[0], b1 = steep ? s.x[1] : s.y[1];
+        const bool   steep = std::abs(e.y1 - e.y0) > std::abs(e.x1 - e.x0);
+        const double a0 = steep ? e.y0 : e.x0, a1 = steep ? e.y1 : e.x1;
+        const double b0 = steep ? e.x0 : e.y0, b1 = steep ? e.x1 : e.y1;
         const int    first =
           static_cast<int>(std::ceil(std::min(a0, a1) - 2 * precision_of_meshes));
         for (int a = first; a <= std::max(a0, a1) + 2 * precision_of_meshes; ++a)
@@ -127,45 +118,46 @@ namespace strait
               continue;
             const int x = steep ? nearest : a, y = steep ? a : nearest;
             if (x >= 0 && x < n_x && y >= 0 && y < n_y)
-              on_outline[index(x, y)] |= s.kind;
+              marks[index(x, y)] |= bit_of(e.kind);
           }
       }
 
       int                       n_x, n_y;
-      std::vector<std::uint8_t> is_inside, on_outline;
+      std::vector<std::uint8_t> marks;
     };
 
-    /** Where segments cross the link from a point to its right or upper neighbour: how
-     *  far on it, and the kind. */
+    /** Where the outline crosses the link from a point to its right or upper neighbour:
+     *  how far on it, and of which kind it is. */
     using LinkCrossings =
-      std::map<std::size_t, std::vector<std::pair<double, std::uint8_t>>>;
+      std::map<std::size_t, std::vector<std::pair<double, OutlineKind>>>;
 
     /** A link is numbered twice its point, and one more if it leads up. */
     LinkCrossings
-    find_crossings(const PeriodicGrid &grid, const std::vector<Segment> &segments)
+    find_crossings(const PeriodicGrid &grid, const std::vector<OutlineEdge> &outline)
     {
       LinkCrossings crossings;
-      const auto    note = [&](const double x, const double y, const bool up, int kind) {
-        const double along = up ? y : x;
-        const int    n     = up ? grid.ny : grid.nx;
-        const int    from  = std::clamp(static_cast<int>(std::floor(along)), 0, n - 1);
-        const int    other = static_cast<int>(std::lround(up ? x : y));
-        if (other < 0 || other > (up ? grid.nx : grid.ny))
-          return;
-        const std::size_t point =
-          static_cast<std::size_t>(up ? from : other) * (grid.nx + 1) +
-          (up ? other : from);
-        crossings[2 * point + (up ? 1 : 0)].emplace_back(along - from, kind);
-      };
-      for (const Segment &s : segments)
+      const auto    note =
+        [&](const double x, const double y, const bool up, OutlineKind kind) {
+          const double along = up ? y : x;
+          const int    n     = up ? grid.ny : grid.nx;
+          const int    from  = std::clamp(static_cast<int>(std::floor(along)), 0, n - 1);
+          const int    other = static_cast<int>(std::lround(up ? x : y));
+          if (other < 0 || other > (up ? grid.nx : grid.ny))
+            return;
+          const std::size_t point =
+            static_cast<std::size_t>(up ? from : other) * (grid.nx + 1) +
+            (up ? other : from);
+          crossings[2 * point + (up ? 1 : 0)].emplace_back(along - from, kind);
+        };
+      for (const OutlineEdge &e : outline)
         {
-          const double x0 = .5 * s.x[0], x1 = .5 * s.x[1];
-          const double y0 = .5 * s.y[0], y1 = .5 * s.y[1];
+          const double x0 = .5 * e.x0, x1 = .5 * e.x1;
+          const double y0 = .5 * e.y0, y1 = .5 * e.y1;
           cross_lines(y0, y1, x0, x1, [&](const int row, const double x) {
-            note(x, row, false, s.kind);
+            note(x, row, false, e.kind);
           });
           cross_lines(x0, x1, y0, y1, [&](const int column, const double y) {
-            note(column, y, true, s.kind);
+            note(column, y, true, e.kind);
           });
         }
       return crossings;
@@ -186,30 +178,25 @@ namespace strait
                           const std::vector<OutlineEdge> &outline)
   {
     flags.assign(static_cast<std::size_t>(width) * (grid.ny + 1), 0);
-    const std::uint8_t         inlet_bit  = bit_of(OutlineKind::inlet);
-    const std::uint8_t         outlet_bit = bit_of(OutlineKind::outlet);
-    const std::vector<Segment> segments   = in_half_spacings(grid, outline);
-    const FineLattice          fine(grid, segments);
-    const auto                 mark = [&](const std::size_t k, const std::uint8_t kinds) {
-      flags[k] |= ((kinds & inlet_bit) != 0 ? at_inlet : 0) |
-                  ((kinds & outlet_bit) != 0 ? at_outlet : 0);
-    };
+    static_assert(bit_of(OutlineKind::inlet) == at_inlet &&
+                  bit_of(OutlineKind::outlet) == at_outlet);
+    const std::vector<OutlineEdge> scaled = in_half_spacings(grid, outline);
+    const FineLattice              fine(grid, scaled);
     for (int iy = 0; iy <= grid.ny; ++iy)
       for (int ix = 0; ix <= grid.nx; ++ix)
-        if (fine.inside(2 * ix, 2 * iy))
+        if (const std::uint8_t bits = fine(2 * ix, 2 * iy); bits != 0)
           {
-            const std::size_t k = static_cast<std::size_t>(iy) * width + ix;
-            flags[k] |= inside;
+            std::uint8_t &flag = flags[static_cast<std::size_t>(iy) * width + ix];
+            flag               = inside | (bits & (at_inlet | at_outlet));
             n_points_inside += ix < grid.nx && iy < grid.ny ? 1 : 0;
-            mark(k, fine.outline(2 * ix, 2 * iy));
-            if (ix < grid.nx && fine.inside(2 * ix + 1, 2 * iy) &&
-                fine.inside(2 * ix + 2, 2 * iy))
-              flags[k] |= right;
-            if (iy < grid.ny && fine.inside(2 * ix, 2 * iy + 1) &&
-                fine.inside(2 * ix, 2 * iy + 2))
-              flags[k] |= up;
+            if (ix < grid.nx && fine(2 * ix + 1, 2 * iy) != 0 &&
+                fine(2 * ix + 2, 2 * iy) != 0)
+              flag |= right;
+            if (iy < grid.ny && fine(2 * ix, 2 * iy + 1) != 0 &&
+                fine(2 * ix, 2 * iy + 2) != 0)
+              flag |= up;
           }
-    for (auto &[link, crossings] : find_crossings(grid, segments))
+    for (auto &[link, crossings] : find_crossings(grid, scaled))
       {
         const std::size_t first    = link / 2;
         const bool        leads_up = link % 2 == 1;
@@ -218,11 +205,11 @@ namespace strait
           continue;
         // The part of the outline that is nearest to the point inside.
         std::sort(crossings.begin(), crossings.end());
-        const std::uint8_t kind =
+        const OutlineKind kind =
           is_inside(first) ? crossings.front().second : crossings.back().second;
-        if (kind == bit_of(OutlineKind::wall))
+        if (kind == OutlineKind::wall)
           continue;
-        mark(is_inside(first) ? second : first, kind);
+        flags[is_inside(first) ? second : first] |= bit_of(kind);
         flags[first] |= leads_up ? up : right;
       }
     bool has_inlet = false, has_outlet = false, confused = false;

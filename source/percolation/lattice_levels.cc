@@ -1,10 +1,67 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/lattice_levels.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace strait
 {
+  GridLines::GridLines(SlabLayoutPtr layout_, const FlowDomain &domain)
+    : layout(std::move(layout_))
+    , region(domain.region)
+  {
+    const int  nx = layout->grid().nx, ny = layout->grid().ny;
+    const bool along_x = region != nullptr || domain.direction == FlowDirection::x;
+    n_along_line       = nx + (along_x ? 1 : 0);
+    if (region != nullptr)
+      {
+        n_lines = layout->rank() == 0 ? ny + 1 : 0;
+        own     = {{0, size()}};
+        return;
+      }
+    const int first = layout->first_row(), n_rows = layout->n_rows();
+    if (n_rows == 0)
+      return;
+    // Of a flow along y the outlet's copy of the first line follows the last one.
+    const bool has_copy   = !along_x && first + n_rows == ny;
+    const bool has_before = along_x || first > 0;
+    const bool has_after  = along_x || first + n_rows < ny;
+    const int  n_own      = n_rows + (has_copy ? 1 : 0);
+    first_line            = first - (has_before ? 1 : 0);
+    n_lines               = n_own + (has_before ? 1 : 0) + (has_after ? 1 : 0);
+    own[0]                = has_before ? n_along_line : 0;
+    own[1]                = own[0] + static_cast<std::size_t>(n_own) * n_along_line;
+  }
+
+  std::vector<double>
+  GridLines::values(const SlabField &field) const
+  {
+    const int           nx = field.grid().nx, ny = field.grid().ny;
+    std::vector<double> result(size(), 0.);
+    if (region != nullptr)
+      {
+        const std::vector<double> whole = gather_on_root(field);
+        for (std::size_t k = 0; k < result.size(); ++k)
+          if (region->is_point(k))
+            result[k] = whole[k / n_along_line % ny * nx + k % n_along_line % nx];
+        return result;
+      }
+    const int n_rows = layout->n_rows();
+    for (int row = 0; row < n_rows; ++row)
+      {
+        double *line = &result[own[0] + static_cast<std::size_t>(row) * n_along_line];
+        std::copy_n(field.data() + static_cast<std::size_t>(row) * nx, nx, line);
+        line[n_along_line - 1] = field((n_along_line - 1) % nx, row);
+      }
+    const bool has_copy  = n_rows > 0 && end() > ny && n_along_line == nx;
+    const auto first_row = fetch_rows(field, std::vector<int>(has_copy ? 1 : 0, 0));
+    std::copy(first_row.rbegin(), first_row.rend(), result.rbegin());
+    for_each_ghost(result, [&result](const std::size_t k, const double value) {
+      result[k] = value;
+    });
+    return result;
+  }
+
   LatticeLevels::LatticeLevels(const SlabLayout &layout,
                                const FlowDomain &domain,
                                const GridLines  &lines)
@@ -15,19 +72,11 @@ namespace strait
     const PeriodicGrid  &grid = layout.grid();
     const double         dx = grid.dx(), dy = grid.dy();
     const std::ptrdiff_t line = lines.length();
-    levels.push_back({0,
-                      (along_x ? grid.nx : grid.ny) + 1,
+    levels.push_back({(along_x ? grid.nx : grid.ny) + 1,
                       (along_x ? grid.ny : grid.nx) + (is_periodic ? 0 : 1),
                       {{along_x ? dx : dy, along_x ? dy : dx, std::hypot(dx, dy)}},
                       along_x ? 1 : line,
-                      along_x ? line : 1,
-                      -1,
-                      0,
-                      0,
-                      -1,
-                      0,
-                      true,
-                      true});
+                      along_x ? line : 1});
     const int n_windows = static_cast<int>(layout.windows().size());
     for (int w = 0; w < n_windows; ++w)
       add_window(layout, w);
@@ -36,49 +85,43 @@ namespace strait
   void
   LatticeLevels::add_window(const SlabLayout &layout, const int w)
   {
-    const ZoomWindow &window = layout.windows()[w];
-    const int         last   = (along_x ? window.n_columns() : window.n_rows()) - 1;
-    const int         seam   = layout.seam(w, along_x ? 0 : 1);
-    if (seam < 0)
+    const ZoomWindow &window    = layout.windows()[w];
+    const int         n_columns = along_x ? window.n_columns() : window.n_rows();
+    const int         seam      = layout.seam(w, along_x ? 0 : 1);
+    for (const bool ends_at_outlet : {true, false})
       {
-        add_part(layout, w, {0, last, false, false});
-        return;
+        if (ends_at_outlet && seam < 0)
+          continue;
+        const bool begins_at_inlet = seam >= 0 && !ends_at_outlet;
+        const int  first           = begins_at_inlet ? seam - 1 : 0;
+        const int  end_of_part     = ends_at_outlet ? seam + 2 : n_columns;
+        // The first of the parent's columns that this part covers; on the grid, of those
+        // that begin at the inlet and end with its copy at the outlet.
+        int along = (along_x ? window.x : window.y) + first / 3;
+        if (window.parent < 0)
+          {
+            const int period = levels.front().n_along - 1;
+            along            = (along % period + period) % period;
+            if (along == 0 && ends_at_outlet)
+              along = period;
+          }
+        Level level           = levels.front();
+        level.begin           = end();
+        level.n_along         = end_of_part - first;
+        level.n_across        = along_x ? window.n_rows() : window.n_columns();
+        level.along_by        = 1;
+        level.across_by       = level.n_along;
+        level.parent          = level_with(window.parent, along, ends_at_outlet);
+        level.along           = along - levels[level.parent].first;
+        level.across          = along_x ? window.y : window.x;
+        level.window          = w;
+        level.first           = first;
+        level.begins_at_inlet = begins_at_inlet;
+        level.ends_at_outlet  = ends_at_outlet;
+        for (double &length : level.lengths)
+          length *= std::pow(3., -window.level);
+        levels.push_back(level);
       }
-    add_part(layout, w, {0, seam + 1, false, true});
-    add_part(layout, w, {seam - 1, last, true, false});
-  }
-
-  void
-  LatticeLevels::add_part(const SlabLayout &layout, const int w, const Part &part)
-  {
-    const ZoomWindow &window   = layout.windows()[w];
-    const double      fraction = std::pow(3., -window.level);
-    // The first of the parent's columns that this part covers; on the grid, of those that
-    // begin at the inlet and end with its copy at the outlet.
-    int along = (along_x ? window.x : window.y) + part.first / 3;
-    if (window.parent < 0)
-      {
-        const int period = levels.front().n_along - 1;
-        along            = (along % period + period) % period;
-        if (along == 0 && part.ends_at_outlet)
-          along = period;
-      }
-    Level level           = levels.front();
-    level.begin           = end();
-    level.n_along         = part.last - part.first + 1;
-    level.n_across        = along_x ? window.n_rows() : window.n_columns();
-    level.along_by        = 1;
-    level.across_by       = level.n_along;
-    level.parent          = level_with(window.parent, along, part.ends_at_outlet);
-    level.along           = along - levels[level.parent].first;
-    level.across          = along_x ? window.y : window.x;
-    level.window          = w;
-    level.first           = part.first;
-    level.begins_at_inlet = part.begins_at_inlet;
-    level.ends_at_outlet  = part.ends_at_outlet;
-    for (double &length : level.lengths)
-      length *= fraction;
-    levels.push_back(level);
   }
 
   int

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace strait
@@ -19,30 +18,16 @@ namespace strait
 
     /** The open gap at any position, on all levels, on the grid in this rank's rows and
      *  some others alone. */
-    class GapAround
+    struct GapAround
     {
-    public:
-      /** Of the contact's @p gap, with the @p rows of the grid from @p first_row on. */
-      GapAround(const SlabField    &gap_,
-                const double        slip_length_,
-                const int           first_row_,
-                std::vector<double> rows_)
-        : gap(gap_)
-        , layout(gap_.layout())
-        , slip_length(slip_length_)
-        , first_row(first_row_)
-        , rows(std::move(rows_))
-      {
-      }
+      const SlabField    &gap; // of the contact
+      const SlabLayout   &layout;
+      double              slip_length;
+      int                 first_row;
+      std::vector<double> rows; // of the grid, from that on
+      bool is_complete = true;  // the rows were enough for all that was asked
 
-      /** Whether the rows were enough for all that was asked. */
-      bool
-      is_complete() const
-      {
-        return complete;
-      }
-
-      /** At a point; not a number, and is_complete() no more, beyond the rows. */
+      /** At a point; not a number, and is_complete no more, beyond the rows. */
       double
       at(const int window, const int ix, const int iy)
       {
@@ -57,8 +42,8 @@ namespace strait
         if (own >= 0 && own < layout.n_rows())
           return open_gap(gap(column, own), slip_length);
         const std::size_t place = static_cast<std::size_t>(iy - first_row) * nx;
-        complete                = complete && iy >= first_row && place < rows.size();
-        return complete ? open_gap(rows[place + column], slip_length) : unknown;
+        is_complete             = is_complete && iy >= first_row && place < rows.size();
+        return is_complete ? open_gap(rows[place + column], slip_length) : unknown;
       }
 
       /** The window of finest points around a position, −1 if there is none. */
@@ -151,26 +136,19 @@ namespace strait
             index = std::round(index);
         return result;
       }
-
-      const SlabField    &gap;
-      const SlabLayout   &layout;
-      double              slip_length;
-      int                 first_row;
-      std::vector<double> rows;
-      bool                complete = true;
     };
 
     /** How far from @p point the gap has doubled, along a straight line in direction @p
      * u; not a number if it does not within half the box, or where it is unknown. */
     double
     doubling_length(GapAround                   &gap,
-                    const SlabLayout            &layout,
                     const GridPoint             &point,
                     const std::array<double, 2> &u)
     {
-      const auto   origin  = layout.position(point.window, point.ix, point.iy);
-      const double longest = .5 * std::min(layout.grid().lx, layout.grid().ly);
-      const auto   gap_at  = [&](const double t) {
+      const SlabLayout &layout  = gap.layout;
+      const auto        origin  = layout.position(point.window, point.ix, point.iy);
+      const double      longest = .5 * std::min(layout.grid().lx, layout.grid().ly);
+      const auto        gap_at  = [&](const double t) {
         return std::pow(gap.root_at(origin[0] + t * u[0], origin[1] + t * u[1]), 1.5);
       };
       const double g0 = gap_at(0.);
@@ -192,7 +170,7 @@ namespace strait
 
     /** All of a throat that @p gap tells. */
     Throat
-    measure(GapAround &gap, const SlabLayout &layout, const GridPoint &point)
+    measure(GapAround &gap, const GridPoint &point)
     {
       bool       all_open = true;
       const auto g        = [&](const int i, const int j) {
@@ -200,7 +178,7 @@ namespace strait
         all_open           = all_open && value > 0;
         return value;
       };
-      const auto [dx, dy] = layout.spacing(point.window);
+      const auto [dx, dy] = gap.layout.spacing(point.window);
       const double g0     = g(0, 0);
       const double xx     = (g(1, 0) - 2 * g0 + g(-1, 0)) / (dx * dx);
       const double yy     = (g(0, 1) - 2 * g0 + g(0, -1)) / (dy * dy);
@@ -217,8 +195,8 @@ namespace strait
         {
           const double angle = .5 * std::atan2(2 * xy, xx - yy);
           const double c = std::cos(angle), s = std::sin(angle);
-          throat.doubling_length = .5 * (doubling_length(gap, layout, point, {{c, s}}) +
-                                         doubling_length(gap, layout, point, {{-c, -s}}));
+          throat.doubling_length = .5 * (doubling_length(gap, point, {{c, s}}) +
+                                         doubling_length(gap, point, {{-c, -s}}));
         }
       const double length =
         std::isnan(throat.doubling_length) ? throat.length : throat.doubling_length;
@@ -247,11 +225,11 @@ namespace strait
         if (layout.rank() == 0 && layout.n_ranks() > 1)
           for (int k = row - reach; k <= row + reach; ++k)
             rows.push_back(k);
-        GapAround around(gap, slip_length, row - reach, fetch_rows(gap, rows));
+        GapAround around{gap, layout, slip_length, row - reach, fetch_rows(gap, rows)};
         if (layout.rank() == 0)
           {
-            throat      = measure(around, layout, point);
-            is_complete = around.is_complete() || reach > ny ? 1 : 0;
+            throat      = measure(around, point);
+            is_complete = around.is_complete || reach > ny ? 1 : 0;
           }
         MPI_Bcast(&is_complete, 1, MPI_INT, 0, layout.communicator());
       }

@@ -3,6 +3,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/scene_text.h>
 #include <strait/base/text.h>
+#include <strait/run/disk_space.h>
 #include <strait/run/earlier_results.h>
 #include <strait/run/result_tables.h>
 
@@ -10,6 +11,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -54,17 +56,15 @@ namespace strait
     {
       if (name.compare(0, 5, "Seal/") == 0) // what is made of the steps of all patches
         return name != "Seal/Two in a row";
-      for (const char *free : {"Output/Directory",
-                               "Output/Pictures",
-                               "Output/Report",
-                               "Output/Fields",
-                               "Output/Surface map",
-                               "Output/Surface spectrum",
-                               "Output/Checkpoint",
-                               "Realisations/Ranks each"})
-        if (name == free)
-          return true;
-      return false;
+      static const std::set<std::string> free = {"Output/Directory",
+                                                 "Output/Pictures",
+                                                 "Output/Report",
+                                                 "Output/Fields",
+                                                 "Output/Surface map",
+                                                 "Output/Surface spectrum",
+                                                 "Output/Checkpoint",
+                                                 "Realisations/Ranks each"};
+      return free.count(name) > 0;
     }
 
     /** The values of a resolved scene by "Section/Parameter". */
@@ -107,8 +107,7 @@ namespace strait
   {
     std::ifstream      file(path, std::ios::binary);
     std::ostringstream text;
-    if (file.peek() != std::ifstream::traits_type::eof())
-      text << file.rdbuf();
+    text << file.rdbuf();
     return text.str();
   }
 
@@ -155,18 +154,22 @@ namespace strait
   }
 
   void
-  prepare_directory(const std::string &path, MPI_Comm comm)
+  begin_results(const Scene &scene, MPI_Comm comm, Log &log, const bool resumed)
   {
-    run_on_root(comm, [&path]() {
-      std::error_code error;
-      fs::create_directories(path, error);
-      const fs::path probe = fs::path(path) / "log.txt";
-      if (error || !std::ofstream(probe, std::ios::app))
-        throw InputError("The output directory '" + path +
-                         "' cannot be written; choose another with Output/Directory or "
-                         "--output.");
-      for (const fs::path &file : results_in(path))
-        fs::remove(file, error);
-    });
+    const std::string &folder = scene.output.directory;
+    if (!resumed)
+      run_on_root(comm, [&folder]() {
+        std::error_code error;
+        fs::create_directories(folder, error);
+        const fs::path probe = fs::path(folder) / "log.txt";
+        if (error || !std::ofstream(probe, std::ios::app))
+          throw InputError(
+            "The output directory '" + folder +
+            "' cannot be written; choose another with Output/Directory or --output.");
+        for (const fs::path &file : results_in(folder))
+          fs::remove(file, error);
+      });
+    log.attach_file(folder + "/log.txt", resumed);
+    run_on_root(comm, [&]() { write_text(folder + "/parameters.prm", scene.resolved); });
   }
 } // namespace strait

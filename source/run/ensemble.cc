@@ -3,10 +3,9 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/signals.h>
 #include <strait/base/text.h>
-#include <strait/run/disk_space.h>
 #include <strait/run/earlier_results.h>
 #include <strait/run/ensemble.h>
-#include <strait/run/ensemble_tables.h>
+#include <strait/run/result_tables.h>
 #include <strait/run/run_state.h>
 #include <strait/run/scripts.h>
 #include <strait/run/simulation.h>
@@ -57,70 +56,46 @@ namespace strait
       MPI_Comm comm   = MPI_COMM_NULL; // of this rank's group
     };
 
-    struct Realisation
-    {
-      unsigned long long seed;
-      Orientation        orientation;
-    };
-
-    std::vector<Realisation>
+    /** All of them, before they are run. */
+    std::vector<RealisationRow>
     list_realisations(const Scene &scene)
     {
       std::vector<unsigned long long> seeds = scene.realisations.seeds;
       if (seeds.empty())
         seeds.push_back(scene.surface.seed);
-      std::vector<Realisation> all;
+      std::vector<RealisationRow> all;
       for (const unsigned long long seed : seeds)
         for (const Orientation orientation : scene.realisations.orientations)
-          all.push_back({seed, orientation});
+          all.push_back({{}, static_cast<int>(all.size() + 1), seed, orientation});
       return all;
-    }
-
-    std::string
-    yes_or_no(const bool value)
-    {
-      return value ? "true" : "false";
-    }
-
-    /** What makes the scene file this realisation alone. */
-    Overrides
-    overrides_of(const Realisation &realisation,
-                 const std::string &directory,
-                 const bool         two_in_a_row)
-    {
-      const bool inverted = realisation.orientation == Orientation::inverted ||
-                            realisation.orientation == Orientation::inverted_and_rotated;
-      const bool rotated = realisation.orientation == Orientation::rotated ||
-                           realisation.orientation == Orientation::inverted_and_rotated;
-      return {"Surface/Seed=" + std::to_string(realisation.seed),
-              "Surface/Invert=" + yes_or_no(inverted),
-              "Surface/Rotate=" + yes_or_no(rotated),
-              "Realisations/Seeds=",
-              "Realisations/Orientations=" + name_of(Orientation::as_is),
-              "Realisations/Ranks each=",
-              "Seal/Enabled=false",
-              "Seal/Two in a row=" + yes_or_no(two_in_a_row),
-              "Output/Directory=" + directory};
-    }
-
-    std::string
-    name_of(const Realisation &realisation)
-    {
-      return "seed " + std::to_string(realisation.seed) + ", " +
-             name_of(realisation.orientation);
     }
 
     /** That of a realisation alone, of @p scene, which is at @p path. Collective. */
     Scene
-    scene_of(const Realisation &realisation,
-             const Scene       &scene,
-             const std::string &path,
-             Overrides          overrides,
-             const std::string &directory)
+    scene_of(const RealisationRow &realisation,
+             const Scene          &scene,
+             const std::string    &path,
+             Overrides             overrides)
     {
-      for (const std::string &own :
-           overrides_of(realisation, directory, scene.has_two_boxes()))
-        overrides.push_back(own);
+      const Orientation orientation = realisation.orientation;
+      const bool        is_inverted = orientation == Orientation::inverted ||
+                               orientation == Orientation::inverted_and_rotated;
+      const bool is_rotated = orientation == Orientation::rotated ||
+                              orientation == Orientation::inverted_and_rotated;
+      const auto set = [&overrides](const std::string &name, const std::string &value) {
+        overrides.push_back(name + "=" + value);
+      };
+      const auto yes_or_no = [](const bool value) { return value ? "true" : "false"; };
+      set("Surface/Seed", std::to_string(realisation.seed));
+      set("Surface/Invert", yes_or_no(is_inverted));
+      set("Surface/Rotate", yes_or_no(is_rotated));
+      set("Realisations/Seeds", "");
+      set("Realisations/Orientations", name_of(Orientation::as_is));
+      set("Realisations/Ranks each", "");
+      set("Seal/Enabled", "false");
+      set("Seal/Two in a row", yes_or_no(scene.has_two_boxes()));
+      set("Output/Directory",
+          scene.output.directory + "/realisation-" + std::to_string(realisation.number));
       return read_scene(path, overrides);
     }
 
@@ -234,20 +209,15 @@ namespace strait
 
     const RankGroups  groups(scene.realisations.ranks_each);
     const std::string folder = scene.output.directory;
-    const RunState    state(scene, MPI_COMM_WORLD, resume);
-    if (!resume)
-      prepare_directory(folder, MPI_COMM_WORLD);
-    log.attach_file(folder + "/log.txt", resume);
+    RunState          state(scene, MPI_COMM_WORLD, resume);
+    begin_results(scene, MPI_COMM_WORLD, log, resume);
     state.save_end(RunSummary()); // that it is these realisations
     Table<RealisationRow> table = ensemble_table(scene);
-    run_on_root(MPI_COMM_WORLD, [&]() {
-      table.open(folder + "/ensemble.csv");
-      write_text(folder + "/parameters.prm", scene.resolved);
-    });
+    run_on_root(MPI_COMM_WORLD, [&]() { table.open(folder + "/ensemble.csv"); });
 
-    bool                           all_converged = true;
-    const std::vector<Realisation> realisations  = list_realisations(scene);
-    std::vector<RealisationRow>    rows;
+    bool                              all_converged = true;
+    const std::vector<RealisationRow> realisations  = list_realisations(scene);
+    std::vector<RealisationRow>       rows;
     while (rows.size() < realisations.size())
       {
         // As many as there are groups, at the same time.
@@ -256,13 +226,13 @@ namespace strait
         std::vector<Scene> scenes;
         for (std::size_t k = first; k < end; ++k)
           {
-            log.line(format("realisation %zu of %zu: ", k + 1, realisations.size()) +
-                     name_of(realisations[k]));
-            scenes.push_back(scene_of(realisations[k],
-                                      scene,
-                                      path,
-                                      overrides,
-                                      folder + "/realisation-" + std::to_string(k + 1)));
+            const RealisationRow &next = realisations[k];
+            log.line(format("realisation %d of %zu: seed %llu, %s",
+                            next.number,
+                            realisations.size(),
+                            next.seed,
+                            name_of(next.orientation).c_str()));
+            scenes.push_back(scene_of(next, scene, path, overrides));
           }
         for (const Outcome &outcome :
              run_together(scenes, groups, log.is_quiet(), resume))
@@ -271,13 +241,9 @@ namespace strait
               throw_interruption(scene);
             if (!outcome.warning.empty())
               log.warn(outcome.warning);
-            all_converged                  = all_converged && outcome.run.converged;
-            const std::size_t  k           = rows.size();
-            const Realisation &realisation = realisations[k];
-            rows.push_back({outcome.run,
-                            static_cast<int>(k + 1),
-                            realisation.seed,
-                            name_of(realisation.orientation)});
+            all_converged = all_converged && outcome.run.converged;
+            rows.push_back(realisations[rows.size()]);
+            static_cast<RunSummary &>(rows.back()) = outcome.run;
             run_on_root(MPI_COMM_WORLD, [&]() {
               table.append(rows.back());
               ensemble_summary_table(scene).write_rows(folder + "/ensemble_summary.csv",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/run/ensemble_tables.h>
+#include <strait/run/result_tables.h>
 
 #include <cmath>
 
@@ -23,7 +23,8 @@ namespace strait
                                 "`realisation-k` with all other tables.");
     table.add(&RealisationRow::number, "realisation [1]: k, from 1")
       .add(&RealisationRow::seed, "seed [1]: `Surface/Seed`")
-      .add(&RealisationRow::orientation, "orientation: how the surface is turned")
+      .add([](const RealisationRow &row) { return name_of(row.orientation); },
+           "orientation: how the surface is turned")
       .add(&RealisationRow::critical_load_lower,
            "critical_load_lower [pressure]: at the first slip length")
       .add(&RealisationRow::critical_load_upper,
@@ -107,54 +108,51 @@ namespace strait
     return rows;
   }
 
-  Table<SealRow>
+  TableInfo
   seal_table(const Scene &scene)
   {
-    Table<SealRow> table("seal.csv",
-                         {"with `Seal/Enabled`", scene.seal.enabled},
-                         "The leak rate of the whole seal, one row for each load whose "
-                         "pressures over the width are covered by those of the patches; "
-                         "see [seal.md](seal.md).");
-    table.add(&SealRow::pressure, "pressure [pressure]: nominal, mean over the width")
-      .add(&SealRow::median,
-           "leak_rate_median [of the column unit]: as likely exceeded as not")
-      .add(
-        &SealRow::lower,
-        "leak_rate_5_percent [of the column unit]: exceeded with a probability of 95 %")
-      .add(&SealRow::upper, "leak_rate_95_percent [of the column unit]: with one of 5 %")
-      .add(&SealRow::unit,
-           "unit: of the leak rates: the first of `Output/Leak rate units`, or that of "
-           "the scene; empty if that states none")
-      .add(&SealRow::sealed, "sealed [1]: fraction of the seals that do not leak")
-      .add(&SealRow::of_patches,
-           "scatter_patches [1]: standard deviation of ln Q that more patches would "
-           "reduce")
-      .add(&SealRow::of_arrangement,
-           "scatter_arrangement [1]: the same between seals of this size and surface, "
-           "which nothing reduces")
-      .add(&SealRow::of_solution,
-           "solution_error [1]: relative error of the patches' leak rates: "
-           "`leak_rate_error` where it is known, else the half width of the brackets");
-    return table;
+    TableFile table("seal.csv",
+                    {"with `Seal/Enabled`", scene.seal.enabled},
+                    "The leak rate of the whole seal, one row for each load whose "
+                    "pressures over the width are covered by those of the patches; "
+                    "see [seal.md](seal.md).");
+    table.declare("pressure [pressure]: nominal, mean over the width");
+    table.declare("leak_rate_median [of the column unit]: as likely exceeded as not");
+    table.declare(
+      "leak_rate_5_percent [of the column unit]: exceeded with a probability of 95 %");
+    table.declare("leak_rate_95_percent [of the column unit]: with one of 5 %");
+    table.declare(
+      "unit: of the leak rates: the first of `Output/Leak rate units`, or that of "
+      "the scene; empty if that states none");
+    table.declare("sealed [1]: fraction of the seals that do not leak");
+    table.declare(
+      "scatter_patches [1]: standard deviation of ln Q that more patches would "
+      "reduce");
+    table.declare(
+      "scatter_arrangement [1]: the same between seals of this size and surface, "
+      "which nothing reduces");
+    table.declare(
+      "solution_error [1]: relative error of the patches' leak rates: "
+      "`leak_rate_error` where it is known, else the half width of the "
+      "brackets");
+    return table.info();
   }
 
-  Table<SealLoadRow>
+  TableInfo
   seal_load_table(const Scene &scene)
   {
-    Table<SealLoadRow> table("seal_load.csv",
-                             {"with `Seal/Wanted leak rate`",
-                              scene.seal.enabled && scene.seal.wanted_leak_rate > 0.},
-                             "The load at which the whole seal leaks as wanted; `nan` "
-                             "where it lies beyond the loads of seal.csv.");
-    table
-      .add(&SealLoadRow::wanted,
-           "wanted_leak_rate [of the column unit]: `Seal/Wanted leak rate`")
-      .add(&SealLoadRow::unit, "unit: as in seal.csv")
-      .add(&SealLoadRow::median, "load [pressure]: where the median is as wanted")
-      .add(&SealLoadRow::lower, "load_5_percent [pressure]: where the 5 % quantile is")
-      .add(&SealLoadRow::upper,
-           "load_95_percent [pressure]: where the 95 % quantile is: enough with a "
-           "probability of 95 %");
-    return table;
+    TableFile table("seal_load.csv",
+                    {"with `Seal/Wanted leak rate`",
+                     scene.seal.enabled && scene.seal.wanted_leak_rate > 0.},
+                    "The load at which the whole seal leaks as wanted; `nan` "
+                    "where it lies beyond the loads of seal.csv.");
+    table.declare("wanted_leak_rate [of the column unit]: `Seal/Wanted leak rate`");
+    table.declare("unit: as in seal.csv");
+    table.declare("load [pressure]: where the median is as wanted");
+    table.declare("load_5_percent [pressure]: where the 5 % quantile is");
+    table.declare(
+      "load_95_percent [pressure]: where the 95 % quantile is: enough with a "
+      "probability of 95 %");
+    return table.info();
   }
 } // namespace strait

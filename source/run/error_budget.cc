@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/text.h>
 #include <strait/contact/grid_transfer.h>
 #include <strait/run/error_budget.h>
 #include <strait/run/exponent_fit.h>
-#include <strait/seal/flow_stage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,17 +10,16 @@ namespace strait
 {
   namespace
   {
-    /** The leak rate of @p in, a gap with its slip length or a channel; 0 if it seals. */
-    template <class... In>
+    /** The leak rate through @p gap; 0 if it seals. */
     double
     leak_rate_of(const FluidParameters &fluid,
-                 const SlabLayoutPtr   &layout,
-                 const In &...in)
+                 const SlabField       &gap,
+                 const double           slip_length)
     {
-      Log       silent(layout->communicator(), true);
+      Log       silent(gap.layout().communicator(), true);
       Timers    timers;
-      FlowStage flow(fluid, layout, silent, timers);
-      return flow.solve(in...).leakage.rate;
+      FlowStage flow(fluid, gap.layout_pointer(), silent, timers);
+      return flow.solve(gap, slip_length).leakage.rate;
     }
 
     /** The leak rates of the step on every second and every fourth point as far as there
@@ -42,14 +39,14 @@ namespace strait
               coarser.gap(h,
                           step.state.control,
                           by_reduced_load ? step.reduced_load : std::nullopt);
-            leaks.push_back(leak_rate_of(scene.fluid, gap.layout_pointer(), gap, slip));
+            leaks.push_back(leak_rate_of(scene.fluid, gap, slip));
           }
       else
         for (SlabField gap = step.state.gap();
              leaks.size() < 2 && can_be_coarsened(gap.grid());)
           {
             gap = restrict_by_injection(gap);
-            leaks.push_back(leak_rate_of(scene.fluid, gap.layout_pointer(), gap, slip));
+            leaks.push_back(leak_rate_of(scene.fluid, gap, slip));
           }
       return leaks;
     }
@@ -87,20 +84,6 @@ namespace strait
         }
       errors.items.push_back({"contact grid", error, "Contact/Grid points"});
     }
-
-    void
-    add_interpolation(const Step &step, const Scene &scene, StepErrors &errors)
-    {
-      FluidParameters other = scene.fluid;
-      other.interpolation = scene.fluid.interpolation == GapInterpolation::monotone_cubic
-                              ? GapInterpolation::bilinear
-                              : GapInterpolation::monotone_cubic;
-      const double leak =
-        leak_rate_of(other, step.state.gap().layout_pointer(), step.flow->channel);
-      errors.items.push_back({"gap interpolation",
-                              std::abs(leak / step.flow->leakage.rate - 1.),
-                              "Contact/Grid points"});
-    }
   } // namespace
 
   StepErrors
@@ -108,6 +91,7 @@ namespace strait
                 const Transition *counted_from,
                 const Scene      &scene,
                 const double      rms_height,
+                const FlowStage  &flow,
                 CoarserSeals     &coarser)
   {
     StepErrors     errors;
@@ -128,13 +112,8 @@ namespace strait
                                 step.flow->channel.paths.front().bottleneck_gap,
                               "Contact/Tolerance"});
     if (step.state.fluid)
-      {
-        errors.items.push_back(
-          {"fluid pressure on the wall", by_wall, "Fluid/Target accuracy"});
-        errors.items.push_back({"feedback iteration",
-                                scene.fluid.feedback.tolerance,
-                                "Fluid/Wall feedback/Tolerance"});
-      }
+      errors.items.push_back(
+        {"fluid pressure on the wall", by_wall, "Fluid/Target accuracy"});
     if (counted_from != nullptr)
       errors.items.push_back(
         {"critical load",
@@ -143,7 +122,9 @@ namespace strait
     if (n_compared_grids(scene) > 0)
       {
         add_contact_grid(step, counted_from != nullptr, scene, coarser, errors);
-        add_interpolation(step, scene, errors);
+        errors.items.push_back({"gap interpolation",
+                                std::abs(flow.change_by_interpolation(*step.flow)),
+                                "Contact/Grid points"});
       }
     std::stable_sort(errors.items.begin(),
                      errors.items.end(),
@@ -151,36 +132,5 @@ namespace strait
                        return a.relative > b.relative;
                      });
     return errors;
-  }
-
-  Json
-  to_json(const Step &step)
-  {
-    Json relative = Json::object();
-    for (const ErrorItem &item : step.errors.items)
-      relative.set(item.source, item.relative);
-    Json record = Json::object();
-    record.set("step", step.number).set("relative_errors", relative);
-    const ErrorItem &largest = step.errors.items.front();
-    record.set("largest", largest.source).set("reduced_by", largest.parameter);
-    if (step.errors.extrapolated)
-      record.set("contact_grid_order", *step.errors.grid_order)
-        .set("leak_rate_extrapolated", *step.errors.extrapolated);
-    return record;
-  }
-
-  std::string
-  describe_errors(const StepErrors &errors)
-  {
-    const ErrorItem &largest = errors.items.front();
-    std::string      text = format("  largest error of the leak rate: %s, %.2g %% (%s)",
-                              largest.source.c_str(),
-                              100. * largest.relative,
-                              largest.parameter.c_str());
-    if (errors.extrapolated)
-      text += format("; order in the grid %.2f, extrapolated leak rate %.5g",
-                     *errors.grid_order,
-                     *errors.extrapolated);
-    return text;
   }
 } // namespace strait

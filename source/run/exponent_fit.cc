@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace strait
 {
@@ -25,14 +27,8 @@ namespace strait
 
   namespace
   {
-    /** Least squares of y against x. */
-    struct Line
-    {
-      double slope;
-      double error; // of the slope
-    };
-
-    Line
+    /** The slope of y against x by least squares, and its standard error. */
+    std::pair<double, double>
     fit_line(const std::vector<double> &x, const std::vector<double> &y)
     {
       const auto   n      = static_cast<double>(x.size());
@@ -67,9 +63,7 @@ namespace strait
     fit.n_points = static_cast<int>(x.size());
     if (fit.n_points < 2)
       return fit;
-    const Line line = fit_line(x, y);
-    fit.exponent    = line.slope;
-    fit.error       = line.error;
+    std::tie(fit.exponent, fit.error) = fit_line(x, y);
     return fit;
   }
 
@@ -83,6 +77,6 @@ namespace strait
           x.push_back(epsilon);
           y.push_back(std::log(value));
         }
-    return x.size() < 2 ? std::nan("") : leak_rate_exponent / fit_line(x, y).slope;
+    return x.size() < 2 ? std::nan("") : leak_rate_exponent / fit_line(x, y).first;
   }
 } // namespace strait

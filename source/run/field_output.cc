@@ -14,28 +14,25 @@ namespace strait
 {
   namespace
   {
+    /** The data set @p name with @p n_rows rows of @p n_columns numbers, of which this
+     *  rank has @p n_here from the row @p first on, at @p values. Collective. */
     template <typename Number>
     void
-    write_slabs(dealii::HDF5::File        &file,
-                const std::string         &name,
-                const SlabLayout          &layout,
-                const std::vector<Number> &values)
+    write_rows(dealii::HDF5::Group &group,
+               const std::string   &name,
+               const hsize_t        n_columns,
+               const hsize_t        n_rows,
+               const hsize_t        first,
+               const hsize_t        n_here,
+               const Number        *values)
     {
-      const auto nx      = static_cast<hsize_t>(layout.grid().nx);
-      const auto ny      = static_cast<hsize_t>(layout.grid().ny);
-      auto       dataset = file.create_dataset<Number>(name, {ny, nx});
-      if (layout.n_rows() == 0)
+      auto dataset = group.create_dataset<Number>(name, {n_rows, n_columns});
+      if (n_here == 0)
         dataset.template write_none<Number>();
       else
-        dataset.write_hyperslab(values,
-                                {static_cast<hsize_t>(layout.first_row()), 0},
-                                {static_cast<hsize_t>(layout.n_rows()), nx});
-    }
-
-    std::vector<double>
-    local_values(const SlabField &field)
-    {
-      return {field.data(), field.data() + field.layout().n_local_points()};
+        dataset.write_hyperslab(std::vector<Number>(values, values + n_here * n_columns),
+                                {first, 0},
+                                {n_here, n_columns});
     }
 
     /** A piece of the plane of z = 0 with the values of data sets at regular points. */
@@ -53,46 +50,19 @@ namespace strait
       bool        is_whole = false; // of whole numbers of 4 bytes, else doubles
     };
 
-    /** One of the grids of an XDMF file: a slice of a three-dimensional grid, as ParaView
-     *  lays a two-dimensional one out in another plane. */
-    void
-    describe_piece(std::ostream                   &out,
-                   const std::string              &file,
-                   const GridPiece                &piece,
-                   const std::vector<GridDataset> &datasets)
-    {
-      const std::string shape =
-        "\"1 " + std::to_string(piece.ny) + " " + std::to_string(piece.nx) + "\"";
-      const char *const three_numbers =
-        "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">";
-      out << "<Grid Name=\"grid\" GridType=\"Uniform\">\n"
-          << "  <Topology TopologyType=\"3DCoRectMesh\" Dimensions=" << shape << "/>\n"
-          << "  <Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n"
-          // From the slowest index to the fastest; the first spacing does not matter.
-          << "    " << three_numbers << "0 " << piece.origin[1] << ' ' << piece.origin[0]
-          << "</DataItem>\n"
-          << "    " << three_numbers << piece.spacing[0] << ' ' << piece.spacing[1] << ' '
-          << piece.spacing[0] << "</DataItem>\n  </Geometry>\n";
-      for (const GridDataset &dataset : datasets)
-        out << "  <Attribute Name=\"" << dataset.name
-            << "\" AttributeType=\"Scalar\" Center=\"Node\">\n    <DataItem Dimensions="
-            << shape << " NumberType="
-            << (dataset.is_whole ? "\"Int\" Precision=\"4\""
-                                 : "\"Float\" Precision=\"8\"")
-            << " Format=\"HDF\">" << file << ":/" << piece.path << dataset.name
-            << "</DataItem>\n  </Attribute>\n";
-      out << "</Grid>\n";
-    }
-
     /**
      * The text of an XDMF file (version 2, as ParaView reads it) beside the HDF5 file
-     * @p file, with each of @p datasets at the points of @p pieces in the plane z = 0.
+     * @p file, with each of @p datasets at the points of @p pieces in the plane z = 0: a
+     * slice of a three-dimensional grid, as ParaView lays a two-dimensional one out in
+     * another plane.
      */
     std::string
     grid_description(const std::string              &file,
                      const std::vector<GridPiece>   &pieces,
                      const std::vector<GridDataset> &datasets)
     {
+      const char *const three_numbers =
+        "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">";
       std::ostringstream out;
       out.precision(17);
       out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
@@ -100,32 +70,33 @@ namespace strait
         out << "<Grid Name=\"windows\" GridType=\"Collection\" "
                "CollectionType=\"Spatial\">\n";
       for (const GridPiece &piece : pieces)
-        describe_piece(out, file, piece, datasets);
+        {
+          const std::string shape =
+            "\"1 " + std::to_string(piece.ny) + " " + std::to_string(piece.nx) + "\"";
+          out << "<Grid Name=\"grid\" GridType=\"Uniform\">\n"
+              << "  <Topology TopologyType=\"3DCoRectMesh\" Dimensions=" << shape
+              << "/>\n"
+              << "  <Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n"
+              // From the slowest index to the fastest; the first spacing does not matter.
+              << "    " << three_numbers << "0 " << piece.origin[1] << ' '
+              << piece.origin[0] << "</DataItem>\n"
+              << "    " << three_numbers << piece.spacing[0] << ' ' << piece.spacing[1]
+              << ' ' << piece.spacing[0] << "</DataItem>\n  </Geometry>\n";
+          for (const GridDataset &dataset : datasets)
+            out
+              << "  <Attribute Name=\"" << dataset.name
+              << "\" AttributeType=\"Scalar\" Center=\"Node\">\n    <DataItem Dimensions="
+              << shape << " NumberType="
+              << (dataset.is_whole ? "\"Int\" Precision=\"4\""
+                                   : "\"Float\" Precision=\"8\"")
+              << " Format=\"HDF\">" << file << ":/" << piece.path << dataset.name
+              << "</DataItem>\n  </Attribute>\n";
+          out << "</Grid>\n";
+        }
       if (pieces.size() > 1)
         out << "</Grid>\n";
       out << "</Domain>\n</Xdmf>\n";
       return out.str();
-    }
-
-    /** Values of one window, which all ranks hold, written by one of them. */
-    template <typename Number, typename Values>
-    void
-    write_window(dealii::HDF5::Group &group,
-                 const std::string   &name,
-                 const SlabLayout    &layout,
-                 const int            w,
-                 const Values        &values)
-    {
-      const auto  nx      = static_cast<hsize_t>(layout.windows()[w].n_columns());
-      const auto  ny      = static_cast<hsize_t>(layout.windows()[w].n_rows());
-      auto        dataset = group.create_dataset<Number>(name, {ny, nx});
-      const auto *begin   = values.data() + layout.start_of_window(w);
-      if (layout.rank() == 0)
-        dataset.write_hyperslab(std::vector<Number>(begin, begin + nx * ny),
-                                {0, 0},
-                                {ny, nx});
-      else
-        dataset.template write_none<Number>();
     }
 
     /** The windows of a step in groups of the file, and a description of each level for
@@ -144,10 +115,19 @@ namespace strait
           const ZoomWindow &window = layout.windows()[w];
           const std::string name   = "window-" + std::to_string(w + 1);
           auto              group  = file.create_group(name);
-          write_window<double>(group, "gap", layout, w, step.state.gap());
-          write_window<double>(
-            group, "pressure", layout, w, step.state.contact->pressure);
-          write_window<int>(group, "labels", layout, w, labels);
+          // All ranks hold the values, one of them writes.
+          const auto write = [&](const char *what, const auto &values) {
+            write_rows(group,
+                       what,
+                       window.n_columns(),
+                       window.n_rows(),
+                       0,
+                       layout.rank() == 0 ? window.n_rows() : 0,
+                       values.data() + layout.start_of_window(w));
+          };
+          write("gap", step.state.gap());
+          write("pressure", step.state.contact->pressure);
+          write("labels", labels);
           group.set_attribute("level", window.level);
           pieces[window.level].push_back({name + "/",
                                           window.n_columns(),
@@ -161,20 +141,6 @@ namespace strait
           write_text(directory + "/" + base + "-level-" + std::to_string(level) + ".xmf",
                      grid_description(base + ".h5", of_level, datasets));
       });
-    }
-
-    /** A list that every rank knows. */
-    void
-    write_list(dealii::HDF5::Group       &group,
-               const std::string         &name,
-               const std::vector<double> &values,
-               MPI_Comm                   comm)
-    {
-      auto dataset = group.create_dataset<double>(name, {values.size()});
-      if (rank_in(comm) == 0)
-        dataset.write_hyperslab(values, {0}, {values.size()});
-      else
-        dataset.write_none<double>();
     }
   } // namespace
 
@@ -192,33 +158,30 @@ namespace strait
                             dealii::HDF5::File::FileAccessMode::create,
                             layout.communicator());
     std::vector<int>         labels;
-    std::vector<GridDataset> datasets = {{"gap", false}};
-    write_slabs(file, "gap", layout, local_values(step.state.gap()));
+    std::vector<GridDataset> datasets;
+    const auto               write = [&](const GridDataset &dataset, const auto &values) {
+      write_rows(file,
+                 dataset.name,
+                 grid.nx,
+                 grid.ny,
+                 layout.first_row(),
+                 layout.n_rows(),
+                 values.data());
+      datasets.push_back(dataset);
+    };
+    write({"gap"}, step.state.gap());
     if (step.state.contact)
       {
-        write_slabs(file, "pressure", layout, local_values(step.state.contact->pressure));
-        datasets.push_back({"pressure", false});
-        if (const auto &plasticity = step.state.contact->plasticity)
-          {
-            write_slabs(file,
-                        "indentation",
-                        layout,
-                        local_values(plasticity->indentation));
-            datasets.push_back({"indentation", false});
-          }
+        write({"pressure"}, step.state.contact->pressure);
+        if (step.state.contact->plasticity)
+          write({"indentation"}, step.state.contact->plasticity->indentation);
         file.set_attribute("nominal_pressure", step.state.contact->nominal_pressure);
       }
     if (step.flow)
       {
         for (const NodeState state : step.flow->channel.clusters.states)
           labels.push_back(static_cast<int>(state));
-        write_slabs(file,
-                    "labels",
-                    layout,
-                    std::vector<int>(labels.begin(),
-                                     labels.begin() + static_cast<std::ptrdiff_t>(
-                                                        layout.n_local_points())));
-        datasets.push_back({"labels", true});
+        write({"labels", true}, labels);
         file.set_attribute("leak_rate", step.flow->leakage.rate);
       }
     file.set_attribute("lx", grid.lx);
@@ -252,16 +215,23 @@ namespace strait
                             comm);
     if (!is_begun)
       file.set_attribute("nominal_pressure", theory.pressure);
-    auto group = file.create_group("gap_distribution");
-    write_list(group, "edges", (persson ? persson : simulated)->edges, comm);
+    auto       group = file.create_group("gap_distribution");
+    const auto write = [&](const char *name, const std::vector<double> &values) {
+      auto dataset = group.create_dataset<double>(name, {values.size()});
+      if (rank_in(comm) == 0) // every rank knows them
+        dataset.write_hyperslab(values, {0}, {values.size()});
+      else
+        dataset.write_none<double>();
+    };
+    write("edges", (persson ? persson : simulated)->edges);
     if (persson)
       {
-        write_list(group, "persson", persson->shares, comm);
+        write("persson", persson->shares);
         group.set_attribute("persson_contact_area", persson->contact_area);
       }
     if (simulated)
       {
-        write_list(group, "simulated", simulated->shares, comm);
+        write("simulated", simulated->shares);
         group.set_attribute("simulated_contact_area", simulated->contact_area);
       }
   }

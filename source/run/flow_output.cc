@@ -21,7 +21,7 @@ namespace strait
       for (int step = 1; step <= last; ++step)
         {
           const std::string name = "flow-" + std::to_string(step) + ".pvtu";
-          if (std::filesystem::exists(directory + "/" + name))
+          if (std::filesystem::exists(std::filesystem::path(directory) / name))
             steps.emplace_back(step, name);
         }
       std::ostringstream series;

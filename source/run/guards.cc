@@ -19,13 +19,13 @@ namespace strait
   {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-    /** The number in a file that has nothing else; @p otherwise if there is none. */
+    /** The limit in a file that has nothing else, or a word if there is no limit. */
     double
-    number_in(const char *path, const double otherwise)
+    limit_in(const char *path)
     {
       std::ifstream file(path);
-      double        number = 0.;
-      return file >> number ? number : otherwise;
+      double        limit = 0.;
+      return file >> limit ? limit : unlimited;
     }
 
     /** What the kernel could give to new processes without swapping. */
@@ -46,49 +46,8 @@ namespace strait
     double
     memory_of_container()
     {
-      return std::min(number_in("/sys/fs/cgroup/memory.max", unlimited),
-                      number_in("/sys/fs/cgroup/memory/memory.limit_in_bytes",
-                                unlimited));
-    }
-
-    /** A number of the scene, with the smallest and the largest of any seal. */
-    struct Plausible
-    {
-      std::string name;
-      double      value; // in SI
-      double      smallest, largest;
-      std::string unit;
-    };
-
-    /** Those whose unit is stated. */
-    std::vector<Plausible>
-    numbers_to_check(const Scene &scene)
-    {
-      std::vector<Plausible> numbers;
-      if (!scene.units.length.empty())
-        for (const double side : scene.surface.size)
-          numbers.push_back({"Surface/Size",
-                             side * scene.units.length_in_metres(),
-                             1e-8, // a few waves of a length of some atoms
-                             .1,   // a wave of micrometres is no longer resolved
-                             "m"});
-      if (scene.units.pressure.empty())
-        return numbers;
-      const double pascals = *pascals_in(scene.units.pressure);
-      if (scene.contact.enabled)
-        numbers.push_back({"the effective modulus",
-                           scene.contact.effective_modulus * pascals,
-                           1e3,  // gels
-                           2e12, // diamond on diamond
-                           "Pa"});
-      if (scene.fluid.enabled && !scene.units.time.empty())
-        numbers.push_back(
-          {"Fluid/Viscosity",
-           scene.fluid.viscosity * pascals * *seconds_in(scene.units.time),
-           1e-6, // hydrogen, cold: 5e-6
-           1e5,  // pitch is more, and flows in years
-           "Pa s"});
-      return numbers;
+      return std::min(limit_in("/sys/fs/cgroup/memory.max"),
+                      limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"));
     }
 
     /** Throws where pressures leave the solid no shape, or the seal no load. */
@@ -197,17 +156,45 @@ namespace strait
   {
     refuse_meaningless_pressures(scene);
     std::vector<std::string> warnings;
-    for (const Plausible &number : numbers_to_check(scene))
-      if (number.value < number.smallest || number.value > number.largest)
+    // The value is in SI; the limits are the smallest and the largest of any seal.
+    const auto check = [&warnings](const char  *name,
+                                   const double value,
+                                   const double smallest,
+                                   const double largest,
+                                   const char  *unit) {
+      if (value < smallest || value > largest)
         warnings.push_back(
           format("%s is %.4g %s, which is outside of what seals have, %.3g to %.3g %s; "
                  "check the section Units and the powers of ten.",
-                 number.name.c_str(),
-                 number.value,
-                 number.unit.c_str(),
-                 number.smallest,
-                 number.largest,
-                 number.unit.c_str()));
+                 name,
+                 value,
+                 unit,
+                 smallest,
+                 largest,
+                 unit));
+    };
+    if (!scene.units.length.empty())
+      for (const double side : scene.surface.size)
+        check("Surface/Size",
+              side * scene.units.length_in_metres(),
+              1e-8, // a few waves of a length of some atoms
+              .1,   // a wave of micrometres is no longer resolved
+              "m");
+    if (scene.units.pressure.empty())
+      return warnings;
+    const double pascals = *pascals_in(scene.units.pressure);
+    if (scene.contact.enabled)
+      check("the effective modulus",
+            scene.contact.effective_modulus * pascals,
+            1e3,  // gels
+            2e12, // diamond on diamond
+            "Pa");
+    if (scene.fluid.enabled && !scene.units.time.empty())
+      check("Fluid/Viscosity",
+            scene.fluid.viscosity * pascals * *seconds_in(scene.units.time),
+            1e-6, // hydrogen, cold: 5e-6
+            1e5,  // pitch is more, and flows in years
+            "Pa s");
     return warnings;
   }
 

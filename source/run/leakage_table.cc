@@ -3,20 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace strait
 {
   namespace
   {
-    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
     // Values of columns that are members of a part of a step, or functions of it.
     const auto of_contact = values_of(
       [](const Step &step) -> const ContactState & { return *step.state.contact; });
     const auto of_plasticity = values_of([](const Step &step) -> const PlasticState & {
       return *step.state.contact->plasticity;
     });
+    const auto of_costs =
+      values_of([](const Step &step) -> const Costs & { return step.state.costs; });
     const auto of_fluid =
       values_of([](const Step &step) -> const FluidState & { return *step.state.fluid; });
     const auto of_theory =
@@ -29,15 +28,6 @@ namespace strait
       return [member](const Step &step) {
         const std::optional<TrappedFluid> &trapped = step.state.fluid->trapped;
         return trapped ? *trapped.*member : 0.;
-      };
-    };
-
-    /** The same of the path of least resistance, where there is one. */
-    const auto of_path = [](auto value) {
-      return [value](const Step &step) -> double {
-        return step.flow->channel.paths.empty()
-                 ? not_a_number
-                 : std::invoke(value, step.flow->channel.paths.front());
       };
     };
 
@@ -127,8 +117,12 @@ namespace strait
              "nothing percolates")
         .add([](const Step &step) { return step.place_of_bottleneck()[1]; },
              "worst_constriction_y [length]: its y, likewise")
-        .add(of_path(&FlowPath::bottleneck_gap),
-             "worst_constriction_gap [length]: the gap that the fluid sees there");
+        .add(
+          [](const Step &step) {
+            const std::vector<FlowPath> &paths = step.flow->channel.paths;
+            return paths.empty() ? std::nan("") : paths.front().bottleneck_gap;
+          },
+          "worst_constriction_gap [length]: the gap that the fluid sees there");
       table
         .when({"with `Contact/Zoom`", scene.fluid.enabled && scene.contact.zoom.enabled})
         .add(
@@ -142,7 +136,7 @@ namespace strait
           "three where it is finest")
         .add(
           [](const Step &step) {
-            return step.flow->channel.paths.empty() ? not_a_number
+            return step.flow->channel.paths.empty() ? std::nan("")
                                                     : step.flow->channel.throat.points;
           },
           "points_along_throat [1]: finest points along the flow, from the worst "
@@ -156,13 +150,6 @@ namespace strait
     const bool      theory_alone = scene.is_theory_only();
     const Condition with_contact = {"", scene.contact.enabled};
     const Condition with_flow    = {"", scene.fluid.enabled};
-    const Condition with_adhesion{"with adhesion",
-                                  scene.contact.enabled &&
-                                    scene.contact.adhesion.enabled};
-    const Condition with_yielding{"with `Contact/Yielding`",
-                                  scene.contact.enabled && scene.contact.yields()};
-    const Condition with_feedback{"with `Wall feedback`", scene.fluid.feedback.enabled};
-    const Condition with_theory{"with `Theory/Enabled`", scene.theory.enabled};
 
     Table<Step> table(
       "leakage.csv",
@@ -204,7 +191,7 @@ namespace strait
            "percolates [1]: 1 if an open channel connects inlet and outlet, 0 if not")
       .when(
         {"with `Find threshold`", scene.fluid.enabled && scene.programme.find_threshold})
-      .add([](const Step &step) { return step.reduced_load.value_or(not_a_number); },
+      .add([](const Step &step) { return step.reduced_load.value_or(std::nan("")); },
            "reduced_load [1]: 1 − L/L_c with the middle of the bracket of L_c");
     add_leak_rates(table, scene, with_flow);
     table.when(with_contact)
@@ -214,10 +201,10 @@ namespace strait
         ") / rms height, at exact force balance; where the contact flows g counts in "
         "place of \\|g\\|; with adhesion the largest traction that is not balanced, over "
         "E* × rms slope / 2")
-      .add(of_contact(&ContactState::iterations),
+      .add(of_costs(&Costs::iterations),
            "contact_iterations [1]: on the finest grid; with adhesion those of all loads "
            "since the last step, and of the check of the minimum")
-      .add(of_contact(&ContactState::fft_pairs),
+      .add(of_costs(&Costs::fft_pairs),
            "fft_pairs [1]: transforms there and back, counted likewise")
       .when(with_flow)
       .add(of_leakage(&Leakage::cells), "cells [1]: active cells of the last mesh")
@@ -226,14 +213,14 @@ namespace strait
       .add(of_leakage(&Leakage::refinements), "refinements [1]: meshes after the first")
       .add(of_leakage(&Leakage::iterations),
            "flow_iterations [1]: of the linear solver, all meshes, both problems")
-      .when(with_adhesion)
+      .when({"with adhesion", scene.contact.enabled && scene.contact.adhesion.enabled})
       .add([](const Step &step) { return step.state.contact->adhesion->adhesive_energy; },
            "adhesive_energy [pressure length]: mean over the box of the law's γ(g) = "
            "−γ0 f(g/z0), energy per area")
       .add(&Step::dissipated_energy,
            "dissipated_energy [pressure length]: by the jumps since the last step, see "
            "[jumps.csv](#jumpscsv)")
-      .when(with_yielding)
+      .when({"with `Contact/Yielding`", scene.contact.enabled && scene.contact.yields()})
       .add(
         of_plasticity(&PlasticState::area),
         "plastic_area [1]: fraction of grid points where the pressure is the hardness, "
@@ -243,16 +230,16 @@ namespace strait
         "mean_indentation [length]: mean over the box of what the surface was indented "
         "by at this and all earlier loads")
       .when(with_contact)
-      .add([](const Step &step) { return step.state.contact_seconds; },
+      .add(of_costs(&Costs::contact_seconds),
            "contact_seconds [s]: wall-clock time of the contact")
       .when(with_flow)
       .add(&Step::flow_seconds, "flow_seconds [s]: wall-clock time of the flow")
-      .when(with_feedback)
+      .when({"with `Wall feedback`", scene.fluid.feedback.enabled})
       .add(of_fluid(&FluidState::load),
            "fluid_load [pressure]: mean fluid pressure over the nominal area, part of "
            "`pressure`")
       .add(
-        of_fluid(&FluidState::rounds),
+        of_costs(&Costs::rounds),
         "feedback_iterations [1]: rounds of contact and flow, in all parts of a halved step")
       .when({"with `Trapped fluid` other than `drained`",
              scene.fluid.feedback.enabled &&
@@ -276,7 +263,7 @@ namespace strait
            "with the same cut-off; the other columns of the theory are those without")
       .add([](const Step &step) { return step.theory->yielding->plastic; },
            "theory_plastic_area [1]: in contact at the hardness, likewise")
-      .when(with_theory)
+      .when({"with `Theory/Enabled`", scene.theory.enabled})
       .add(of_theory(&TheoryResult::leak_rate),
            "theory_leak_rate [length³/time]: Q of the effective medium in the same box; "
            "0 where it seals; see [theory.md](theory.md)")

@@ -34,22 +34,19 @@ namespace strait
     if (!near_threshold.empty())
       near_threshold.front().begins_anew = true;
     stops.insert(stops.end(), near_threshold.begin(), near_threshold.end());
-    return stops;
-  }
 
-  std::string
-  branch_of(const Scene &scene, const std::vector<LoadStop> &stops, std::size_t k)
-  {
-    bool       loading = scene.programme.path != LoadPath::unloading;
-    const bool matters =
+    const bool path_matters =
       scene.contact.has_memory() || scene.programme.path == LoadPath::cycle;
-    for (; matters && k > 0 && !stops[k].begins_anew; --k)
-      if (stops[k].target != stops[k - 1].target)
-        {
+    bool loads = upwards;
+    for (std::size_t k = 0; k < stops.size(); ++k)
+      {
+        if (stops[k].begins_anew)
+          loads = upwards;
+        else if (path_matters && k > 0 && stops[k].target != stops[k - 1].target)
           // Mean gaps fall while the load grows.
-          loading = (stops[k].target > stops[k - 1].target) == (scene.contact.loads());
-          break;
-        }
-    return loading ? "loading" : "unloading";
+          loads = (stops[k].target > stops[k - 1].target) == scene.contact.loads();
+        stops[k].branch = loads ? "loading" : "unloading";
+      }
+    return stops;
   }
 } // namespace strait

@@ -1,53 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/run/error_budget.h>
-#include <strait/run/flow_in_a_row.h>
 #include <strait/run/load_sweep.h>
 #include <strait/run/step_report.h>
 #include <strait/run/validity.h>
-#include <strait/seal/coupled_seal.h>
 #include <strait/seal/make_seal.h>
 
-#include <limits>
 #include <utility>
 
 namespace strait
 {
-  namespace
-  {
-    // Where the accuracy is that of the whole number: what the mesh may take of it. Half
-    // of it makes twice the cells, double of it leaves nothing to the gap.
-    constexpr double share_of_mesh = .5;
-
-    /** Of walls that the fluid has parted: nothing limits the leak. */
-    StepFlow
-    unlimited_flow(const std::size_t n_points)
-    {
-      StepFlow flow;
-      flow.channel.clusters.percolates = true;
-      flow.channel.clusters.states.assign(n_points, NodeState::percolating);
-      flow.leakage.rate = flow.leakage.upper = std::numeric_limits<double>::infinity();
-      return flow;
-    }
-  } // namespace
-
-  StepFlow
-  leak_through(const SealState &state, const Scene &scene, FlowStage &flow)
-  {
-    const double accuracy = scene.fluid.target_accuracy;
-    StepFlow     result =
-      state.fluid && state.fluid->lifted_off
-            ? unlimited_flow(state.gap().size())
-            : flow.solve(state.gap(),
-                     state.control.slip_length,
-                     scene.contact.zoom.enabled ? share_of_mesh
-                                                    : share_of_bracket(state, accuracy));
-    if (state.fluid && result.solution)
-      allow_for_feedback(result.leakage, *state.fluid, accuracy);
-    flow.warn_of_width(result.leakage);
-    return result;
-  }
-
   LoadSweep::LoadSweep(const Scene &scene_,
                        SlabField    heights,
                        Log         &log_,
@@ -128,7 +90,7 @@ namespace strait
       }
     // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
     // saddle at 0.229: start a little to the side that the scene names.
-    SearchStart start((unloads ? .28 : .2) * contact.pressure_scale(surface.rms_slope));
+    SearchStart start{(unloads ? .28 : .2) * contact.pressure_scale(surface.rms_slope)};
     if (contact.yields())
       start.end = contact.hardness;
     return start;
@@ -165,8 +127,8 @@ namespace strait
                       n_steps,
                       n_measured > 0 ? Timers::seconds_since(begin) / n_measured : 0.,
                       log);
-        step.branch = branch_of(scene, stops, next_stop);
-        if (!press(step, stops[next_stop]))
+        step.branch = stops[next_stop].branch;
+        if (!press(stops[next_stop]))
           {
             log.warn(
               format("the surfaces part under tension before the pressure %.6g: "
@@ -175,8 +137,8 @@ namespace strait
                      stops.size() - next_stop));
             break;
           }
-        leak(step);
-        judge(step, stops[next_stop]);
+        leak();
+        judge(stops[next_stop]);
         report_step(step, n_steps, log);
         ++next_stop;
         if (!consume(step))
@@ -189,15 +151,15 @@ namespace strait
   /** Follow the path to the next stop. Returns whether the surfaces are still together.
    */
   bool
-  LoadSweep::press(Step &step, const LoadStop &stop)
+  LoadSweep::press(const LoadStop &stop)
   {
     const Control control{stop.target, scene.fluid.inlet_pressure, stop.slip_length};
     const bool is_first = next_stop == 0 || stop.begins_anew || step.state.gap().empty();
     step.dissipated_energy = step.flow_seconds = 0.;
     if (!is_first && holds_under(control, step.state))
       {
-        step.state.control         = control; // another slip length
-        step.state.contact_seconds = 0.;
+        step.state.control               = control; // another slip length
+        step.state.costs.contact_seconds = 0.;
         return true;
       }
     // Windows shift the critical load a little, and indentations a lot: steps that are
@@ -226,7 +188,8 @@ namespace strait
       return false;
     step.state = std::move(*arrival.state);
     // Where the fluid presses on the walls most of its flow is solved on the way.
-    step.flow_seconds = Timers::seconds_since(start_time) - step.state.contact_seconds;
+    step.flow_seconds =
+      Timers::seconds_since(start_time) - step.state.costs.contact_seconds;
     if (!begins_where_search_ended())
       start.reset();
     return true;
@@ -234,7 +197,7 @@ namespace strait
 
   /** Find the channel that percolates and solve the flow in it. */
   void
-  LoadSweep::leak(Step &step)
+  LoadSweep::leak()
   {
     if (!flow)
       return;
@@ -250,18 +213,33 @@ namespace strait
 
   /** Say how sure the step is, and what theory makes of it. */
   void
-  LoadSweep::judge(Step &step, const LoadStop &stop)
+  LoadSweep::judge(const LoadStop &stop)
   {
-    compare_with_threshold(step);
-    compare_with_theory(step);
-    const Transition *counted_from =
-      stop.is_reduced ? threshold_of(thresholds, stop.slip_length) : nullptr;
+    const Transition *threshold = threshold_of(thresholds, stop.slip_length);
+    const double      pressure =
+      step.state.contact ? step.state.contact->nominal_pressure : 0.;
+    step.doubts.clear();
+    if (threshold != nullptr)
+      {
+        step.reduced_load = 1. - pressure / threshold->middle();
+        step.doubts       = doubts_near_threshold(step, *threshold, log);
+      }
+    if (theory)
+      {
+        const auto scope = timers.scope("theory");
+        step.theory =
+          theory->predict(pressure, stop.slip_length, &step.state.gap(), threshold);
+      }
     step.errors = StepErrors();
     if (step.flow && step.flow->solution)
       {
         const auto scope = timers.scope("errors");
-        step.errors =
-          assess_errors(step, counted_from, scene, surface.rms_height, *coarser);
+        step.errors      = assess_errors(step,
+                                    stop.is_reduced ? threshold : nullptr,
+                                    scene,
+                                    surface.rms_height,
+                                    *flow,
+                                    *coarser);
       }
     if (scene.contact.zoom.enabled && step.errors.sum() > scene.fluid.target_accuracy)
       step.doubts.emplace_back("inaccurate");
@@ -270,46 +248,13 @@ namespace strait
   }
 
   void
-  LoadSweep::compare_with_threshold(Step &step) const
-  {
-    step.doubts.clear();
-    const Transition *threshold =
-      threshold_of(thresholds, step.state.control.slip_length);
-    if (threshold == nullptr)
-      return;
-    step.reduced_load = 1. - step.state.contact->nominal_pressure / threshold->middle();
-    step.doubts       = doubts_near_threshold(step, *threshold, log);
-  }
-
-  void
-  LoadSweep::compare_with_theory(Step &step)
-  {
-    if (!theory)
-      return;
-    const auto   scope = timers.scope("theory");
-    const double slip  = step.state.control.slip_length;
-    step.theory =
-      theory->predict(step.state.contact ? step.state.contact->nominal_pressure : 0.,
-                      slip,
-                      &step.state.gap(),
-                      threshold_of(thresholds, slip));
-  }
-
-  void
   LoadSweep::transfer(StateArchive &archive)
   {
     strait::transfer(archive, thresholds);
-    auto n_steps_done = static_cast<long>(next_stop);
-    archive.value(n_steps_done);
-    next_stop = n_steps_done;
-    archive.value(converged);
+    archive.values(next_stop, converged);
     transfer_all(archive, all_jumps, [&](Jump &jump) {
       strait::transfer(archive, jump);
     });
-    bool searches = search != nullptr;
-    archive.value(searches);
-    if (!searches)
-      end_searches();
     if (search)
       search->transfer(archive);
     if (transfer_presence(archive, start))

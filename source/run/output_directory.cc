@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/build_info.h>
-#include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/json.h>
 #include <strait/run/disk_space.h>
 #include <strait/run/earlier_results.h>
-#include <strait/run/error_budget.h>
 #include <strait/run/field_output.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/scripts.h>
@@ -41,6 +39,23 @@ namespace strait
             result.set(column.name, in_units_of(column.unit, scene.units));
       return result;
     }
+
+    /** The errors of a step's leak rate. */
+    Json
+    error_record(const Step &step)
+    {
+      Json relative = Json::object();
+      for (const ErrorItem &item : step.errors.items)
+        relative.set(item.source, item.relative);
+      Json record = Json::object();
+      record.set("step", step.number).set("relative_errors", relative);
+      const ErrorItem &largest = step.errors.items.front();
+      record.set("largest", largest.source).set("reduced_by", largest.parameter);
+      if (step.errors.extrapolated)
+        record.set("contact_grid_order", *step.errors.grid_order)
+          .set("leak_rate_extrapolated", *step.errors.extrapolated);
+      return record;
+    }
   } // namespace
 
   OutputDirectory::OutputDirectory(const Scene &scene_,
@@ -55,17 +70,13 @@ namespace strait
     , constrictions(constriction_table(scene))
     , scaling(scene.programme.largest_fitted)
   {
+    begin_results(scene, comm, log, resumed);
     if (!resumed)
-      prepare_directory(path, comm);
-    log.attach_file(path + "/log.txt", resumed);
-    run_on_root(comm, [&]() {
-      write_text(path + "/parameters.prm", scene.resolved);
-      if (resumed)
-        return;
-      table.open(path + "/leakage.csv");
-      if (scene.programme.find_threshold)
-        constrictions.open(path + "/constrictions.csv");
-    });
+      run_on_root(comm, [&]() {
+        table.open(path + "/leakage.csv");
+        if (scene.programme.find_threshold)
+          constrictions.open(path + "/constrictions.csv");
+      });
   }
 
   void
@@ -95,34 +106,10 @@ namespace strait
   }
 
   void
-  OutputDirectory::write(const std::vector<Transition> &thresholds) const
-  {
-    run_on_root(comm, [&]() {
-      threshold_table(scene).write_rows(path + "/threshold.csv", thresholds);
-    });
-  }
-
-  void
-  OutputDirectory::write(const std::vector<BlowOut> &blow_outs) const
-  {
-    run_on_root(comm, [&]() {
-      blow_out_table(scene).write_rows(path + "/blow_out.csv", blow_outs);
-    });
-  }
-
-  void
-  OutputDirectory::write(const std::vector<Jump> &jumps) const
-  {
-    if (!jumps.empty())
-      run_on_root(comm,
-                  [&]() { jump_table(scene).write_rows(path + "/jumps.csv", jumps); });
-  }
-
-  void
   OutputDirectory::write(const Step &step, const bool is_last)
   {
     if (!step.errors.items.empty())
-      error_budget.push_back(to_json(step).text());
+      error_budget.push_back(error_record(step).text());
     validity.push_back(validity_record(step).text());
     add_words(words_of_status, step.status());
     add_words(words_of_validity, step.validity());
@@ -163,36 +150,16 @@ namespace strait
         summary.critical_load_upper = thresholds.front().upper;
         summary.contact_area        = thresholds.front().contact_area;
       }
-    if (const ExponentFit fit = scaling.leak_rate_fit(); fit.n_points > 1)
-      {
-        summary.exponent       = fit.exponent;
-        summary.exponent_error = fit.error;
-      }
-    summary.crossover        = scaling.crossover();
-    summary.theory_crossover = scaling.theory_crossover();
-    summary.status           = words_of_status;
-    add_words(summary.status, scaling.missing());
+    summary.status   = words_of_status;
     summary.validity = words_of_validity;
+    scaling.summarise(summary);
   }
 
   void
   OutputDirectory::finish(const Timers &timers, const double bytes_per_point)
   {
     if (scene.programme.find_threshold)
-      {
-        const std::vector<FitRow> fits = scaling.fits(log);
-        run_on_root(comm,
-                    [&]() { fit_table(scene).write_rows(path + "/fit.csv", fits); });
-      }
-    run_on_root(comm, [&]() {
-      write_record(timers, bytes_per_point);
-      draw_results(scene, log);
-    });
-  }
-
-  void
-  OutputDirectory::write_record(const Timers &timers, const double bytes_per_point) const
-  {
+      write_table(fit_table(scene), scaling.fits(log));
     Json seconds = Json::object();
     for (const Timers::Part &part : timers.table())
       seconds.set(part.path, part.seconds);
@@ -219,6 +186,9 @@ namespace strait
     if (scene.units.are_complete())
       record.set("units", units_of_plots(scene.units))
         .set("column_units", units_of_columns(scene));
-    write_text(path + "/run.json", record.text());
+    run_on_root(comm, [&]() {
+      write_text(path + "/run.json", record.text());
+      draw_results(scene, log);
+    });
   }
 } // namespace strait

@@ -21,40 +21,28 @@ namespace strait
     // files four times as large.
     constexpr int most_points = 1024;
 
-    /** Every stride-th grid point in both directions, from (0, 0) on. */
-    struct Raster
+    /** In both directions every so many grid points are shown, from (0, 0) on. */
+    int
+    stride_on(const PeriodicGrid &grid)
     {
-      explicit Raster(const PeriodicGrid &grid)
-        : stride((std::max(grid.nx, grid.ny) + most_points - 1) / most_points)
-        , nx((grid.nx + stride - 1) / stride)
-        , ny((grid.ny + stride - 1) / stride)
-      {
-      }
+      return (std::max(grid.nx, grid.ny) + most_points - 1) / most_points;
+    }
 
-      std::size_t
-      n_points() const
-      {
-        return static_cast<std::size_t>(nx) * ny;
-      }
-
-      int stride, nx, ny;
-    };
-
-    /** @p local, one value a local grid point, on the raster of rank 0. */
+    /** @p local, one value a local grid point, where it is shown, on rank 0. */
     std::vector<float>
-    thin_out(const SlabLayout &layout, const double *local, const Raster &raster)
+    thin_out(const SlabLayout &layout, const double *local)
     {
+      const int        nx     = layout.grid().nx;
+      const int        stride = stride_on(layout.grid());
       std::vector<int> rows;
       if (layout.rank() == 0)
-        for (int k = 0; k < raster.ny; ++k)
-          rows.push_back(k * raster.stride);
-      const int  nx    = layout.grid().nx;
-      const auto whole = fetch_rows(layout, local, nx, rows);
-
+        for (int row = 0; row < layout.grid().ny; row += stride)
+          rows.push_back(row);
+      const auto         whole = fetch_rows(layout, local, nx, rows);
       std::vector<float> result;
       for (std::size_t k = 0; k < rows.size(); ++k)
-        for (int i = 0; i < raster.nx; ++i)
-          result.push_back(static_cast<float>(whole[k * nx + i * raster.stride]));
+        for (int ix = 0; ix < nx; ix += stride)
+          result.push_back(static_cast<float>(whole[k * nx + ix]));
       return result;
     }
 
@@ -80,23 +68,23 @@ namespace strait
 
     /** The fields of a picture by their names. Collective; complete on rank 0. */
     std::map<std::string, std::vector<float>>
-    collect(const Step &step, const Raster &raster)
+    collect(const Step &step)
     {
       constexpr float   none   = std::numeric_limits<float>::quiet_NaN();
       const SlabLayout &layout = step.state.gap().layout();
-      const auto        open   = thin_out(layout, openness(step).data(), raster);
+      const auto        open   = thin_out(layout, openness(step).data());
 
       std::map<std::string, std::vector<float>> fields;
-      fields["gap"]  = thin_out(layout, step.state.gap().data(), raster);
+      fields["gap"]  = thin_out(layout, step.state.gap().data());
       fields["open"] = open;
       if (step.state.contact)
-        fields["pressure"] =
-          thin_out(layout, step.state.contact->pressure.data(), raster);
+        fields["pressure"] = thin_out(layout, step.state.contact->pressure.data());
       if (!step.flow || !step.flow->solution)
         return fields;
 
       const FlowAtPoints flow =
-        flow_at_points(*step.flow->solution, rows_of_grid(layout.grid(), raster.stride));
+        flow_at_points(*step.flow->solution,
+                       rows_of_grid(layout.grid(), stride_on(layout.grid())));
       const double        leak           = std::abs(step.flow->leakage.rate);
       std::vector<float> &fluid_pressure = fields["fluid_pressure"];
       std::vector<float> &current        = fields["current"];
@@ -117,10 +105,7 @@ namespace strait
                   const std::size_t         n_columns,
                   const std::vector<float> &values)
     {
-      file
-        .create_dataset<float>(name,
-                               {static_cast<hsize_t>(values.size() / n_columns),
-                                static_cast<hsize_t>(n_columns)})
+      file.create_dataset<float>(name, {values.size() / n_columns, n_columns})
         .write(values);
     }
 
@@ -206,16 +191,17 @@ namespace strait
                      const Step            &step,
                      const FluidParameters &fluid)
   {
-    const Raster      raster(step.state.gap().grid());
-    const auto        fields = collect(step, raster);
-    MPI_Comm          comm   = step.state.gap().layout().communicator();
-    const std::string path =
+    const auto          fields    = collect(step);
+    const PeriodicGrid &grid      = step.state.gap().grid();
+    const int           n_columns = (grid.nx - 1) / stride_on(grid) + 1;
+    MPI_Comm            comm      = step.state.gap().layout().communicator();
+    const std::string   path =
       directory + "/picture-" + std::to_string(step.number) + ".h5";
-    require_space(path, fields.size() * raster.n_points() * sizeof(float), comm);
+    require_space(path, fields.size() * fields.at("gap").size() * sizeof(float), comm);
     run_on_root(comm, [&]() {
       dealii::HDF5::File file(path, dealii::HDF5::File::FileAccessMode::create);
       for (const auto &[name, values] : fields)
-        write_dataset(file, name, raster.nx, values);
+        write_dataset(file, name, n_columns, values);
       write_outline(file, step);
       write_window(file, step);
       write_attributes(file, step, fluid);

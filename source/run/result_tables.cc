@@ -2,9 +2,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 #include <strait/base/units.h>
-#include <strait/run/ensemble_tables.h>
 #include <strait/run/result_tables.h>
-#include <strait/surface/resolution.h>
 
 #include <cmath>
 #include <ostream>
@@ -17,12 +15,6 @@ namespace strait
     with_threshold(const Scene &scene)
     {
       return {"with `Load programme/Find threshold`", scene.programme.find_threshold};
-    }
-
-    Condition
-    with_adhesion(const Scene &scene)
-    {
-      return {"with adhesion", scene.contact.enabled && scene.contact.adhesion.enabled};
     }
 
     /** Entries of the report on a step's constrictions, and of the throat in it. */
@@ -157,9 +149,7 @@ namespace strait
   Table<Jump>
   jump_table(const Scene &scene)
   {
-    const auto before = [](double PathPoint::*value) {
-      return [value](const Jump &jump) { return jump.before.*value; };
-    };
+    const auto before = values_of(&Jump::before);
     // After a pull-off there is no state.
     const auto after = [](double PathPoint::*value) {
       return [value](const Jump &jump) {
@@ -167,7 +157,8 @@ namespace strait
       };
     };
     Table<Jump> table("jumps.csv",
-                      with_adhesion(scene),
+                      {"with adhesion",
+                       scene.contact.enabled && scene.contact.adhesion.enabled},
                       "One row for each discontinuity on the way from load to load, "
                       "between the last state before and the first one after.");
     table
@@ -243,8 +234,8 @@ namespace strait
             relaxation_table(scene).info(),
             ensemble_table(scene).info(),
             ensemble_summary_table(scene).info(),
-            seal_table(scene).info(),
-            seal_load_table(scene).info(),
+            seal_table(scene),
+            seal_load_table(scene),
             spectrum_table(scene).info()};
   }
 

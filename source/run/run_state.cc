@@ -12,13 +12,6 @@ namespace strait
   namespace
   {
     void
-    transfer_summary(StateArchive &archive, RunSummary &summary)
-    {
-      std::apply([&archive](auto &...members) { archive.values(members...); },
-                 summary.members());
-    }
-
-    void
     transfer_parts(StateArchive    &archive,
                    LoadSweep       &sweep,
                    OutputDirectory &output,
@@ -40,17 +33,25 @@ namespace strait
   {
     if (!resume)
       return;
-    archive = std::make_unique<CheckpointReader>(path, comm);
-    std::string earlier;
-    archive->value(earlier);
-    const std::string difference = difference_of_scenes(earlier, scene.resolved);
+    archive = std::make_unique<Checkpoint>(path, comm, Checkpoint::Access::read);
+    transfer(*archive);
+  }
+
+  /** The scene, and what is known before there is a sweep or once it has ended. */
+  void
+  RunState::transfer(StateArchive &file)
+  {
+    std::string resolved = scene.resolved;
+    file.value(resolved);
+    const std::string difference =
+      file.is_reading() ? difference_of_scenes(resolved, scene.resolved) : "";
     if (!difference.empty())
       throw InputError("The run in '" + scene.output.directory + "' had " + difference +
                        "; restore the scene to resume, or begin anew in another folder.");
-    if (transfer_presence(*archive, left))
-      transfer_summary(*archive, *left);
+    if (transfer_presence(file, left))
+      std::apply([&file](auto &...members) { file.values(members...); }, left->members());
     else
-      archive->values(surface, surface_energy, has_searched);
+      file.values(surface, surface_energy, has_searched);
   }
 
   void
@@ -74,6 +75,8 @@ namespace strait
   void
   RunState::restore(LoadSweep &sweep, OutputDirectory &output, Log &log)
   {
+    if (has_searched)
+      sweep.end_searches();
     transfer_parts(*archive, sweep, output, log);
   }
 
@@ -82,25 +85,20 @@ namespace strait
   {
     if (!scene.output.checkpoint)
       return;
-    CheckpointWriter writer(path, comm);
-    std::string      resolved = scene.resolved;
-    bool             at_end   = false;
-    writer.values(resolved, at_end, surface, surface_energy, has_searched);
+    Checkpoint writer(path, comm, Checkpoint::Access::write);
+    transfer(writer);
     transfer_parts(writer, sweep, output, log);
     writer.commit();
   }
 
   void
-  RunState::save_end(const RunSummary &summary) const
+  RunState::save_end(const RunSummary &summary)
   {
+    left = summary;
     if (!scene.output.checkpoint)
       return;
-    CheckpointWriter writer(path, comm);
-    std::string      resolved = scene.resolved;
-    bool             at_end   = true;
-    RunSummary       result   = summary;
-    writer.values(resolved, at_end);
-    transfer_summary(writer, result);
+    Checkpoint writer(path, comm, Checkpoint::Access::write);
+    transfer(writer);
     writer.commit();
   }
 } // namespace strait

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
+#include <strait/run/run_summary.h>
 #include <strait/run/scaling.h>
 #include <strait/run/step.h>
 #include <strait/spectral/state_archive.h>
@@ -16,15 +17,10 @@ namespace strait
   {
     if (!step.reduced_load || !(*step.reduced_load > 0))
       return;
-    Sample sample{step.state.control.slip_length,
-                  *step.reduced_load,
-                  step.status(),
-                  std::any_of(step.checks.begin(),
-                              step.checks.end(),
-                              [](const ValidityCheck &check) {
-                                return check.word == "coarse-throat" && !check.holds();
-                              }),
-                  {}};
+    Sample sample{step.state.control.slip_length, *step.reduced_load, step.status()};
+    for (const ValidityCheck &check : step.checks)
+      if (check.word == "coarse-throat")
+        sample.is_coarse = !check.holds();
     if (step.flow && step.flow->constrictions && step.converged())
       {
         const Throat &throat         = step.flow->constrictions->throat;
@@ -51,14 +47,6 @@ namespace strait
     });
   }
 
-  bool
-  Scaling::serves(const Sample &sample, const Quantity quantity, const Trust trust)
-  {
-    return sample.values[quantity] > 0 &&
-           !(trust == Trust::doubtless && sample.status != "ok") &&
-           !(trust == Trust::resolved && sample.is_coarse);
-  }
-
   std::vector<ScalingPoint>
   Scaling::series(const Quantity quantity,
                   const double   slip_length,
@@ -66,9 +54,19 @@ namespace strait
   {
     std::vector<ScalingPoint> points;
     for (const Sample &sample : samples)
-      if (sample.slip_length == slip_length && serves(sample, quantity, trust))
+      if (sample.slip_length == slip_length && sample.serves(quantity, trust))
         points.push_back({sample.reduced_load, sample.values[quantity], sample.status});
     return points;
+  }
+
+  std::vector<ScalingPoint>
+  Scaling::at_smallest_slip(const Quantity quantity, const Trust trust) const
+  {
+    double slip_length = std::nan("");
+    for (const Sample &sample : samples)
+      if (sample.values[quantity] > 0)
+        slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
+    return series(quantity, slip_length, trust);
   }
 
   std::array<Scaling::Supply, 2>
@@ -86,24 +84,15 @@ namespace strait
             supply.window.contains(sample.reduced_load))
           {
             ++supply.n_steps;
-            if (serves(sample, leak_rate, supply.trust))
+            if (sample.serves(leak_rate, supply.trust))
               ++supply.n_used;
-            else if (supply.trust == Trust::resolved && sample.is_coarse)
-              add_words(supply.status_of_others, "coarse-throat");
             else
-              add_words(supply.status_of_others, sample.status);
+              add_words(supply.status_of_others,
+                        supply.trust == Trust::resolved && sample.is_coarse
+                          ? "coarse-throat"
+                          : sample.status);
           }
     return result;
-  }
-
-  std::string
-  Scaling::missing() const
-  {
-    std::string words = "ok";
-    for (const Supply &supply : supplies())
-      if (supply.is_short())
-        add_words(words, supply.word);
-    return words;
   }
 
   void
@@ -123,35 +112,23 @@ namespace strait
                         supply.status_of_others.c_str()));
   }
 
-  double
-  Scaling::smallest_slip(const Quantity quantity) const
+  void
+  Scaling::summarise(RunSummary &summary) const
   {
-    double slip_length = std::nan("");
-    for (const Sample &sample : samples)
-      if (sample.values[quantity] > 0)
-        slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
-    return slip_length;
-  }
-
-  ExponentFit
-  Scaling::leak_rate_fit() const
-  {
-    return fit_exponent(series(leak_rate, smallest_slip(leak_rate), Trust::doubtless),
-                        largest);
-  }
-
-  double
-  Scaling::crossover() const
-  {
-    return crossover_reduced_load(
-      series(leak_rate, smallest_slip(leak_rate), Trust::resolved));
-  }
-
-  double
-  Scaling::theory_crossover() const
-  {
-    return crossover_reduced_load(
-      series(theory_leak_rate, smallest_slip(theory_leak_rate), Trust::resolved));
+    const ExponentFit fit =
+      fit_exponent(at_smallest_slip(leak_rate, Trust::doubtless), largest);
+    if (fit.n_points > 1)
+      {
+        summary.exponent       = fit.exponent;
+        summary.exponent_error = fit.error;
+      }
+    summary.crossover =
+      crossover_reduced_load(at_smallest_slip(leak_rate, Trust::resolved));
+    summary.theory_crossover =
+      crossover_reduced_load(at_smallest_slip(theory_leak_rate, Trust::resolved));
+    for (const Supply &supply : supplies())
+      if (supply.is_short())
+        add_words(summary.status, supply.word);
   }
 
   namespace

@@ -5,7 +5,6 @@
 #include <strait/base/timers.h>
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/flow/seal_mesh.h>
-#include <strait/run/cost_prediction.h>
 #include <strait/run/guards.h>
 #include <strait/run/load_sweep.h>
 #include <strait/run/output_directory.h>
@@ -24,20 +23,6 @@ namespace strait
 {
   namespace
   {
-    void
-    report_sizes(const Scene &scene, MPI_Comm comm, Log &log)
-    {
-      const PeriodicGrid grid    = grid_of(scene);
-      const int          n_ranks = n_ranks_in(comm);
-      log.line(format("grid %d × %d on a box of %.6g × %.6g, %d %s",
-                      grid.nx,
-                      grid.ny,
-                      grid.lx,
-                      grid.ly,
-                      n_ranks,
-                      n_ranks == 1 ? "rank" : "ranks"));
-    }
-
     /** A mesh can only be as coarse as the grid can be halved. */
     void
     warn_of_odd_grid(const Scene &scene, Log &log)
@@ -67,7 +52,14 @@ namespace strait
       for (const std::string &warning : check_resolution(scene.surface, grid))
         log.warn(warning);
       warn_of_odd_grid(scene, log);
-      report_sizes(scene, comm, log);
+      const int n_ranks = n_ranks_in(comm);
+      log.line(format("grid %d × %d on a box of %.6g × %.6g, %d %s",
+                      grid.nx,
+                      grid.ny,
+                      grid.lx,
+                      grid.ly,
+                      n_ranks,
+                      n_ranks == 1 ? "rank" : "ranks"));
       if (!scene.contact.young_moduli.empty())
         log.line(format("contact modulus E* = %.6g", scene.contact.effective_modulus) +
                  (scene.units.pressure.empty() ? "" : " " + scene.units.pressure));
@@ -120,16 +112,6 @@ namespace strait
                       AdhesionScale(contact, heights).resolution(law)));
     }
 
-    /** Realisations that would run beside each other, each with a grid of its own. */
-    int
-    n_at_a_time(const RealisationParameters &realisations)
-    {
-      return realisations.ranks_each.empty()
-               ? 1
-               : std::max(1,
-                          n_ranks_in(MPI_COMM_WORLD) / realisations.ranks_each.front());
-    }
-
     /** Thrown where a search is left because a signal asks for it. */
     struct StoppedInSearch
     {
@@ -152,9 +134,9 @@ namespace strait
           throw StoppedInSearch();
       });
       if (scene.programme.find_threshold)
-        output.write(sweep.find_thresholds());
+        output.write_table(threshold_table(scene), sweep.find_thresholds());
       if (scene.programme.find_blow_out)
-        output.write(sweep.find_blow_outs());
+        output.write_table(blow_out_table(scene), sweep.find_blow_outs());
       state.has_searched = true;
       sweep.end_searches();
       if (scene.programme.find_threshold || scene.programme.find_blow_out)
@@ -212,9 +194,9 @@ namespace strait
       {
         summary.stopped = true;
       }
-    const auto save = [&]() {
-      const auto scope = timers.scope("checkpoint");
-      state.save(sweep, output, log);
+    const auto write_jumps = [&]() {
+      if (!sweep.jumps().empty())
+        output.write_table(jump_table(scene), sweep.jumps());
     };
     const int  n_steps          = sweep.n_steps();
     const auto is_asked_to_stop = [&]() {
@@ -226,15 +208,18 @@ namespace strait
         {
           const auto scope = timers.scope("output");
           output.write(step, step.number == n_steps);
-          output.write(sweep.jumps());
+          write_jumps();
         }
-        save();
+        {
+          const auto scope = timers.scope("checkpoint");
+          state.save(sweep, output, log);
+        }
         summary.stopped = is_asked_to_stop();
         return !summary.stopped;
       });
     if (!summary.stopped && sweep.state().contact)
       write_indented_surface(scene, shown, *sweep.state().contact);
-    output.write(sweep.jumps());
+    write_jumps();
     log.line(timers.summary());
     log.stage("tables and pictures");
     output.finish(timers, most_memory(comm) / n_points);
@@ -257,7 +242,10 @@ namespace strait
     const SlabField heights = make_heights(scene, MPI_COMM_WORLD, log);
     describe_adhesion(scene.contact, heights, log);
     describe_mesh(scene, log);
-    const int n_grids = n_at_a_time(scene.realisations);
+    // Realisations that would run beside each other have a grid each.
+    const std::vector<int> &each    = scene.realisations.ranks_each;
+    const int               n_ranks = n_ranks_in(MPI_COMM_WORLD);
+    const int n_grids = each.empty() ? 1 : std::max(1, n_ranks / each.front());
     log.line(format(
       "memory for the grid, without the mesh: about %.3g of %.3g GB that are free; contact "
       "%s, fluid %s; %zu steps",
@@ -274,8 +262,7 @@ namespace strait
                std::to_string(scene.programme.reduced_loads.size() *
                               scene.fluid.slip_lengths.size()) +
                " steps near it");
-    for (const std::string &line :
-         CostPrediction(scene, statistics(heights).rms_slope).lines())
+    for (const std::string &line : predict_cost(scene, statistics(heights).rms_slope))
       log.line(line);
     if (scene.realisations.enabled())
       log.line(

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
-#include <strait/run/error_budget.h>
 #include <strait/run/step_report.h>
 
 #include <cmath>
@@ -15,6 +14,22 @@ namespace strait
       return seconds < 100.    ? format("%.0f s", seconds)
              : seconds < 6000. ? format("%.0f min", seconds / 60.)
                                : format("%.1f h", seconds / 3600.);
+    }
+
+    /** The largest error of a leak rate, and what would reduce it. */
+    std::string
+    largest_of(const StepErrors &errors)
+    {
+      const ErrorItem &largest = errors.items.front();
+      std::string      text = format("  largest error of the leak rate: %s, %.2g %% (%s)",
+                                largest.source.c_str(),
+                                100. * largest.relative,
+                                largest.parameter.c_str());
+      if (errors.extrapolated)
+        text += format("; order in the grid %.2f, extrapolated leak rate %.5g",
+                       *errors.grid_order,
+                       *errors.extrapolated);
+      return text;
     }
   } // namespace
 
@@ -38,8 +53,8 @@ namespace strait
                step.state.contact->nominal_pressure,
                100. * step.state.contact->contact_area,
                step.state.contact->residual,
-               step.state.contact->fft_pairs,
-               step.state.contact_seconds);
+               step.state.costs.fft_pairs,
+               step.state.costs.contact_seconds);
     if (step.state.contact && step.state.contact->plasticity)
       text += format("; %.3f %% flows", 100. * step.state.contact->plasticity->area);
     if (step.flow && std::isinf(step.flow->leakage.rate))
@@ -67,6 +82,6 @@ namespace strait
       text += "; validity: " + step.validity();
     log.line(text);
     if (!step.errors.items.empty())
-      log.line(describe_errors(step.errors));
+      log.line(largest_of(step.errors));
   }
 } // namespace strait

@@ -16,16 +16,6 @@ namespace strait
   namespace
   {
     void
-    report_resolution(const Scene &scene, const PeriodicGrid &grid, Log &log)
-    {
-      log.line(
-        format("resolution: λs/a = %.4g, λr/λs = %.4g, L/λr = %.4g",
-               scene.surface.short_cut_off_wavelength / std::max(grid.dx(), grid.dy()),
-               scene.surface.roll_off_wavelength / scene.surface.short_cut_off_wavelength,
-               std::min(grid.lx, grid.ly) / scene.surface.roll_off_wavelength));
-    }
-
-    void
     report_spectrum(const SlabField &heights, Log &log)
     {
       const auto fit = fit_self_affine(radial_spectrum(heights));
@@ -81,8 +71,13 @@ namespace strait
     const std::string doubt = implausible_slope(scene, surface.rms_slope);
     if (!doubt.empty())
       log.warn(doubt);
+    const PeriodicGrid &grid = heights.grid();
     if (scene.surface.kind == SurfaceKind::self_affine)
-      report_resolution(scene, heights.grid(), log);
+      log.line(
+        format("resolution: λs/a = %.4g, λr/λs = %.4g, L/λr = %.4g",
+               scene.surface.short_cut_off_wavelength / std::max(grid.dx(), grid.dy()),
+               scene.surface.roll_off_wavelength / scene.surface.short_cut_off_wavelength,
+               std::min(grid.lx, grid.ly) / scene.surface.roll_off_wavelength));
     if (scene.surface.kind == SurfaceKind::file || scene.output.surface_spectrum)
       report_spectrum(heights, log);
   }

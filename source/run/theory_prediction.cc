@@ -4,14 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace strait
 {
   namespace
   {
-    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
     // Below the largest gap. Simulated gaps near a contact line fall on any scale down to
     // none, but those beyond half of it conduct nothing already; double of it only adds
     // empty bins.
@@ -80,7 +77,7 @@ namespace strait
     result.error              = relative_difference(result.leak_rate, other.leak_rate);
     if (hardness > 0)
       result.yielding = pressure > 0 ? persson.contact_areas(pressure, hardness)
-                                     : YieldingAreas{not_a_number, not_a_number};
+                                     : YieldingAreas{std::nan(""), std::nan("")};
     if (pressure > 0)
       result.error =
         std::max(result.error, relative_difference(result.mean_gap, other.mean_gap));
@@ -101,7 +98,7 @@ namespace strait
   {
     TheoryResult result;
     result.pressure     = pressure;
-    result.contact_area = result.mean_gap = result.leak_rate = not_a_number;
+    result.contact_area = result.mean_gap = result.leak_rate = std::nan("");
     GapDistribution gaps;
     if (pressure > 0)
       {

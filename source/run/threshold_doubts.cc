@@ -16,25 +16,6 @@ namespace strait
     // there it changes ε, and by that the leak rate's slope, by a twentieth. With half of
     // it a tenth would pass, with double of it a fortieth would be doubted.
     constexpr double load_errors_needed = 20.;
-
-    /** @p points_along the throat, not a number where it is no saddle. */
-    std::string
-    warning_of_throat(const double reduced_load, const double points_along)
-    {
-      if (std::isnan(points_along))
-        return format(
-          "at a reduced load of %.3g the narrowest point is no saddle of the "
-          "gap, as on the boundary of a mesh: how well the grid resolves it "
-          "cannot be told",
-          reduced_load);
-      return format(
-        "at a reduced load of %.3g the throat has %.2g grid points along it, "
-        "%.0f are needed: a grid finer by a factor of %.2g would do",
-        reduced_load,
-        points_along,
-        points_needed,
-        points_needed / points_along);
-    }
   } // namespace
 
   std::vector<std::string>
@@ -59,7 +40,18 @@ namespace strait
     if (!(points_along >= points_needed))
       {
         doubts.emplace_back("unresolved-throat");
-        log.warn(warning_of_throat(reduced, points_along));
+        log.warn(
+          std::isnan(points_along)
+            ? format("at a reduced load of %.3g the narrowest point is no saddle of the "
+                     "gap, as on the boundary of a mesh: how well the grid resolves it "
+                     "cannot be told",
+                     reduced)
+            : format("at a reduced load of %.3g the throat has %.2g grid points along "
+                     "it, %.0f are needed: a grid finer by a factor of %.2g would do",
+                     reduced,
+                     points_along,
+                     points_needed,
+                     points_needed / points_along));
       }
     return doubts;
   }

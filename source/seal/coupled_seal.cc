@@ -51,7 +51,6 @@ namespace strait
     void          agree(FeedbackGoal goal);
     FeedbackRound round(const SlabField &assumed);
     void          lift_off();
-    double        largest_pressure() const;
 
     CoupledSeal        &seal;
     const Control       control;
@@ -61,8 +60,6 @@ namespace strait
     WallFeedback        feedback;
     FluidOnWall         on_wall;
     FeedbackResult      last_result;
-    int                 n_iterations = 0;
-    long                fft_pairs    = 0;
   };
 
   CoupledSeal::CoupledSeal(const Scene                  &scene_,
@@ -130,11 +127,9 @@ namespace strait
     // is what contact and flow leave over that counts. Half of it takes a few rounds
     // more, double of it blurs the tightest thresholds that can be asked for.
     constexpr double least = 1e-5;
-    FeedbackGoal     goal{
-      std::min(seal.scene.fluid.feedback.tolerance,
-               std::max(looseness * seal.scene.programme.threshold_tolerance, least))};
-    goal.leak_rate = false;
-    agree(goal);
+    const double     share = looseness * seal.scene.programme.threshold_tolerance;
+    agree({std::min(seal.scene.fluid.feedback.tolerance, std::max(share, least)),
+           std::numeric_limits<double>::infinity()});
   }
 
   /**
@@ -157,7 +152,8 @@ namespace strait
     const double target_accuracy = flow.fluid().target_accuracy;
     const double tolerance       = seal.scene.fluid.feedback.tolerance;
     FluidState  &fluid           = *state.fluid;
-    FeedbackGoal goal{std::max(tolerance, looseness * target_accuracy)};
+    const double loosely         = std::max(tolerance, looseness * target_accuracy);
+    FeedbackGoal goal{loosely, loosely};
     double       share = mesh_share;
 
     std::optional<double> leak_before;
@@ -181,7 +177,7 @@ namespace strait
             const Leakage &now = certify();
             fluid.mesh_error   = std::max({std::abs(*leak_before / now.rate - 1.),
                                            .5 * now.relative_width(),
-                                           goal.tolerance});
+                                           loosely});
             stays              = fluid.mesh_error <= another_state;
             const bool is_narrow =
               now.relative_width() + 2. * fluid.mesh_error <= target_accuracy;
@@ -213,7 +209,9 @@ namespace strait
     constexpr int most_meetings = 4;
     if (on_wall.is_limited_by_load())
       goal.largest_mean = control.target;
-    FluidState &fluid = *state.fluid;
+    const double largest_pressure = std::max(std::abs(flow.fluid().inlet_pressure),
+                                             std::abs(flow.fluid().outlet_pressure));
+    FluidState  &fluid            = *state.fluid;
     try
       {
         bool meet = true;
@@ -221,34 +219,24 @@ namespace strait
           {
             last_result =
               feedback.solve([&](const SlabField &assumed) { return round(assumed); },
-                             largest_pressure(),
+                             largest_pressure > 0 ? largest_pressure : 1.,
                              goal);
             meet = on_wall.settle(*state.contact, fluid_flow, feedback.pressure()) &&
                    last_result.converged;
             goal.goes_on = false;
           }
-        last_result.converged     = last_result.converged && !meet;
-        fluid.trapped             = on_wall.trapped();
-        fluid.converged           = last_result.converged;
-        fluid.undecided           = last_result.undecided;
-        fluid.open_share          = last_result.open_share;
-        fluid.load                = mean(feedback.pressure());
-        state.contact->iterations = n_iterations;
-        state.contact->fft_pairs  = fft_pairs;
+        last_result.converged = last_result.converged && !meet;
+        fluid.trapped         = on_wall.trapped();
+        fluid.converged       = last_result.converged;
+        fluid.undecided       = last_result.undecided;
+        fluid.open_share      = last_result.open_share;
+        fluid.load            = mean(feedback.pressure());
       }
     catch (const LiftedOff &)
       {
         lift_off();
       }
     fluid.pressure = feedback.pressure();
-  }
-
-  double
-  CoupledSeal::Iteration::largest_pressure() const
-  {
-    const double largest = std::max(std::abs(flow.fluid().inlet_pressure),
-                                    std::abs(flow.fluid().outlet_pressure));
-    return largest > 0 ? largest : 1.;
   }
 
   FeedbackRound
@@ -263,10 +251,10 @@ namespace strait
     state.contact  = std::move(next);
     near           = &*state.contact;
     state.mean_gap = state.contact->mean_gap;
-    state.contact_seconds += Timers::seconds_since(start);
-    ++state.fluid->rounds;
-    n_iterations += state.contact->iterations;
-    fft_pairs += state.contact->fft_pairs;
+    state.costs += {state.contact->iterations,
+                    state.contact->fft_pairs,
+                    1,
+                    Timers::seconds_since(start)};
 
     flow.follow(fluid_flow, state.contact->gap, control.slip_length, mesh_share);
 
@@ -292,7 +280,10 @@ namespace strait
     if (seal.scene.contact.adhesion.enabled)
       contact.adhesion.emplace();
     contact.mean_gap = state.mean_gap = infinite;
-    state.fluid->lifted_off           = true;
+    // The contact that was sought until then is none of this state.
+    state.costs.iterations  = 0;
+    state.costs.fft_pairs   = 0;
+    state.fluid->lifted_off = true;
     state.fluid->trapped.reset();
     state.fluid->converged = false;
     state.fluid->load      = control.target;

@@ -128,16 +128,4 @@ namespace strait
     has_last = false;
     damping = most_damping = 1.;
   }
-
-  void
-  FixedPoint::relax(const double new_relaxation)
-  {
-    share = new_relaxation;
-  }
-
-  void
-  FixedPoint::damp(const double factor)
-  {
-    most_damping = std::min(1., factor * most_damping);
-  }
 } // namespace strait

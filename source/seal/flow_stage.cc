@@ -30,17 +30,6 @@ namespace strait
     // that are too coarse for it, and keeps more cells that no longer matter.
     constexpr double another_gap = 2.;
 
-    /** Show how far the bracket of the leak rate is, as progress. */
-    void
-    report_flow(const Leakage &leakage, Log &log)
-    {
-      log.progress(format("  flow: mesh %u, %llu cells, leak rate between %.4g and %.4g",
-                          leakage.refinements + 1,
-                          leakage.cells,
-                          leakage.lower,
-                          leakage.upper));
-    }
-
     /** Collective. */
     double
     value_at(const SlabField &field, const GridPoint &point)
@@ -111,18 +100,24 @@ namespace strait
                    const double     slip_length,
                    const double     tolerance_factor)
   {
-    return solve(find_channel(gap, slip_length), tolerance_factor);
-  }
-
-  StepFlow
-  FlowStage::solve(Channel channel, const double tolerance_factor)
-  {
     StepFlow flow;
     flow.seal    = seal.get();
-    flow.channel = std::move(channel);
+    flow.channel = find_channel(gap, slip_length);
     if (!flow.channel.paths.empty())
       mesh_and_bracket(flow, tolerance_factor, ReynoldsSolver::unlimited);
     return flow;
+  }
+
+  double
+  FlowStage::change_by_interpolation(const StepFlow &flow) const
+  {
+    FluidParameters other = parameters;
+    other.interpolation   = parameters.interpolation == GapInterpolation::monotone_cubic
+                              ? GapInterpolation::bilinear
+                              : GapInterpolation::monotone_cubic;
+    GapField bridge(flow.channel.gap.layout_pointer(), other);
+    fill(bridge, flow.channel, false);
+    return flow.solution->change_in(bridge);
   }
 
   void
@@ -148,7 +143,7 @@ namespace strait
         mesh_and_bracket(flow, tolerance_factor, most_on_the_way);
         return;
       }
-    update_bridge(channel, false);
+    fill(gap_field, channel, false);
     const auto scope   = timers.scope("mesh and solver");
     flow.leakage.upper = flow.solution->solve_pressure();
   }
@@ -162,7 +157,7 @@ namespace strait
       mesh_and_bracket(flow, tolerance_factor, ReynoldsSolver::unlimited);
     else
       {
-        update_bridge(flow.channel, true);
+        fill(gap_field, flow.channel, true);
         bracket(flow, tolerance_factor, ReynoldsSolver::unlimited);
       }
   }
@@ -171,8 +166,9 @@ namespace strait
   Channel
   FlowStage::find_channel(const SlabField &gap, const double slip_length)
   {
-    const auto scope = timers.scope("channel");
-    return make_channel(gap, slip_length, flow_domain, has_drive() ? 1 : 0);
+    const auto scope     = timers.scope("channel");
+    const bool has_drive = parameters.inlet_pressure != parameters.outlet_pressure;
+    return make_channel(gap, slip_length, flow_domain, has_drive ? 1 : 0);
   }
 
   void
@@ -180,7 +176,7 @@ namespace strait
                               const double             tolerance_factor,
                               const unsigned long long most_unknowns)
   {
-    update_bridge(flow.channel, true);
+    fill(gap_field, flow.channel, true);
     {
       const auto scope = timers.scope("mesh and solver");
       flow.solution.reset();
@@ -192,13 +188,12 @@ namespace strait
   }
 
   void
-  FlowStage::update_bridge(const Channel &channel, const bool with_bounds)
+  FlowStage::fill(GapField &bridge, const Channel &channel, const bool with_bounds) const
   {
     const auto scope = timers.scope("bridge");
-    gap_field.take_gas(make_rarefied_flow(parameters, channel.paths.front()));
-    const double narrowest =
-      gap_field.conductivity_of(channel.paths.front().bottleneck_gap);
-    gap_field.update(channel.gap, with_bounds ? floor_fraction * narrowest : 0.);
+    bridge.take_gas(make_rarefied_flow(parameters, channel.paths.front()));
+    const double narrowest = bridge.conductivity_of(channel.paths.front().bottleneck_gap);
+    bridge.update(channel.gap, with_bounds ? floor_fraction * narrowest : 0.);
   }
 
   void
@@ -209,7 +204,14 @@ namespace strait
     const auto scope = timers.scope("mesh and solver");
     flow.leakage     = flow.solution->run(
       flow.channel,
-      [this](const Leakage &now) { report_flow(now, log); },
+      [this](const Leakage &now) {
+        log.progress(
+          format("  flow: mesh %u, %llu cells, leak rate between %.4g and %.4g",
+                 now.refinements + 1,
+                 now.cells,
+                 now.lower,
+                 now.upper));
+      },
       tolerance_factor,
       most_unknowns);
     flow.leakage.aspect = aspect;
@@ -224,11 +226,5 @@ namespace strait
       log.warn(format("the leak rate is known to %.1f %% only because %s",
                       50. * leakage.relative_width(),
                       leakage.reason.c_str()));
-  }
-
-  void
-  FlowStage::set_inlet_pressure(const double pressure)
-  {
-    parameters.inlet_pressure = pressure;
   }
 } // namespace strait

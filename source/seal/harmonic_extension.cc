@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/seal/harmonic_extension.h>
-#include <strait/spectral/rows_around.h>
+#include <strait/spectral/slab_field.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +23,15 @@ namespace strait
           result[k]      = 4. * weight * s * s;
         }
       return result;
+    }
+
+    double
+    product(const SlabField &a, const SlabField &b)
+    {
+      double result = 0;
+      for (std::size_t k = 0; k < a.size(); ++k)
+        result += a[k] * b[k];
+      return sum(a.layout().communicator(), result);
     }
   } // namespace
 
@@ -152,9 +161,7 @@ namespace strait
     for (int row = 0; row < n_rows; ++row)
       {
         const double *here = rows[row], *below = rows[row - 1], *above = rows[row + 1];
-        const int     iy             = begin + row;
-        const bool    next_to_inlet  = !along_x && iy == 1;
-        const bool    next_to_outlet = !along_x && iy == ny - 1;
+        const int     iy = begin + row;
         for (int ix = 0; ix < nx; ++ix)
           {
             const std::size_t k = static_cast<std::size_t>(row) * nx + ix;
@@ -165,8 +172,8 @@ namespace strait
               along_x && ix == 1 ? inlet : here[ix == 0 ? nx - 1 : ix - 1];
             const double right =
               along_x && ix == nx - 1 ? outlet : here[ix == nx - 1 ? 0 : ix + 1];
-            const double lower = next_to_inlet ? inlet : below[ix];
-            const double upper = next_to_outlet ? outlet : above[ix];
+            const double lower = !along_x && iy == 1 ? inlet : below[ix];
+            const double upper = !along_x && iy == ny - 1 ? outlet : above[ix];
             result[k] = spring[k] * here[ix] + weight_x * (2. * here[ix] - left - right) +
                         weight_y * (2. * here[ix] - lower - upper);
           }
@@ -189,14 +196,5 @@ namespace strait
     });
     for (std::size_t k = 0; k < z.size(); ++k)
       z[k] = softness[k] * waves[k];
-  }
-
-  double
-  HarmonicExtension::product(const SlabField &a, const SlabField &b) const
-  {
-    double result = 0;
-    for (std::size_t k = 0; k < a.size(); ++k)
-      result += a[k] * b[k];
-    return sum(layout->communicator(), result);
   }
 } // namespace strait

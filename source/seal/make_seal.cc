@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
+#include <strait/base/timers.h>
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/contact/adhesive_contact_solver.h>
 #include <strait/contact/contact_solver.h>
 #include <strait/seal/coupled_seal.h>
-#include <strait/seal/dry_seal.h>
 #include <strait/seal/make_seal.h>
 #include <strait/seal/zoomed_seal.h>
 
@@ -20,6 +20,78 @@ namespace strait
     // accuracy. Half of it halves more steps, double of it lets the step decide about as
     // much more of what trapped fluid carries.
     constexpr double trapped_share = .1;
+
+    /** The gap is given, and nothing changes it. */
+    class GivenGap : public SealModel
+    {
+    public:
+      /** @p gap is below zero where closed [length]. Collective. */
+      explicit GivenGap(SlabField gap_)
+        : gap(std::move(gap_))
+      {
+        SlabField open = gap;
+        for (double &value : open)
+          value = std::max(value, 0.);
+        mean_gap = mean(open);
+      }
+
+      SealState
+      solve(const Control &control, const SealState *, Aim) override
+      {
+        SealState state;
+        state.control   = control;
+        state.given_gap = gap;
+        state.mean_gap  = mean_gap;
+        return state;
+      }
+
+      bool
+      depends_on_path() const override
+      {
+        return false;
+      }
+
+    private:
+      SlabField gap;
+      double    mean_gap;
+    };
+
+    /** A contact, with or without adhesion, on whose walls no fluid presses. */
+    class DrySeal : public SealModel
+    {
+    public:
+      explicit DrySeal(std::unique_ptr<ContactModel> contact_)
+        : contact(std::move(contact_))
+      {
+      }
+
+      SealState
+      solve(const Control &control, const SealState *from, const Aim aim) override
+      {
+        const auto start = Timers::Clock::now();
+        SealState  state;
+        state.control  = control;
+        state.contact  = contact->solve(control.target,
+                                       from == nullptr ? nullptr : &*from->contact,
+                                       nullptr,
+                                       aim == Aim::throats ? Digits::half : Digits::all);
+        state.mean_gap = state.contact->mean_gap;
+        state.costs    = {state.contact->iterations,
+                          state.contact->fft_pairs,
+                          0,
+                          Timers::seconds_since(start)};
+        return state;
+      }
+
+      bool
+      depends_on_path() const override
+      {
+        return contact->depends_on_path();
+      }
+
+    private:
+      std::unique_ptr<ContactModel> contact;
+    };
 
     /** Find the law and tell of it. Returns its surface energy. */
     double

@@ -63,18 +63,18 @@ namespace strait
     {
     public:
       /** Of an adhesive contact, @p from a state @p to another. */
-      Stride(const SealState &from, const SealState &to, const ContactControl control_)
-        : control(control_)
-        , before(point_of(from))
+      Stride(const SealState &from, const SealState &to, const ContactControl control)
+        : before(point_of(from))
         , after(point_of(to))
         , trend(from.trend)
-        , largest_slope(std::max(from.trend.largest_slope, std::abs(slope_at(after))))
+        , slope_before(slope_of_energy(before, control))
+        , slope_after(slope_of_energy(after, control))
         , change(after.target - before.target)
         , rise(after.energy - before.energy)
       {
         // How much the energy changes without dissipation, by the slope at either end.
         std::tie(least, most) =
-          std::minmax({slope_at(before) * change, slope_at(after) * change});
+          std::minmax({slope_before * change, slope_after * change});
       }
 
       /** Whether nothing speaks for a jump. */
@@ -89,7 +89,7 @@ namespace strait
         if (!trend.is_known)
           return true;
         const double area  = std::abs(after.contact_area - before.contact_area);
-        const double slope = std::abs(slope_at(after) - slope_at(before));
+        const double slope = std::abs(slope_after - slope_before);
         return area <=
                  free_change_of_area + steeper_area * std::abs(trend.area * change) &&
                slope <= slope_noise * trend.largest_slope +
@@ -114,27 +114,20 @@ namespace strait
       trend_after() const
       {
         PathTrend next     = trend;
-        next.largest_slope = largest_slope;
+        next.largest_slope = std::max(trend.largest_slope, std::abs(slope_after));
         if (change != 0)
           {
             next.is_known = true;
             next.area     = (after.contact_area - before.contact_area) / change;
-            next.slope    = (slope_at(after) - slope_at(before)) / change;
+            next.slope    = (slope_after - slope_before) / change;
           }
         return next;
       }
 
     private:
-      double
-      slope_at(const PathPoint &point) const
-      {
-        return slope_of_energy(point, control);
-      }
-
-      ContactControl  control;
       PathPoint       before, after;
       const PathTrend trend;
-      double          largest_slope, change, rise;
+      double          slope_before, slope_after, change, rise;
       double          least = 0, most = 0;
     };
 
@@ -167,47 +160,6 @@ namespace strait
       return std::abs(a.target - b.target) +
              std::abs(a.inlet_pressure - b.inlet_pressure);
     }
-
-    /** What adds up over the steps on the way to a state. */
-    struct Sums
-    {
-      long   fft_pairs       = 0;
-      int    iterations      = 0;
-      int    rounds          = 0;
-      double contact_seconds = 0.;
-      double uncertainty     = 0.; // of steps that are taken
-
-      void
-      add_costs(const SealState &state)
-      {
-        contact_seconds += state.contact_seconds;
-        fft_pairs += state.contact ? state.contact->fft_pairs : 0;
-        iterations += state.contact ? state.contact->iterations : 0;
-        rounds += state.fluid ? state.fluid->rounds : 0;
-      }
-
-      void
-      add_uncertainty(const SealState &state)
-      {
-        if (state.fluid && state.fluid->trapped)
-          uncertainty += state.fluid->trapped->uncertainty;
-      }
-
-      void
-      put_into(SealState &state) const
-      {
-        state.contact_seconds = contact_seconds;
-        if (state.contact)
-          {
-            state.contact->fft_pairs  = fft_pairs;
-            state.contact->iterations = iterations;
-          }
-        if (state.fluid)
-          state.fluid->rounds = rounds;
-        if (state.fluid && state.fluid->trapped)
-          state.fluid->trapped->uncertainty = uncertainty;
-      }
-    };
 
     /**
      * Whether the step @p from one state @p to another passes a jump and may be halved.
@@ -244,19 +196,17 @@ namespace strait
               .5 * (a.inlet_pressure + b.inlet_pressure),
               .5 * (a.slip_length + b.slip_length)};
     }
-    void
-    transfer(StateArchive &archive, PathPoint &point)
-    {
-      archive.values(
-        point.target, point.pressure, point.mean_gap, point.contact_area, point.energy);
-    }
   } // namespace
 
   void
   transfer(StateArchive &archive, Jump &jump)
   {
-    transfer(archive, jump.before);
-    transfer(archive, jump.after);
+    for (PathPoint *point : {&jump.before, &jump.after})
+      archive.values(point->target,
+                     point->pressure,
+                     point->mean_gap,
+                     point->contact_area,
+                     point->energy);
     archive.values(jump.dissipated, jump.is_pull_off);
   }
 
@@ -286,13 +236,15 @@ namespace strait
   {
     Arrival              arrival;
     std::vector<Control> ahead = {to};
-    Sums                 sums;
-    int                  n_solves = 0;
+    Costs                spent;
+    double               uncertainty = 0.; // of steps that are taken
+    int                  n_solves    = 0;
     while (!ahead.empty())
       {
         const SealState *here  = arrival.state ? &*arrival.state : from;
         SealState        state = model.solve(ahead.back(), here, aim);
-        sums.add_costs(state);
+        state.costs += spent;
+        spent = state.costs;
         if (here != nullptr)
           {
             const bool is_long = distance(here->control, ahead.back()) >
@@ -312,11 +264,14 @@ namespace strait
             arrival.state.reset();
             return arrival;
           }
-        sums.add_uncertainty(state);
+        if (state.fluid && state.fluid->trapped)
+          {
+            uncertainty += state.fluid->trapped->uncertainty;
+            state.fluid->trapped->uncertainty = uncertainty;
+          }
         arrival.state = std::move(state);
         ahead.pop_back();
       }
-    sums.put_into(*arrival.state);
     return arrival;
   }
 } // namespace strait

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/seal/pools_in_gap.h>
-#include <strait/spectral/rows_around.h>
+#include <strait/spectral/slab_field.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace strait
 {
@@ -39,16 +40,14 @@ namespace strait
       int          owner;
       double       volume;
     };
-    const PeriodicGrid                           &grid = gap.grid();
-    const double                                  cell = grid.dx() * grid.dy();
-    std::map<std::int64_t, std::map<int, double>> mine;
+    const double cell = gap.grid().dx() * gap.grid().dy();
+    std::map<std::pair<std::int64_t, int>, double> mine; // by label and owner
     for (std::size_t k = 0; k < labels.size(); ++k)
       if (labels[k] >= 0)
-        mine[labels[k]][static_cast<int>(known.owner[k])] += cell * gap[k];
+        mine[{labels[k], static_cast<int>(known.owner[k])}] += cell * gap[k];
     std::vector<Share> list;
-    for (const auto &[label, owners] : mine)
-      for (const auto &[owner, volume] : owners)
-        list.push_back({label, owner, volume});
+    for (const auto &[whose, volume] : mine)
+      list.push_back({whose.first, whose.second, volume});
     for (const Share &share : gather_all(gap.layout().communicator(), list))
       trapped[share.label].parts[share.owner].volume += share.volume;
   }
@@ -93,15 +92,14 @@ namespace strait
   void
   PoolsInGap::measure()
   {
-    const MPI_Comm comm    = gap.layout().communicator();
-    const auto     n_pools = known.pools.size();
-    const auto     n       = static_cast<int>(volumes.size());
-    const double   cell    = gap.grid().dx() * gap.grid().dy();
+    const MPI_Comm comm = gap.layout().communicator();
+    const auto     n    = static_cast<int>(volumes.size());
+    const double   cell = gap.grid().dx() * gap.grid().dy();
     for (std::size_t k = 0; k < gap.size(); ++k)
       if (regions[k] >= 0)
         volumes[regions[k]] += cell * gap[k];
     sum_in_place(comm, volumes.data(), n);
-    for (std::size_t k = 0; k < gap.size() && n_pools > 0; ++k)
+    for (std::size_t k = 0; k < gap.size(); ++k)
       if (known.owner[k] >= 0 && volumes[static_cast<int>(known.owner[k])] == 0)
         regions[k] = static_cast<int>(known.owner[k]);
     counts.resize(n);
@@ -210,13 +208,11 @@ namespace strait
                             const std::vector<double> &pressures) const
   {
     const double here = pressures[cluster.region];
-    return std::any_of(cluster.parts.begin(),
-                       cluster.parts.end(),
-                       [&](const auto &entry) {
-                         const double there = pressures[entry.second.region];
-                         return std::abs(here - there) >
-                                negligible * std::max(std::abs(here), std::abs(there));
-                       });
+    for (const auto &[owner, part] : cluster.parts)
+      if (const double there = pressures[part.region];
+          std::abs(here - there) > negligible * std::max(std::abs(here), std::abs(there)))
+        return true;
+    return false;
   }
 
   /**

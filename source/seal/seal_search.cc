@@ -5,6 +5,7 @@
 #include <strait/seal/seal_search.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace strait
@@ -14,20 +15,12 @@ namespace strait
     // Of a usual pressure: what leaks with so little leaks by itself. Half and double of
     // it judge alike, as neither bends the walls.
     constexpr double negligible = 1e-6;
+  } // namespace
 
-    void
-    transfer_probe(StateArchive &archive, Probe &probe)
-    {
-      archive.values(probe.openness,
-                     probe.contact_area,
-                     probe.bottleneck[0],
-                     probe.bottleneck[1],
-                     probe.fft_pairs);
-    }
-
-    void
-    transfer(StateArchive &archive, Transition &transition)
-    {
+  void
+  transfer(StateArchive &archive, std::vector<Transition> &transitions)
+  {
+    transfer_all(archive, transitions, [&](Transition &transition) {
       archive.values(transition.slip_length,
                      transition.lower,
                      transition.upper,
@@ -36,13 +29,7 @@ namespace strait
                      transition.bottleneck[1],
                      transition.n_solves,
                      transition.fft_pairs);
-    }
-  } // namespace
-
-  void
-  transfer(StateArchive &archive, std::vector<Transition> &transitions)
-  {
-    transfer_all(archive, transitions, [&](Transition &t) { transfer(archive, t); });
+    });
   }
 
   const Transition *
@@ -105,11 +92,10 @@ namespace strait
                             const SearchStart &first,
                             const double       slip_length)
   {
-    const int    n_before     = search.n_asked();
-    const long   pairs_before = search.n_fft_pairs();
-    const double level        = -2. * slip_length;
-    Passage      found = scene.contact.zoom.enabled ? search.enclose_surely(first, level)
-                                                    : search.enclose(first, level);
+    const std::size_t begin = next;
+    const double      level = -2. * slip_length;
+    Passage found = scene.contact.zoom.enabled ? search.enclose_surely(first, level)
+                                               : search.enclose(first, level);
     if (model.depends_on_path())
       {
         const bool from_open = side_of_path() == Side::open;
@@ -123,13 +109,10 @@ namespace strait
             std::string("The threshold was not found: the contact stays ") +
             (from_open ? "open" : "sealed") + " however far the load goes.");
         found = *passage;
-        if (!from_open)
-          std::swap(found.before, found.beyond);
       }
-    Transition result  = between(search, found.before, found.beyond, found.before);
+    Transition result =
+      between(search, found, std::min(found.before, found.beyond), begin);
     result.slip_length = slip_length;
-    result.n_solves -= n_before;
-    result.fft_pairs -= pairs_before;
     return result;
   }
 
@@ -162,9 +145,10 @@ namespace strait
   BlowOut
   SealSearch::blow_out(const double load)
   {
-    const double outlet = scene.fluid.outlet_pressure;
-    const double slip   = scene.fluid.slip_lengths.front();
-    Side         side   = Side::sealed;
+    const std::size_t begin  = next;
+    const double      outlet = scene.fluid.outlet_pressure;
+    const double      slip   = scene.fluid.slip_lengths.front();
+    Side              side   = Side::sealed;
     // The difference of pressure is what varies.
     TransitionSearch search(
       [&](const double difference) {
@@ -187,16 +171,20 @@ namespace strait
           throw ComputationError("An inlet pressure of " + to_text(outlet + load) +
                                  " and much more is held; no blow-out pressure was "
                                  "found.");
-        result.opening =
-          between(search, passage->before, passage->beyond, passage->beyond);
+        result.opening = between(search, *passage, passage->beyond, begin);
       }
     if (scene.programme.find_resealing)
       {
         side = Side::open;
-        result.closing =
-          leaks_anyway ? Transition() : re_sealing(search, result.opening.upper, leaks);
+        result.closing.emplace();
+        // Where there is no hysteresis it closes at once.
+        const double leaking = result.opening.upper;
+        const double step    = -scene.programme.threshold_tolerance * leaking;
+        if (!leaks_anyway)
+          if (const auto passage = search.leave(leaking, step, leaks))
+            result.closing = between(search, *passage, passage->before, begin);
       }
-    result.opening.n_solves = search.n_asked();
+    result.opening.n_solves = static_cast<int>(next - begin);
     const auto add_outlet   = [outlet](Transition &difference) {
       difference.lower += outlet;
       difference.upper += outlet;
@@ -207,31 +195,20 @@ namespace strait
     return result;
   }
 
-  Transition
-  SealSearch::re_sealing(TransitionSearch             &search,
-                         const double                  leaking,
-                         const TransitionSearch::Kept &leaks)
-  {
-    // Where there is no hysteresis it closes at once.
-    const double first_step = -scene.programme.threshold_tolerance * leaking;
-    const auto   passage    = search.leave(leaking, first_step, leaks);
-    return passage ? between(search, passage->beyond, passage->before, passage->before)
-                   : Transition();
-  }
-
+  /** That of the answers from @p begin on, at whose end @p open the seal leaks. */
   Transition
   SealSearch::between(const TransitionSearch &search,
-                      const double            lower,
-                      const double            upper,
-                      const double            open) const
+                      const Passage          &passage,
+                      const double            open,
+                      const std::size_t       begin) const
   {
     Transition result;
-    result.lower        = lower;
-    result.upper        = upper;
-    result.contact_area = search.at(lower).contact_area;
-    result.bottleneck   = search.at(open).bottleneck;
-    result.n_solves     = search.n_asked();
-    result.fft_pairs    = search.n_fft_pairs();
+    std::tie(result.lower, result.upper) = std::minmax(passage.before, passage.beyond);
+    result.contact_area                  = search.at(result.lower).contact_area;
+    result.bottleneck                    = search.at(open).bottleneck;
+    result.n_solves                      = static_cast<int>(next - begin);
+    for (std::size_t k = begin; k < next; ++k)
+      result.fft_pairs += answers[k].fft_pairs;
     return result;
   }
 
@@ -276,10 +253,18 @@ namespace strait
     if (!model.depends_on_path())
       open_state.reset(); // this one takes its place
 
+    // Under pressure a point is closed the more firmly the more its own spacing is
+    // indented: a length, like the gap, and of one slope with it.
+    const PeriodicGrid &grid = layout->grid();
+    const double        softness =
+      std::max(grid.dx(), grid.dy()) / scene.contact.effective_modulus;
+    const Bottleneck bottleneck = find_bottleneck(signed_gap(state, softness), domain);
+
     Probe result;
-    result.openness     = openness(state, result.bottleneck);
+    result.openness     = bottleneck.value;
+    result.bottleneck   = position_of(state.gap().layout(), bottleneck.point);
     result.contact_area = state.contact->contact_area;
-    result.fft_pairs    = state.contact->fft_pairs;
+    result.fft_pairs    = state.costs.fft_pairs;
     const bool leaks    = result.openness > -2. * control.slip_length;
     report(state, leaks);
     const bool is_sound = state.contact->converged &&
@@ -287,19 +272,6 @@ namespace strait
     if (is_sound || !model.depends_on_path())
       place_of(leaks ? Side::open : Side::sealed) = std::move(state);
     return result;
-  }
-
-  double
-  SealSearch::openness(const SealState &state, std::array<double, 2> &place) const
-  {
-    // Under pressure a point is closed the more firmly the more its own spacing is
-    // indented: a length, like the gap, and of one slope with it.
-    const PeriodicGrid &grid = layout->grid();
-    const double        softness =
-      std::max(grid.dx(), grid.dy()) / scene.contact.effective_modulus;
-    const Bottleneck bottleneck = find_bottleneck(signed_gap(state, softness), domain);
-    place                       = position_of(state.gap().layout(), bottleneck.point);
-    return bottleneck.value;
   }
 
   void
@@ -326,7 +298,13 @@ namespace strait
   void
   SealSearch::transfer(StateArchive &archive)
   {
-    transfer_all(archive, answers, [&](Probe &probe) { transfer_probe(archive, probe); });
+    transfer_all(archive, answers, [&](Probe &probe) {
+      archive.values(probe.openness,
+                     probe.contact_area,
+                     probe.bottleneck[0],
+                     probe.bottleneck[1],
+                     probe.fft_pairs);
+    });
     if (archive.is_reading())
       next = 0;
     for (std::optional<SealState> *state : {&open_state, &sealed_state})

@@ -38,8 +38,7 @@ namespace strait
         archive.value(fluid.load);
         if (transfer_presence(archive, fluid.trapped))
           transfer(archive, *fluid.trapped, *layout);
-        archive.values(fluid.rounds,
-                       fluid.mesh_error,
+        archive.values(fluid.mesh_error,
                        fluid.converged,
                        fluid.undecided,
                        fluid.open_share,
@@ -47,5 +46,7 @@ namespace strait
       }
     PathTrend &trend = state.trend;
     archive.values(trend.is_known, trend.area, trend.slope, trend.largest_slope);
+    Costs &costs = state.costs; // but for the time that another run has spent
+    archive.values(costs.iterations, costs.fft_pairs, costs.rounds);
   }
 } // namespace strait

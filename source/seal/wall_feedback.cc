@@ -35,29 +35,14 @@ namespace strait
       };
     }
 
-    /** The root of the mean over the grid of @p field, whose local @p squares are given.
-     */
-    double
-    mean_root(const double squares, const SlabField &field)
-    {
-      const auto n_points = static_cast<double>(field.grid().n_points());
-      return std::sqrt(sum(field.layout().communicator(), squares) / n_points);
-    }
-
     double
     root_mean_square(const SlabField &field)
     {
       double squares = 0;
       for (const double value : field)
         squares += value * value;
-      return mean_root(squares, field);
-    }
-
-    void
-    subtract(SlabField &from, const SlabField &field)
-    {
-      for (std::size_t i = 0; i < from.size(); ++i)
-        from[i] -= field[i];
+      const auto n_points = static_cast<double>(field.grid().n_points());
+      return std::sqrt(sum(field.layout().communicator(), squares) / n_points);
     }
 
     /** @p from + @p factor · @p change. */
@@ -67,6 +52,12 @@ namespace strait
       for (std::size_t i = 0; i < from.size(); ++i)
         from[i] += factor * change[i];
       return from;
+    }
+
+    SlabField
+    difference(SlabField from, const SlabField &field)
+    {
+      return moved(std::move(from), -1., field);
     }
 
     /** Replace @p a by its mixture with @p b that is smallest. Returns the share of b. */
@@ -106,7 +97,7 @@ namespace strait
   {
     FeedbackResult result;
     int            changes_of_verdict = 0;
-    bool           is_first = true, percolated = false;
+    bool           is_first = true, percolated = false; // in the round before
     if (goal.goes_on && !last_image.empty())
       {
         propose(last_image, 0, goal);
@@ -126,7 +117,7 @@ namespace strait
         ++result.iterations;
         // Trapped fluid may have a higher pressure than the reservoirs.
         scale         = std::max(largest_pressure, root_mean_square(now.fluid_pressure));
-        result.change = difference(now.fluid_pressure, assumed);
+        result.change = size(difference(now.fluid_pressure, assumed));
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
         const bool flips  = !is_first && percolated != now.percolates;
@@ -199,15 +190,14 @@ namespace strait
     constexpr double smaller = .25;
     if (result.iterations < last_combined)
       return false;
-    SlabField change = now.fluid_pressure;
-    subtract(change, assumed);
+    SlabField change = difference(now.fluid_pressure, assumed);
     if (walk.n_rounds == 0)
       {
         walk = {assumed, std::move(change), now.leak_rate, 1};
         return false;
       }
     mix_towards_zero(walk.mixture, change);
-    walk.distance = std::max(walk.distance, difference(assumed, walk.start));
+    walk.distance = std::max(walk.distance, size(difference(assumed, walk.start)));
     if (walk.leak_rate > 0)
       walk.leak_change =
         std::max(walk.leak_change, std::abs(now.leak_rate / walk.leak_rate - 1.));
@@ -246,19 +236,18 @@ namespace strait
       assumed           = std::move(side);
       FeedbackRound now = round(assumed);
       ++result.iterations;
-      subtract(now.fluid_pressure, assumed);
-      result.change                              = size(now.fluid_pressure);
-      result.converged                           = result.change <= goal.tolerance;
+      SlabField change = difference(std::move(now.fluid_pressure), assumed);
+      result.change    = size(change);
+      result.converged = result.change <= goal.tolerance;
       (now.percolates ? open_side : closed_side) = assumed;
-      (now.percolates ? on_open : on_closed)     = std::move(now.fluid_pressure);
+      (now.percolates ? on_open : on_closed)     = std::move(change);
       return now.percolates;
     };
     while (may_ask())
       {
-        if (difference(open_side, closed_side) > goal.tolerance)
+        if (const SlabField apart = difference(closed_side, open_side);
+            size(apart) > goal.tolerance)
           {
-            SlabField apart = closed_side;
-            subtract(apart, open_side);
             is_open(moved(open_side, .5, apart));
             continue;
           }
@@ -302,15 +291,6 @@ namespace strait
           }
       }
     return true;
-  }
-
-  double
-  WallFeedback::difference(const SlabField &a, const SlabField &b) const
-  {
-    double squares = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      squares += (a[i] - b[i]) * (a[i] - b[i]);
-    return mean_root(squares, a) / scale;
   }
 
   double

@@ -68,7 +68,8 @@ namespace strait
     static constexpr int block_width = 128 / sizeof(Complex);
 
     explicit Parts(const SlabLayout &layout)
-      : n_ranks(layout.n_ranks())
+      : comm(layout.communicator())
+      , n_ranks(layout.n_ranks())
       , n_rows_most(layout.first_row_of(1))
       , n_half(layout.grid().nx / 2 + 1)
       , n_columns_most((n_half + n_ranks - 1) / n_ranks)
@@ -138,20 +139,66 @@ namespace strait
              std::min(n_rows_most, ny - y));
     }
 
+    /** Exchange messages between all ranks, if there are others. Collective. */
+    void
+    exchange(const std::vector<Complex> &from, std::vector<Complex> &to) const
+    {
+      const int n = block_width * n_rows_most * static_cast<int>(sizeof(Complex));
+      if (n_ranks > 1)
+        MPI_Alltoall(from.data(), n, MPI_BYTE, to.data(), n, MPI_BYTE, comm);
+    }
+
+    /** Collect this rank's columns of a block from the rows of all ranks. Collective. */
+    void
+    fetch_columns(const int block)
+    {
+      const auto send = [&](const std::size_t i, const std::size_t place) {
+        of_rows[place] = modes[i];
+      };
+      // Whole lines of the cache are written, here and on the way back.
+      for_each_mode_of_rows(block, 64 / sizeof(Complex), send);
+      exchange(of_rows, of_columns);
+    }
+
+    /** Give them back to the rows of all ranks. Collective. */
+    void
+    return_columns(const int block)
+    {
+      exchange(of_columns, of_rows);
+      const auto receive = [&](const std::size_t i, const std::size_t place) {
+        modes[i] = of_rows[place];
+      };
+      for_each_mode_of_rows(block, 1, receive);
+    }
+
+    /** Find the ny modes of column @p k of the block. */
+    void
+    forward_column(const int k)
+    {
+      for_each_part_of_column(k, [&](const int y, const std::size_t place, const int n) {
+        std::copy_n(messages() + place, n, &column[y]);
+      });
+      Fftw<Number>::execute_column(column_forward.get(),
+                                   as_fftw(column.data()),
+                                   as_fftw(spectrum.data()));
+    }
+
+    /** Transform those modes back, into column @p k of the block. */
+    void
+    backward_column(const int k)
+    {
+      Fftw<Number>::execute_column(column_backward.get(),
+                                   as_fftw(spectrum.data()),
+                                   as_fftw(column.data()));
+      for_each_part_of_column(k, [&](const int y, const std::size_t place, const int n) {
+        std::copy_n(&column[y], n, messages() + place);
+      });
+    }
+
     Complex *
     modes_of_row(const int local_row)
     {
       return modes.data() + static_cast<std::size_t>(local_row) * n_in_row;
-    }
-
-    /** Whether a row of points is aligned as the plans want it and apart from the modes.
-     */
-    bool
-    may_receive_a_row(const Number *points) const
-    {
-      const auto at    = reinterpret_cast<std::uintptr_t>(points);
-      const auto begin = reinterpret_cast<std::uintptr_t>(modes.data());
-      return at % 16 == 0 && (at < begin || at >= begin + modes.size() * sizeof(Complex));
     }
 
     /** What arrived for the columns of this rank. */
@@ -161,6 +208,7 @@ namespace strait
       return n_ranks > 1 ? of_columns.data() : of_rows.data();
     }
 
+    MPI_Comm             comm;
     int                  n_ranks, n_rows_most, n_half, n_columns_most;
     int                  n_in_row; // modes from one row to the next: a multiple of 16 B
     std::size_t          n_modes;
@@ -179,8 +227,6 @@ namespace strait
   BasicFourierTransform<Number>::BasicFourierTransform(SlabLayoutPtr layout)
     : slab_layout(std::move(layout))
     , parts(std::make_unique<Parts>(*slab_layout))
-    , n_blocks((parts->n_columns_most + Parts::block_width - 1) / Parts::block_width)
-    , spectrum(parts->spectrum.data())
     , factors(slab_layout->grid().ny)
   {
   }
@@ -219,10 +265,14 @@ namespace strait
   void
   BasicFourierTransform<Number>::store_row(Number *out, const int row)
   {
-    const std::size_t nx     = parts->row.size();
-    Number           *to     = out + row * nx;
-    const bool        direct = parts->may_receive_a_row(to);
-    Number           *result = direct ? to : parts->row.data();
+    const std::size_t nx    = parts->row.size();
+    Number           *to    = out + row * nx;
+    const auto        at    = reinterpret_cast<std::uintptr_t>(to);
+    const auto        begin = reinterpret_cast<std::uintptr_t>(parts->modes.data());
+    // Where a row is aligned as the plan wants it, and apart from the modes.
+    const bool direct =
+      at % 16 == 0 && (at < begin || at >= begin + parts->modes.size() * sizeof(Complex));
+    Number *result = direct ? to : parts->row.data();
     Fftw<Number>::execute_row_backward(parts->row_backward.get(),
                                        as_fftw(parts->modes_of_row(row)),
                                        result);
@@ -231,74 +281,29 @@ namespace strait
   }
 
   template <class Number>
-  int
-  BasicFourierTransform<Number>::first_column(const int block) const
-  {
-    return parts->first_column(slab_layout->rank(), block);
-  }
-
-  template <class Number>
   void
-  BasicFourierTransform<Number>::fetch_columns(const int block)
+  BasicFourierTransform<Number>::for_each_column(
+    const bool                                 are_read,
+    const bool                                 are_written,
+    const std::function<void(int, Complex *)> &visit)
   {
-    // Whole lines of the cache are written, here and on the way back.
-    parts->for_each_mode_of_rows(block,
-                                 64 / sizeof(Complex),
-                                 [&](const std::size_t i, const std::size_t sent) {
-                                   parts->of_rows[sent] = parts->modes[i];
-                                 });
-    exchange(parts->of_rows, parts->of_columns);
-  }
-
-  template <class Number>
-  void
-  BasicFourierTransform<Number>::return_columns(const int block)
-  {
-    exchange(parts->of_columns, parts->of_rows);
-    parts->for_each_mode_of_rows(block,
-                                 1,
-                                 [&](const std::size_t i, const std::size_t received) {
-                                   parts->modes[i] = parts->of_rows[received];
-                                 });
-  }
-
-  template <class Number>
-  void
-  BasicFourierTransform<Number>::exchange(const std::vector<Complex> &from,
-                                          std::vector<Complex>       &to) const
-  {
-    const int n =
-      Parts::block_width * parts->n_rows_most * static_cast<int>(sizeof(Complex));
-    if (parts->n_ranks > 1)
-      MPI_Alltoall(
-        from.data(), n, MPI_BYTE, to.data(), n, MPI_BYTE, slab_layout->communicator());
-  }
-
-  template <class Number>
-  std::complex<Number> *
-  BasicFourierTransform<Number>::forward_column(const int k)
-  {
-    parts->for_each_part_of_column(
-      k, [&](const int y, const std::size_t place, const int n) {
-        std::copy_n(parts->messages() + place, n, &parts->column[y]);
-      });
-    Fftw<Number>::execute_column(parts->column_forward.get(),
-                                 as_fftw(parts->column.data()),
-                                 as_fftw(spectrum));
-    return spectrum;
-  }
-
-  template <class Number>
-  void
-  BasicFourierTransform<Number>::backward_column(const int k)
-  {
-    Fftw<Number>::execute_column(parts->column_backward.get(),
-                                 as_fftw(spectrum),
-                                 as_fftw(parts->column.data()));
-    parts->for_each_part_of_column(
-      k, [&](const int y, const std::size_t place, const int n) {
-        std::copy_n(&parts->column[y], n, parts->messages() + place);
-      });
+    for (int block = 0; block * Parts::block_width < parts->n_columns_most; ++block)
+      {
+        if (are_read)
+          parts->fetch_columns(block);
+        const int first = parts->first_column(slab_layout->rank(), block);
+        const int end   = parts->first_column(slab_layout->rank(), block + 1);
+        for (int kx = first; kx < end; ++kx)
+          {
+            if (are_read)
+              parts->forward_column(kx - first);
+            visit(kx, parts->spectrum.data());
+            if (are_written)
+              parts->backward_column(kx - first);
+          }
+        if (are_written)
+          parts->return_columns(block);
+      }
   }
 
   template class BasicFourierTransform<float>;

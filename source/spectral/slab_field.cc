@@ -26,44 +26,6 @@ namespace strait
         }
       return sum(field.layout().communicator(), total) / field.grid().n_points();
     }
-
-    /** What this rank sends to all others or gets from them, one rank after the other. */
-    template <class Number>
-    struct Parcels
-    {
-      std::vector<Number> numbers;
-      std::vector<int>    counts; // of units, for each rank
-    };
-
-    /** Collective: what all ranks have for this one. Numbers are sent in units of
-     *  @p unit, so that counts stay small. */
-    template <class Number>
-    Parcels<Number>
-    exchange(MPI_Comm comm, const Parcels<Number> &sent, const int unit)
-    {
-      const std::size_t n_ranks = sent.counts.size();
-      Parcels<Number>   received{{}, std::vector<int>(n_ranks)};
-      MPI_Alltoall(
-        sent.counts.data(), 1, MPI_INT, received.counts.data(), 1, MPI_INT, comm);
-      std::vector<int> to(n_ranks + 1), from(n_ranks + 1);
-      std::partial_sum(sent.counts.begin(), sent.counts.end(), to.begin() + 1);
-      std::partial_sum(received.counts.begin(), received.counts.end(), from.begin() + 1);
-      received.numbers.resize(static_cast<std::size_t>(from.back()) * unit);
-      MPI_Datatype type;
-      MPI_Type_contiguous(unit * static_cast<int>(sizeof(Number)), MPI_BYTE, &type);
-      MPI_Type_commit(&type);
-      MPI_Alltoallv(sent.numbers.data(),
-                    sent.counts.data(),
-                    to.data(),
-                    type,
-                    received.numbers.data(),
-                    received.counts.data(),
-                    from.data(),
-                    type,
-                    comm);
-      MPI_Type_free(&type);
-      return received;
-    }
   } // namespace
 
   double
@@ -113,38 +75,32 @@ namespace strait
              const std::vector<int> &rows)
   {
     const int                ny = layout.grid().ny;
-    std::vector<std::size_t> order(rows.size()); // by owner
+    std::vector<std::size_t> order(rows.size()); // by number, and thus by owner
     std::iota(order.begin(), order.end(), std::size_t(0));
     const auto wrapped = [&](const std::size_t k) { return ((rows[k] % ny) + ny) % ny; };
-    const auto owner   = [&](const std::size_t k) {
-      return layout.owner_of_row(wrapped(k));
-    };
-    std::stable_sort(order.begin(),
-                     order.end(),
-                     [&](const std::size_t a, const std::size_t b) {
-                       return owner(a) < owner(b);
-                     });
-    Parcels<int> wanted{{}, std::vector<int>(layout.n_ranks())};
+    std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) {
+      return wrapped(a) < wrapped(b);
+    });
+    std::vector<int> wanted, n_wanted(layout.n_ranks());
     for (const std::size_t k : order)
       {
-        wanted.numbers.push_back(wrapped(k));
-        ++wanted.counts[owner(k)];
+        wanted.push_back(wrapped(k));
+        ++n_wanted[layout.owner_of_row(wrapped(k))];
       }
-    const Parcels<int> asked = exchange(layout.communicator(), wanted, 1);
+    const Parcels<int> asked = exchange(layout.communicator(), wanted, n_wanted);
 
-    const auto      length = static_cast<std::size_t>(row_length);
-    Parcels<Number> outgoing{std::vector<Number>(asked.numbers.size() * length),
-                             asked.counts};
-    for (std::size_t k = 0; k < asked.numbers.size(); ++k)
-      std::copy_n(local_rows + (asked.numbers[k] - layout.first_row()) * length,
+    const auto          length = static_cast<std::size_t>(row_length);
+    std::vector<Number> outgoing(asked.items.size() * length);
+    for (std::size_t k = 0; k < asked.items.size(); ++k)
+      std::copy_n(local_rows + (asked.items[k] - layout.first_row()) * length,
                   length,
-                  outgoing.numbers.data() + k * length);
-    const Parcels<Number> incoming =
-      exchange(layout.communicator(), outgoing, row_length);
+                  outgoing.data() + k * length);
+    const std::vector<Number> incoming =
+      exchange(layout.communicator(), outgoing, asked.counts, row_length).items;
 
-    std::vector<Number> result(incoming.numbers.size());
+    std::vector<Number> result(incoming.size());
     for (std::size_t k = 0; k < order.size(); ++k)
-      std::copy_n(incoming.numbers.data() + k * length,
+      std::copy_n(incoming.data() + k * length,
                   length,
                   result.data() + order[k] * length);
     return result;
@@ -163,21 +119,20 @@ namespace strait
            const std::vector<double> &values,
            double                    *local_rows)
   {
-    const int       nx = layout.grid().nx;
-    Parcels<double> outgoing{{}, std::vector<int>(layout.n_ranks())};
+    const int           nx = layout.grid().nx;
+    std::vector<double> outgoing;
+    std::vector<int>    n_outgoing(layout.n_ranks());
     for (int rank = 0; rank < layout.n_ranks(); ++rank)
       for (std::size_t k = 0; k < rows.size(); ++k)
         if (const int row = rows[k] % layout.grid().ny; layout.owner_of_row(row) == rank)
           {
             // Each row behind its number.
-            outgoing.numbers.push_back(row);
-            outgoing.numbers.insert(outgoing.numbers.end(),
-                                    &values[k * nx],
-                                    &values[k * nx] + nx);
-            ++outgoing.counts[rank];
+            outgoing.push_back(row);
+            outgoing.insert(outgoing.end(), &values[k * nx], &values[k * nx] + nx);
+            ++n_outgoing[rank];
           }
     const std::vector<double> incoming =
-      exchange(layout.communicator(), outgoing, nx + 1).numbers;
+      exchange(layout.communicator(), outgoing, n_outgoing, nx + 1).items;
     for (std::size_t at = 0; at < incoming.size(); at += nx + 1)
       {
         const auto row = static_cast<std::size_t>(incoming[at]) - layout.first_row();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
 #include <strait/spectral/slab_layout.h>
 
 #include <algorithm>
@@ -11,13 +12,11 @@ namespace strait
                          std::vector<ZoomWindow> windows)
     : periodic_grid(grid)
     , comm(communicator)
+    , my_rank(rank_in(communicator))
     , zoom_windows(std::move(windows))
   {
-    MPI_Comm_rank(comm, &my_rank);
-    int n_ranks = 1;
-    MPI_Comm_size(comm, &n_ranks);
-
-    const int n_most = (grid.ny + n_ranks - 1) / n_ranks;
+    const int n_ranks = n_ranks_in(comm);
+    const int n_most  = (grid.ny + n_ranks - 1) / n_ranks;
     for (int r = 0; r <= n_ranks; ++r)
       row_starts.push_back(std::min(r * n_most, grid.ny));
 

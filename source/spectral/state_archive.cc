@@ -9,11 +9,7 @@ namespace strait
   void
   StateArchive::value(std::vector<std::string> &texts)
   {
-    auto n_texts = static_cast<long>(texts.size());
-    value(n_texts);
-    texts.resize(n_texts);
-    for (std::string &text : texts)
-      value(text);
+    transfer_all(*this, texts, [this](std::string &text) { value(text); });
   }
 
   void
@@ -30,9 +26,7 @@ namespace strait
     if (!is_reading())
       windows = values.layout().windows();
     transfer_all(*this, windows, [this](ZoomWindow &window) {
-      for (int *number :
-           {&window.parent, &window.level, &window.x, &window.y, &window.nx, &window.ny})
-        value(*number);
+      this->values(window.parent, window.level, window.x, window.y, window.nx, window.ny);
     });
     if (is_reading())
       values =

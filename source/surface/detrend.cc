@@ -14,8 +14,9 @@ namespace strait
     Terms
     terms_at(const HeightMap &map, const std::size_t k)
     {
-      const double x = (2. * static_cast<double>(k % map.nx) + 1) / map.nx - 1;
-      const double y = (2. * static_cast<double>(k / map.nx) + 1) / map.ny - 1;
+      const double      x   = (2. * static_cast<double>(k % map.nx) + 1) / map.nx - 1;
+      const std::size_t row = k / map.nx;
+      const double      y   = (2. * static_cast<double>(row) + 1) / map.ny - 1;
       return {{1., x, y, x * x, x * y, y * y}};
     }
 

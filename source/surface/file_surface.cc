@@ -2,7 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/base/text.h>
 #include <strait/spectral/fourier_transform.h>
-#include <strait/surface/file_surface.h>
+#include <strait/surface/map_processing.h>
 #include <strait/surface/statistics.h>
 
 #include <algorithm>
@@ -38,9 +38,9 @@ namespace strait
                   const std::string       &file,
                   Remarks                 &remarks)
     {
-      const WaveBand band{parameters.map.shortest_wavelength,
-                          parameters.map.longest_wavelength};
-      const bool     is_same = grid.nx == map.nx && grid.ny == map.ny;
+      const double shortest = parameters.map.shortest_wavelength;
+      const double longest  = parameters.map.longest_wavelength;
+      const bool   is_same  = grid.nx == map.nx && grid.ny == map.ny;
       if (!is_same && !parameters.map.resample)
         reject_height_map(file,
                           "has, processed, " + std::to_string(map.nx) + " x " +
@@ -48,10 +48,10 @@ namespace strait
                             " points, and the grid must have as many: set "
                             "Surface/Resample = true or Contact/Grid points = " +
                             scene_pair(parameters, map.nx, map.ny) + ".");
-      if (is_same && band.shortest == 0. && band.longest == 0.)
+      if (is_same && shortest == 0. && longest == 0.)
         return;
-      Resampled result =
-        fourier_resample(map.values, {map.nx, map.ny, grid.lx, grid.ly}, grid, band);
+      Resampled result = fourier_resample(
+        map.values, {map.nx, map.ny, grid.lx, grid.ly}, grid, shortest, longest);
       remarks.notes.push_back(
         format("on the grid the map keeps %.4g %% of its rms height and %.4g %% of "
                "its rms slope",
@@ -105,33 +105,21 @@ namespace strait
       PeriodicGrid         grid;
       std::vector<Complex> modes;
     };
-
-    /** A whole grid as a field of this rank alone. */
-    SlabField
-    on_one_rank(const PeriodicGrid &grid, const std::vector<double> &values)
-    {
-      SlabField field(make_layout(grid, MPI_COMM_SELF));
-      std::copy(values.begin(), values.end(), field.begin());
-      return field;
-    }
   } // namespace
 
   Resampled
   fourier_resample(const std::vector<double> &values,
                    const PeriodicGrid        &source,
                    const PeriodicGrid        &target,
-                   const WaveBand            &band)
+                   const double               shortest,
+                   const double               longest)
   {
-    const double two_pi      = 2 * std::acos(-1.);
-    const auto   wave_number = [&](const int kx, const int ky) {
-      return two_pi * std::hypot(kx / source.lx, ky / source.ly);
-    };
+    const double two_pi = 2 * std::acos(-1.);
     // So that a wave of the very length that was asked for is kept. Half and double of it
     // keep the same waves.
     constexpr double rounding = 1e-9;
-    const double     q_most =
-      band.shortest > 0 ? two_pi / band.shortest * (1 + rounding) : HUGE_VAL;
-    const double q_least = band.longest > 0 ? two_pi / band.longest * (1 - rounding) : 0.;
+    const double q_most  = shortest > 0 ? two_pi / shortest * (1 + rounding) : HUGE_VAL;
+    const double q_least = longest > 0 ? two_pi / longest * (1 - rounding) : 0.;
 
     const Spectrum   spectrum(values, source);
     FourierTransform transform(make_layout(target, MPI_COMM_SELF));
@@ -139,7 +127,8 @@ namespace strait
     result.values.resize(static_cast<std::size_t>(target.n_points()));
     transform.synthesize(result.values.data(),
                          [&](const int kx, const int ky) -> Complex {
-                           const double q = wave_number(kx, ky);
+                           const double q =
+                             two_pi * std::hypot(kx / source.lx, ky / source.ly);
                            // A wave at the end of a coarser grid would be one of two
                            // folded together.
                            const bool is_folded =
@@ -149,8 +138,12 @@ namespace strait
                              return 0.;
                            return spectrum.on_grid(kx, ky, target.nx, target.ny);
                          });
-    const SurfaceStatistics before = statistics(on_one_rank(source, values));
-    const SurfaceStatistics after  = statistics(on_one_rank(target, result.values));
+    const auto statistics_of = [](const PeriodicGrid        &grid,
+                                  const std::vector<double> &map) {
+      return statistics(scatter_from_root(make_layout(grid, MPI_COMM_SELF), map));
+    };
+    const SurfaceStatistics before = statistics_of(source, values);
+    const SurfaceStatistics after  = statistics_of(target, result.values);
     if (before.rms_height > 0)
       {
         result.kept_height = after.rms_height / before.rms_height;
@@ -169,7 +162,15 @@ namespace strait
     run_on_root(layout->communicator(), [&]() {
       map = read_height_map(file);
       cut_window(map, parameters, file);
-      process_map(map, parameters.map, file, remarks);
+      remarks.notes.push_back(format("map '%s': %s, %d × %d points",
+                                     file.c_str(),
+                                     map.format.c_str(),
+                                     map.nx,
+                                     map.ny));
+      convert_to_scene_units(map, parameters.map, file);
+      detrend(map, parameters.map.detrend);
+      fill_missing_points(map, parameters.map.largest_missing_share, file, remarks);
+      make_periodic(map, parameters.map, file, remarks);
       if (map.size)
         check_size(parameters, *map.size, file);
       bring_to_grid(map, parameters, layout->grid(), file, remarks);

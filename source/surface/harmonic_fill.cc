@@ -20,65 +20,61 @@ namespace strait
     /** The equations of the missing points: Σ over neighbours (u − u_neighbour) = 0. */
     struct Equations
     {
-      explicit Equations(const HeightMap &map);
+      explicit Equations(const HeightMap &map)
+      {
+        std::vector<long> row_of(map.values.size(), -1);
+        for (std::size_t k = 0; k < map.values.size(); ++k)
+          if (std::isnan(map.values[k]))
+            {
+              row_of[k] = static_cast<long>(points.size());
+              points.push_back(k);
+            }
+        for (const std::size_t k : points)
+          {
+            const int           ix   = static_cast<int>(k % map.nx);
+            const int           iy   = static_cast<int>(k / map.nx);
+            std::array<long, 4> rows = {{-1, -1, -1, -1}};
+            double              n = 0, known = 0;
+            int                 next  = 0;
+            const auto          visit = [&](const int jx, const int jy) {
+              if (jx < 0 || jy < 0 || jx >= map.nx || jy >= map.ny)
+                return;
+              const std::size_t j = static_cast<std::size_t>(jy) * map.nx + jx;
+              ++n;
+              if (row_of[j] >= 0)
+                rows[next++] = row_of[j];
+              else
+                known += map.values[j];
+            };
+            visit(ix - 1, iy);
+            visit(ix + 1, iy);
+            visit(ix, iy - 1);
+            visit(ix, iy + 1);
+            neighbours.push_back(rows);
+            diagonal.push_back(n);
+            rhs.push_back(known);
+          }
+      }
 
-      Vector apply(const Vector &u) const;
+      Vector
+      apply(const Vector &u) const
+      {
+        Vector result(u.size());
+        for (std::size_t i = 0; i < u.size(); ++i)
+          {
+            result[i] = diagonal[i] * u[i];
+            for (const long row : neighbours[i])
+              if (row >= 0)
+                result[i] -= u[row];
+          }
+        return result;
+      }
 
       std::vector<std::size_t>         points;     // positions in the map
-      std::vector<std::array<long, 4>> neighbours; // rows of these equations, or −1
+      std::vector<std::array<long, 4>> neighbours; // numbers of their equations, or −1
       Vector                           diagonal;
       Vector                           rhs;
     };
-
-    Equations::Equations(const HeightMap &map)
-    {
-      std::vector<long> row_of(map.values.size(), -1);
-      for (std::size_t k = 0; k < map.values.size(); ++k)
-        if (std::isnan(map.values[k]))
-          {
-            row_of[k] = static_cast<long>(points.size());
-            points.push_back(k);
-          }
-      for (const std::size_t k : points)
-        {
-          const int           ix   = static_cast<int>(k % map.nx);
-          const int           iy   = static_cast<int>(k / map.nx);
-          std::array<long, 4> rows = {{-1, -1, -1, -1}};
-          double              n = 0, known = 0;
-          int                 next  = 0;
-          const auto          visit = [&](const int jx, const int jy) {
-            if (jx < 0 || jy < 0 || jx >= map.nx || jy >= map.ny)
-              return;
-            const std::size_t j = static_cast<std::size_t>(jy) * map.nx + jx;
-            ++n;
-            if (row_of[j] >= 0)
-              rows[next++] = row_of[j];
-            else
-              known += map.values[j];
-          };
-          visit(ix - 1, iy);
-          visit(ix + 1, iy);
-          visit(ix, iy - 1);
-          visit(ix, iy + 1);
-          neighbours.push_back(rows);
-          diagonal.push_back(n);
-          rhs.push_back(known);
-        }
-    }
-
-    Vector
-    Equations::apply(const Vector &u) const
-    {
-      Vector result(u.size());
-      for (std::size_t i = 0; i < u.size(); ++i)
-        {
-          result[i] = diagonal[i] * u[i];
-          for (const long row : neighbours[i])
-            if (row >= 0)
-              result[i] -= u[row];
-        }
-      return result;
-    }
 
     /**
      * Replace NaN by the solution of the discrete Laplace equation with the valid points

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/surface/file_surface.h>
 #include <strait/surface/height_function.h>
 #include <strait/surface/make_surface.h>
+#include <strait/surface/map_processing.h>
 #include <strait/surface/self_affine_surface.h>
 
 #include <cmath>
@@ -67,55 +67,29 @@ namespace strait
     }
 
     /**
-     * The columns of @p field that have the numbers of this rank's rows in
-     * @p target: value (ix, iy) comes at [iy * target.n_rows() + ix − first
-     * row]. Collective.
-     */
-    std::vector<double>
-    fetch_columns(const SlabField &field, const SlabLayout &target)
-    {
-      const SlabLayout &source  = field.layout();
-      const int         n_ranks = source.n_ranks();
-      std::vector<int> n_sent(n_ranks), sent_at(n_ranks), n_got(n_ranks), got_at(n_ranks);
-      for (int r = 0; r < n_ranks; ++r)
-        {
-          sent_at[r] = source.n_rows() * target.first_row_of(r);
-          n_sent[r]  = source.n_rows() * target.first_row_of(r + 1) - sent_at[r];
-          got_at[r]  = target.n_rows() * source.first_row_of(r);
-          n_got[r]   = target.n_rows() * source.first_row_of(r + 1) - got_at[r];
-        }
-
-      std::vector<double> outgoing(field.size());
-      auto                next = outgoing.begin();
-      for (int r = 0; r < n_ranks; ++r)
-        for (int row = 0; row < source.n_rows(); ++row)
-          for (int ix = target.first_row_of(r); ix < target.first_row_of(r + 1); ++ix)
-            *next++ = field(ix, row);
-
-      std::vector<double> incoming(target.n_local_points());
-      MPI_Alltoallv(outgoing.data(),
-                    n_sent.data(),
-                    sent_at.data(),
-                    MPI_DOUBLE,
-                    incoming.data(),
-                    n_got.data(),
-                    got_at.data(),
-                    MPI_DOUBLE,
-                    target.communicator());
-      return incoming;
-    }
-
-    /**
      * Turned by 90° about the origin, counter-clockwise: h(x, y) = h_before(y, −x), where
      * @p before lives in the box ly × lx. Collective.
      */
     SlabField
     rotated(const SlabField &before, const SlabLayoutPtr &layout)
     {
-      const std::vector<double> columns = fetch_columns(before, *layout);
-      const int                 nx      = layout->grid().nx;
-      const int                 n_rows  = layout->n_rows();
-      SlabField                 after(layout);
+      // Rows are made of columns: each rank gets those with the numbers of its rows.
+      std::vector<double> outgoing;
+      outgoing.reserve(before.size());
+      std::vector<int> n_outgoing;
+      for (int r = 0; r < layout->n_ranks(); ++r)
+        {
+          const int first = layout->first_row_of(r), end = layout->first_row_of(r + 1);
+          for (int row = 0; row < before.layout().n_rows(); ++row)
+            for (int ix = first; ix < end; ++ix)
+              outgoing.push_back(before(ix, row));
+          n_outgoing.push_back(before.layout().n_rows() * (end - first));
+        }
+      const std::vector<double> columns =
+        exchange(layout->communicator(), outgoing, n_outgoing).items;
+      const int nx     = layout->grid().nx;
+      const int n_rows = layout->n_rows();
+      SlabField after(layout);
       for (int row = 0; row < n_rows; ++row)
         for (int ix = 0; ix < nx; ++ix)
           {

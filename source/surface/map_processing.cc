@@ -219,18 +219,4 @@ namespace strait
     map.ny          = ny;
     map.is_periodic = false;
   }
-
-  void
-  process_map(HeightMap           &map,
-              const MapParameters &parameters,
-              const std::string   &file,
-              Remarks             &remarks)
-  {
-    remarks.notes.push_back(format(
-      "map '%s': %s, %d × %d points", file.c_str(), map.format.c_str(), map.nx, map.ny));
-    convert_to_scene_units(map, parameters, file);
-    detrend(map, parameters.detrend);
-    fill_missing_points(map, parameters.largest_missing_share, file, remarks);
-    make_periodic(map, parameters, file, remarks);
-  }
 } // namespace strait

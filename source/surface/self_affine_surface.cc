@@ -48,19 +48,18 @@ namespace strait
     }
   } // namespace
 
-  SelfAffineSpectrum::SelfAffineSpectrum(const SurfaceParameters &parameters,
-                                         MPI_Comm                 communicator)
-    : size(parameters.size)
-    , hurst_exponent(parameters.hurst_exponent)
+  SelfAffineSurface::SelfAffineSurface(const SurfaceParameters &parameters_,
+                                       MPI_Comm                 communicator)
+    : parameters(parameters_)
     , roll_off(1 / parameters.roll_off_wavelength)
     // The cut-off excludes waves on it; the margin makes that safe from rounding.
     , cut_off((1 - 1e-12) / parameters.short_cut_off_wavelength)
   {
-    if (std::max(size[0], size[1]) * cut_off > most_waves_in_a_box)
+    if (std::max(parameters.size[0], parameters.size[1]) * cut_off > most_waves_in_a_box)
       throw InputError(
         "Surface/Short cut-off wavelength is less than 1/32767 of the box, "
         "which no grid resolves: make it longer or the box smaller.");
-    const double sum = band_sum(parameters.normalisation, communicator);
+    const double sum = band_sum(communicator);
     if (!(sum > 0))
       throw InputError(
         "Surface/Short cut-off wavelength leaves no wave in the box: make it "
@@ -69,20 +68,21 @@ namespace strait
   }
 
   double
-  SelfAffineSpectrum::operator()(const int kx, const int ky) const
+  SelfAffineSurface::spectrum(const int kx, const int ky) const
   {
-    const double wave_number = std::sqrt(square(kx / size[0]) + square(ky / size[1]));
+    const double wave_number =
+      std::sqrt(square(kx / parameters.size[0]) + square(ky / parameters.size[1]));
     if (wave_number == 0. || wave_number >= cut_off)
       return 0.;
     if (wave_number < roll_off)
       return scale;
-    return scale * std::pow(wave_number / roll_off, -2 * (1 + hurst_exponent));
+    return scale * std::pow(wave_number / roll_off, -2 * (1 + parameters.hurst_exponent));
   }
 
   double
-  SelfAffineSpectrum::band_sum(const Normalisation normalisation,
-                               MPI_Comm            communicator) const
+  SelfAffineSurface::band_sum(MPI_Comm communicator) const
   {
+    const auto &size = parameters.size;
     // Lines of constant kx are dealt out to the ranks and added up in the same
     // order everywhere, so that the sum does not depend on their number. One
     // quadrant stands for all four.
@@ -95,8 +95,9 @@ namespace strait
           const double q_squared =
             square(two_pi) * (square(kx / size[0]) + square(ky / size[1]));
           const double weight = (kx > 0 ? 2. : 1.) * (ky > 0 ? 2. : 1.);
-          lines[kx] += weight * (*this)(kx, ky) *
-                       (normalisation == Normalisation::rms_slope ? q_squared : 1.);
+          lines[kx] +=
+            weight * spectrum(kx, ky) *
+            (parameters.normalisation == Normalisation::rms_slope ? q_squared : 1.);
         }
     sum_in_place(communicator, lines.data(), static_cast<int>(lines.size()));
 
@@ -104,14 +105,6 @@ namespace strait
     for (const double line : lines)
       sum += line;
     return sum;
-  }
-
-  SelfAffineSurface::SelfAffineSurface(const SurfaceParameters &parameters,
-                                       MPI_Comm                 communicator)
-    : spectrum(parameters, communicator)
-    , seed(parameters.seed)
-    , amplitudes(parameters.amplitudes)
-  {
   }
 
   SlabField
@@ -137,12 +130,13 @@ namespace strait
     if (variance == 0.)
       return 0.;
 
-    const std::uint64_t state = absorb(absorb(mix(seed), static_cast<std::uint64_t>(kx)),
-                                       static_cast<std::uint64_t>(ky));
-    const double        phase = two_pi * uniform(absorb(state, 1));
-    double              modulus = std::sqrt(variance);
+    const std::uint64_t state =
+      absorb(absorb(mix(parameters.seed), static_cast<std::uint64_t>(kx)),
+             static_cast<std::uint64_t>(ky));
+    const double phase   = two_pi * uniform(absorb(state, 1));
+    double       modulus = std::sqrt(variance);
     // Box and Muller's transform, scaled to a mean square of one.
-    if (amplitudes == Amplitudes::gaussian)
+    if (parameters.amplitudes == Amplitudes::gaussian)
       modulus *= std::sqrt(-std::log(uniform(absorb(state, 2))));
     return std::polar(modulus, phase);
   }

@@ -14,7 +14,7 @@ namespace strait
   ClosingLaw::fit(const std::vector<Slope> &leak_rate)
   {
     const auto excess = [&](const double constant) {
-      const ClosingLaw law(constant);
+      const ClosingLaw law{constant};
       double           sum = 0;
       for (const Slope &slope : leak_rate)
         sum += law.leak_rate_exponent(slope.reduced_load) - slope.exponent;
@@ -27,12 +27,12 @@ namespace strait
       least = std::max(least, .5 * std::log(slope.reduced_load));
     const double most = 1. / std::numeric_limits<float>::epsilon();
     if (leak_rate.empty() || !(excess(least) > 0) || !(excess(most) < 0))
-      return ClosingLaw(std::numeric_limits<double>::quiet_NaN());
+      return {std::numeric_limits<double>::quiet_NaN()};
     namespace tools                = boost::math::tools;
     std::uintmax_t max_evaluations = 200;
     const auto [lower, upper]      = tools::toms748_solve(
       excess, least, most, tools::eps_tolerance<double>(40), max_evaluations);
-    return ClosingLaw(.5 * (lower + upper));
+    return {.5 * (lower + upper)};
   }
 
   double

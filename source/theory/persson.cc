@@ -17,6 +17,9 @@ namespace strait
     // At which exp(−x) is a rounding error of 1, and so are erfc(√x) and W(√x).
     const double vanishing = -std::log(std::numeric_limits<double>::epsilon());
 
+    // Beyond it W is less than a rounding error of 1.
+    const double largest_compression = std::sqrt(vanishing);
+
     /** Probability that |separation + roughness z| < u, z normal. */
     double
     share_below(const GapLayer &layer, const double u)
@@ -39,37 +42,14 @@ namespace strait
     }
   } // namespace
 
-  CompressionIntegral::CompressionIntegral(const double gamma_)
-    : gamma(gamma_)
-    , saturated(saturated_part, 0., largest())
-  {
-  }
-
-  double
-  CompressionIntegral::operator()(const double s) const
-  {
-    if (s >= largest())
-      return 0.;
-    // In double precision as it stands, four times as fast as Boost's default.
-    using Policy =
-      boost::math::policies::policy<boost::math::policies::promote_double<false>>;
-    return .5 * gamma * boost::math::expint(1, s * s, Policy()) +
-           3 * (1 - gamma) * std::exp(-s * s) * saturated(s);
-  }
-
-  double
-  CompressionIntegral::largest()
-  {
-    return std::sqrt(vanishing);
-  }
-
   PerssonTheory::PerssonTheory(RadialSpectrum          spectrum,
                                const double            effective_modulus,
-                               const double            gamma,
+                               const double            gamma_,
                                const TheoryResolution &resolution_)
     : waves(std::move(spectrum))
     , modulus(effective_modulus)
-    , compression(gamma)
+    , gamma(gamma_)
+    , saturated(saturated_part, 0., largest_compression)
     , resolution(resolution_)
   {
   }
@@ -109,6 +89,18 @@ namespace strait
   }
 
   double
+  PerssonTheory::compression(const double s) const
+  {
+    if (s >= largest_compression)
+      return 0.;
+    // In double precision as it stands, four times as fast as Boost's default.
+    using Policy =
+      boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+    return .5 * gamma * boost::math::expint(1, s * s, Policy()) +
+           3 * (1 - gamma) * std::exp(-s * s) * saturated(s);
+  }
+
+  double
   PerssonTheory::mean_gap(const double seen, const double smoothed) const
   {
     const double left_over = waves.slope_square() - seen;
@@ -116,9 +108,9 @@ namespace strait
       return 0.;
     // In ln v all is smooth but the corners of the spectrum.
     const double        end    = .5 * std::log(left_over);
-    std::vector<double> breaks = {std::log(smoothed / CompressionIntegral::largest())};
-    for (const double q : waves.corners())
-      if (const double above = waves.slope_square_below(q) - seen;
+    std::vector<double> breaks = {std::log(smoothed / largest_compression)};
+    for (const RadialSpectrum::Section &section : waves.power_laws())
+      if (const double above = waves.slope_square_below(section.from) - seen;
           above > 0 && .5 * std::log(above) > breaks.back())
         breaks.push_back(.5 * std::log(above));
     if (!(end > breaks.front()))
@@ -165,8 +157,8 @@ namespace strait
     };
     for (int k = 0; k < n; ++k)
       add(lowest * std::pow(band, .5 * (1 - std::cos(M_PI * k / n))));
-    for (const double q : waves.corners())
-      add(q);
+    for (const RadialSpectrum::Section &section : waves.power_laws())
+      add(section.from);
     std::sort(slopes.begin(), slopes.end());
     slopes.erase(std::unique(slopes.begin(), slopes.end()), slopes.end());
     return slopes;
@@ -177,7 +169,6 @@ namespace strait
   {
     PerssonState state;
     const double smoothed = std::sqrt(2.) * pressure / modulus;
-    state.pressure        = pressure;
     state.contact_area    = contact_area(pressure);
     state.mean_gap        = mean_gap(0., smoothed);
 

@@ -42,14 +42,14 @@ namespace strait
 
     /** C = (q/from)^(−decay), not yet scaled. */
     RadialSpectrum::Section
-    power_law(const double from, const double to, const double decay, const double scale)
+    power_law(const double from, const double to, const double decay)
     {
       const double x = std::log(to / from);
       return {from,
               to,
               decay,
-              scale * (2 * M_PI) * from * from * growth(2 - decay, x),
-              scale * (2 * M_PI) * std::pow(from, 4) * growth(4 - decay, x)};
+              2 * M_PI * from * from * growth(2 - decay, x),
+              2 * M_PI * std::pow(from, 4) * growth(4 - decay, x)};
     }
   } // namespace
 
@@ -62,8 +62,6 @@ namespace strait
       slope_below[k + 1] = slope_below[k] + sections[k].slope_square;
     for (std::size_t k = sections.size(); k-- > 0;)
       height_above[k] = height_above[k + 1] + sections[k].height_square;
-    for (std::size_t k = 1; k < sections.size(); ++k)
-      changes.push_back(sections[k].from);
     if (!(height_above.front() > 0))
       throw InputError(
         "Theory/Enabled: the surface is flat, and the theory of rough "
@@ -134,9 +132,9 @@ namespace strait
         "it shorter than the side of Surface/Size.");
     std::vector<RadialSpectrum::Section> sections;
     if (roll_off > lowest)
-      sections.push_back(power_law(lowest, std::min(roll_off, cut_off), 0., 1.));
+      sections.push_back(power_law(lowest, std::min(roll_off, cut_off), 0.));
     if (cut_off > roll_off)
-      sections.push_back(power_law(std::max(lowest, roll_off), cut_off, decay, 1.));
+      sections.push_back(power_law(std::max(lowest, roll_off), cut_off, decay));
     double sum = 0;
     for (const auto &section : sections)
       sum += parameters.normalisation == Normalisation::rms_slope ? section.slope_square

@@ -8,6 +8,7 @@
 // Cold starts by dual conjugate gradients and, for comparison, by the textbook method
 // of Polonsky and Keer, to the same residual; the last column is the ratio of times.
 #include <strait/contact/contact_solver.h>
+#include <strait/contact/optimisers.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/self_affine_surface.h>
 

@@ -99,19 +99,18 @@ namespace
 
   /** Marks the cells where correction gains more than 0.7 of what a mean one gains. */
   void
-  refine_where_energy_falls(FlowMesh                &mesh,
-                            PotentialProblem        &pressure,
-                            const CorrectedSolution &corrected)
+  refine_where_energy_falls(FlowMesh              &mesh,
+                            PotentialProblem      &pressure,
+                            const CorrectedEnergy &corrected)
   {
     std::vector<double> values, gains;
     double              total = 0.;
-    for (const auto &cell : pressure.dof_handler().active_cell_iterators())
+    for (std::size_t c = 0; c < pressure.cells().size(); ++c)
       {
-        const std::size_t c = gains.size();
-        pressure.cell_values(cell, values);
+        pressure.cell_values(c, values);
         const double before =
           pressure.is_active(c) ? pressure.cell_energy(c, values) : 0.;
-        gains.push_back(std::abs(before - corrected.cell_energies[c]));
+        gains.push_back(std::abs(before - corrected.of_cells[c]));
         total += gains.back();
       }
     std::size_t c = 0;
@@ -137,20 +136,19 @@ namespace
     const double ready = timer.wall_time();
     FlowMesh     mesh(prepared.field, fluid.direction);
     mesh.refine_to_start();
-    PotentialProblem       pressure(PotentialProblem::Kind::pressure,
-                              mesh,
-                              prepared.field.moment_set());
+    PotentialProblem       pressure(mesh,
+                              prepared.field.moment_set(),
+                              GapField::Coefficient::conductivity);
     HierarchicalCorrection correction(mesh);
     while (true)
       {
-        pressure.set_up();
-        pressure.assemble(prepared.field);
-        pressure.solve(fluid.preconditioner, 1e-12 * accuracy);
+        pressure.take_coefficient(prepared.field);
+        pressure.solve({fluid.preconditioner, 1e-12 * accuracy});
         correction.set_up();
-        const CorrectedSolution corrected = correction.relax(pressure, prepared.field);
-        cost.flow.upper = cost.flow.rate = corrected.energy;
+        const CorrectedEnergy corrected = correction.relax(pressure, prepared.field);
+        cost.flow.upper = cost.flow.rate = corrected.total;
         cost.flow.unknowns               = pressure.n_unknowns();
-        if (std::abs(corrected.energy / reference - 1) <= accuracy)
+        if (std::abs(corrected.total / reference - 1) <= accuracy)
           break;
         if (cost.flow.unknowns > fluid.maximum_unknowns / 2 ||
             cost.flow.refinements == 40)

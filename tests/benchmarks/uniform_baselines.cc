@@ -36,7 +36,7 @@ namespace
   conductivities(const SlabField &gap, const int m)
   {
     const int            n = gap.grid().nx;
-    const GapInterpolant interpolant(GapInterpolation::monotone_cubic, FlowDirection::x);
+    const GapInterpolant interpolant{GapInterpolation::monotone_cubic, FlowDirection::x};
     std::vector<double>  result(static_cast<std::size_t>(m) * m, 0.);
     for (int j = 0; j < m; ++j)
       for (int i = 0; i < m; ++i)

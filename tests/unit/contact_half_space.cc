@@ -26,7 +26,7 @@ namespace
         for (std::size_t i = 0; i < u.size(); ++i)
           expected[i] = (p[i] - 5) * 2 / (std::hypot(qx, qy) * modulus);
         HalfSpaceProblem problem(p, modulus);
-        const double     work = problem.apply(p.data(), u.data(), no_work_pass);
+        const double     work = problem.apply(p.data(), u.data(), no_pass);
 
         double product = 0;
         for (std::size_t i = 0; i < u.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/contact/zoom_in.h>
+#include <strait/contact/grid_transfer.h>
 #include <strait/contact/zoomed_problem.h>
 #include <strait/spectral/fill_windows.h>
 
@@ -88,8 +88,8 @@ namespace
     ZoomedProblem       problem(flat, 2.);
     const SlabField     a = rough_values(layout, 1.), b = rough_values(layout, 1.7);
     SlabField           Ga(layout), Gb(layout), Ma(layout), Mb(layout);
-    const double        work = problem.apply(a.data(), Ga.data(), no_work_pass);
-    problem.apply(b.data(), Gb.data(), no_work_pass);
+    const double        work = problem.apply(a.data(), Ga.data(), no_pass);
+    problem.apply(b.data(), Gb.data(), no_pass);
     EXPECT_GT(work, 0.);
     EXPECT_NEAR(weighted(problem, a, Ga), work, 1e-14 * work);
     const double Gbb = weighted(problem, b, Gb);
@@ -117,9 +117,9 @@ namespace
     ZoomedProblem       problem(flat, 2.);
     const SlabField     p = rough_values(layout, 1.);
     SlabField           u(layout);
-    const double        work = problem.apply(p.data(), u.data(), no_work_pass);
+    const double        work = problem.apply(p.data(), u.data(), no_pass);
     std::vector<float>  step(p.begin(), p.end());
-    EXPECT_NEAR(problem.respond(step.data(), step.data(), no_pass, no_work_pass),
+    EXPECT_NEAR(problem.respond(step.data(), step.data(), no_pass, no_pass),
                 work,
                 1e-6 * work);
     const double most = max_value(u);
@@ -144,11 +144,11 @@ namespace
     });
     const SlabField flat(layout);
     ZoomedProblem   problem(flat, 1.);
-    problem.apply(p.data(), u.data(), no_work_pass);
+    problem.apply(p.data(), u.data(), no_pass);
 
     const SlabField fine_p = sampled({3 * n, 3 * n, 1., 1.}, narrow);
     SlabField       fine_u(fine_p.layout_pointer());
-    HalfSpaceProblem(fine_p, 1.).apply(fine_p.data(), fine_u.data(), no_work_pass);
+    HalfSpaceProblem(fine_p, 1.).apply(fine_p.data(), fine_u.data(), no_pass);
     const std::vector<double> line = fetch_rows(fine_u, {3 * 26});
     const double              most = max_value(fine_u);
     // Row 26 of the grid, at y = 0.4, in the window and beside it.

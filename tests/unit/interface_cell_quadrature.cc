@@ -49,8 +49,7 @@ namespace strait
 
     TEST_P(CellQuadratures, RangeHoldsTheGapAndNarrowsWithTheRectangle)
     {
-      const CellQuadrature  quadrature(GetParam());
-      const GapInterpolant &interpolant = quadrature.gap_interpolant();
+      const GapInterpolant interpolant{GetParam().interpolation, GetParam().direction};
       for (int k = 0; k < 300; ++k)
         {
           const GapStencil gap  = stencil(number(.1, 8.));
@@ -80,9 +79,9 @@ namespace strait
 
     TEST_P(CellQuadratures, MomentsAreBoundsFromAbove)
     {
-      const CellQuadrature  quadrature(GetParam());
-      const GapInterpolant &interpolant = quadrature.gap_interpolant();
-      constexpr int         n           = 128; // parts for the expected integral
+      const CellQuadrature quadrature(GetParam());
+      const GapInterpolant interpolant{GetParam().interpolation, GetParam().direction};
+      constexpr int        n = 128; // parts for the expected integral
       for (int k = 0; k < 60; ++k)
         {
           const double         variation = number(.05, 4.);

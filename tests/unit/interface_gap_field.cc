@@ -97,7 +97,7 @@ namespace strait
         const double        edge = 1. / factor;
         for (int k = 0; k < factor * factor; ++k)
           set.add_part(result.data(),
-                       answers[k],
+                       &answers(k, 0),
                        edge * (k % factor),
                        edge * (k / factor), // NOLINT: the row
                        edge);
@@ -158,7 +158,10 @@ namespace strait
                 const CellAnswers   answers = levels.ask(coefficient, asked);
                 std::vector<double> sums(set.size());
                 for (int child = 0; child < 4; ++child)
-                  set.add_child(sums.data(), answers[child + 1], child % 2, child / 2);
+                  set.add_child(sums.data(),
+                                &answers(child + 1, 0),
+                                child % 2,
+                                child / 2);
                 const double tolerance = exponent > 0 ? 1e-12 : 1e-2;
                 for (int m = 0; m < set.size(); ++m)
                   EXPECT_NEAR(answers[0][m], sums[m], tolerance * answers[0][0])

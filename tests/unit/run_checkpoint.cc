@@ -16,7 +16,7 @@ namespace
   using namespace strait;
 
   /** A folder of the test's own, the same on all ranks. */
-  class Checkpoint : public testing::Test
+  class CheckpointFile : public testing::Test
   {
   protected:
     void
@@ -62,7 +62,7 @@ namespace
     void
     save()
     {
-      CheckpointWriter writer(path, MPI_COMM_WORLD);
+      Checkpoint writer(path, MPI_COMM_WORLD, Checkpoint::Access::write);
       transfer(writer);
       writer.commit();
     }
@@ -80,7 +80,7 @@ namespace
   };
 } // namespace
 
-TEST_F(Checkpoint, GivesBackWhatWasPut)
+TEST_F(CheckpointFile, GivesBackWhatWasPut)
 {
   fill();
   save();
@@ -95,7 +95,7 @@ TEST_F(Checkpoint, GivesBackWhatWasPut)
   single.clear();
   absent  = SlabField(layout);
   nothing = {1.F};
-  CheckpointReader reader(path, MPI_COMM_WORLD);
+  Checkpoint reader(path, MPI_COMM_WORLD, Checkpoint::Access::read);
   transfer(reader);
   EXPECT_EQ(number, -0.1);
   EXPECT_EQ(count, 1L << 50);
@@ -112,19 +112,20 @@ TEST_F(Checkpoint, GivesBackWhatWasPut)
   EXPECT_THROW(reader.value(number), InputError);
 }
 
-TEST_F(Checkpoint, AnotherGridIsRefused)
+TEST_F(CheckpointFile, AnotherGridIsRefused)
 {
   fill();
   save();
   layout = make_layout({500, 300, 1., 1.}, MPI_COMM_WORLD);
-  CheckpointReader reader(path, MPI_COMM_WORLD);
+  Checkpoint reader(path, MPI_COMM_WORLD, Checkpoint::Access::read);
   EXPECT_THROW(transfer(reader), InputError);
 }
 
-TEST_F(Checkpoint, SpoiltFilesAreRefused)
+TEST_F(CheckpointFile, SpoiltFilesAreRefused)
 {
-  EXPECT_THROW(CheckpointReader(path, MPI_COMM_WORLD), InputError);
-  EXPECT_THROW(CheckpointReader(folder.path(), MPI_COMM_WORLD), InputError);
+  EXPECT_THROW(Checkpoint(path, MPI_COMM_WORLD, Checkpoint::Access::read), InputError);
+  EXPECT_THROW(Checkpoint(folder.path(), MPI_COMM_WORLD, Checkpoint::Access::read),
+               InputError);
   fill();
   save();
   const auto size = std::filesystem::file_size(path);
@@ -132,7 +133,8 @@ TEST_F(Checkpoint, SpoiltFilesAreRefused)
   for (const auto length : {size - 1, size / 2, std::uintmax_t(40), std::uintmax_t(0)})
     {
       run_on_root(MPI_COMM_WORLD, [&]() { std::filesystem::resize_file(path, length); });
-      EXPECT_THROW(CheckpointReader(path, MPI_COMM_WORLD), InputError) << length;
+      EXPECT_THROW(Checkpoint(path, MPI_COMM_WORLD, Checkpoint::Access::read), InputError)
+        << length;
     }
   for (const std::uintmax_t at : {std::uintmax_t(0), size / 3, size - 20, size - 1})
     {
@@ -144,12 +146,13 @@ TEST_F(Checkpoint, SpoiltFilesAreRefused)
         file.seekp(static_cast<std::streamoff>(at));
         file.put(static_cast<char>(byte ^ 4));
       });
-      EXPECT_THROW(CheckpointReader(path, MPI_COMM_WORLD), InputError) << at;
+      EXPECT_THROW(Checkpoint(path, MPI_COMM_WORLD, Checkpoint::Access::read), InputError)
+        << at;
     }
 }
 
 // The values in windows are the same on all ranks; those at grid points are dealt out.
-TEST_F(Checkpoint, KeepsTheWindowsOfAField)
+TEST_F(CheckpointFile, KeepsTheWindowsOfAField)
 {
   layout                                = make_layout({48, 31, 1., 1.}, MPI_COMM_WORLD);
   const std::vector<ZoomWindow> windows = {{-1, 1, 40, -3, 14, 12}, {0, 2, 5, 9, 12, 8}};
@@ -169,7 +172,7 @@ TEST_F(Checkpoint, KeepsTheWindowsOfAField)
   single.assign(field.begin(), field.end());
   const std::vector<float> single_then = single;
   {
-    CheckpointWriter writer(path, MPI_COMM_WORLD);
+    Checkpoint writer(path, MPI_COMM_WORLD, Checkpoint::Access::write);
     transfer_fields(writer);
     writer.commit();
   }
@@ -178,7 +181,7 @@ TEST_F(Checkpoint, KeepsTheWindowsOfAField)
   count                      = 0;
   field                      = SlabField();
   single.clear();
-  CheckpointReader reader(path, MPI_COMM_WORLD);
+  Checkpoint reader(path, MPI_COMM_WORLD, Checkpoint::Access::read);
   transfer_fields(reader);
   EXPECT_EQ(number, 3.);
   EXPECT_EQ(count, 17);
@@ -189,16 +192,36 @@ TEST_F(Checkpoint, KeepsTheWindowsOfAField)
   EXPECT_EQ(single, single_then);
 }
 
-TEST_F(Checkpoint, WhatIsNotCommittedChangesNothing)
+// Warnings, of which only rank 0 may know.
+TEST_F(CheckpointFile, ListsAreThoseOfRankZero)
+{
+  if (layout->rank() == 0)
+    texts = {"some", "more", ""};
+  {
+    Checkpoint writer(path, MPI_COMM_WORLD, Checkpoint::Access::write);
+    writer.value(texts);
+    field = SlabField(layout, 2.);
+    writer.field(field, layout);
+    writer.commit();
+  }
+  texts.clear();
+  Checkpoint reader(path, MPI_COMM_WORLD, Checkpoint::Access::read);
+  reader.value(texts);
+  reader.field(field, layout);
+  EXPECT_EQ(texts, (std::vector<std::string>{"some", "more", ""}));
+  EXPECT_EQ(mean(field), 2.);
+}
+
+TEST_F(CheckpointFile, WhatIsNotCommittedChangesNothing)
 {
   fill();
   save();
   {
-    CheckpointWriter writer(path, MPI_COMM_WORLD);
+    Checkpoint writer(path, MPI_COMM_WORLD, Checkpoint::Access::write);
     number = 7;
     writer.value(number);
   }
-  CheckpointReader reader(path, MPI_COMM_WORLD);
+  Checkpoint reader(path, MPI_COMM_WORLD, Checkpoint::Access::read);
   transfer(reader);
   EXPECT_EQ(number, -0.1);
   run_on_root(MPI_COMM_WORLD,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/run/flow_in_a_row.h>
+#include <strait/run/load_sweep.h>
 #include <strait/seal/flow_stage.h>
 
 #include <gtest/gtest.h>

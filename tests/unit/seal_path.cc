@@ -32,7 +32,7 @@ namespace
       state.mean_gap         = 2 - load - (closes ? .4 : 0.);
       state.contact_area     = .2 + .1 * load + (closes ? .1 : 0.);
       state.converged        = load > -.5;
-      state.fft_pairs        = 10;
+      seal.costs.fft_pairs   = 10;
       state.adhesion.emplace();
       state.adhesion->detached = load <= -.5;
       state.adhesion->total_energy =
@@ -100,7 +100,7 @@ namespace
     Walk path{1e-3};
     long pairs = 0;
     for (const double load : {.1, .2, .4, .8})
-      pairs += path.to(load).state->contact->fft_pairs;
+      pairs += path.to(load).state->costs.fft_pairs;
     EXPECT_EQ(path.model.n_solves, 4);
     EXPECT_EQ(pairs, 40);
     EXPECT_TRUE(path.jumps.empty());

@@ -26,7 +26,6 @@ namespace strait
         result.openness =
           open > 0 ? .8 * std::pow(open, of_gap) : -.003 * std::pow(-open, of_pressure);
         result.contact_area = load;
-        result.fft_pairs    = 10;
         return result;
       };
     }
@@ -44,13 +43,11 @@ namespace strait
         {
           int              n_probes = 0;
           TransitionSearch search(constriction(critical, n_probes), 1e-4);
-          const Passage    found = search.enclose(1.25, 0.);
+          const Passage    found = search.enclose({1.25}, 0.);
           EXPECT_LE(found.before, critical);
           EXPECT_GE(found.beyond, critical);
           EXPECT_LE(relative_width(found), 1e-4);
           EXPECT_DOUBLE_EQ(search.at(found.before).contact_area, found.before);
-          EXPECT_EQ(search.n_asked(), n_probes);
-          EXPECT_EQ(search.n_fft_pairs(), 10 * n_probes);
           // A start that is off by a factor of six costs a few steps to get there.
           EXPECT_LE(n_probes, critical < .5 ? 18 : 13) << critical;
         }
@@ -61,7 +58,7 @@ namespace strait
       int              n_far = 0, n_near = 0;
       TransitionSearch far(constriction(1.436, n_far), 1e-6);
       TransitionSearch near(constriction(1.436, n_near), 1e-6);
-      far.enclose(1.25, 0.);
+      far.enclose({1.25}, 0.);
       const Passage found = near.enclose({1.4365, 5e-4}, 0.);
       EXPECT_LE(found.before, 1.436);
       EXPECT_GE(found.beyond, 1.436);
@@ -73,7 +70,7 @@ namespace strait
     {
       int              n_probes = 0;
       TransitionSearch search(constriction(1.436, n_probes), 1e-9);
-      EXPECT_LE(relative_width(search.enclose(1.25, 0.)), 1e-9);
+      EXPECT_LE(relative_width(search.enclose({1.25}, 0.)), 1e-9);
       EXPECT_LE(n_probes, 14);
     }
 
@@ -81,16 +78,16 @@ namespace strait
     {
       int              n_probes = 0;
       TransitionSearch search(constriction(1.436, n_probes), 1e-4);
-      const Passage    dry   = search.enclose(1.25, 0.);
+      const Passage    dry   = search.enclose({1.25}, 0.);
       const int        first = n_probes;
-      const Passage    slip  = search.enclose(1.25, 2e-3);
+      const Passage    slip  = search.enclose({1.25}, 2e-3);
       const double     exact = 1.436 * (1 - std::pow(2e-3 / .8, 1 / of_gap));
       EXPECT_LE(slip.before, exact);
       EXPECT_GE(slip.beyond, exact);
       EXPECT_LT(slip.beyond, dry.before);
       EXPECT_LE(n_probes - first, 8);
       const int second = n_probes;
-      EXPECT_EQ(search.enclose(1.25, 0.).before, dry.before);
+      EXPECT_EQ(search.enclose({1.25}, 0.).before, dry.before);
       EXPECT_EQ(n_probes, second);
     }
 
@@ -135,7 +132,7 @@ namespace strait
           Growing          contact(1.436, fine, 2 * tolerance);
           TransitionSearch search([&](const double load) { return contact(load); },
                                   tolerance);
-          const Passage    found = search.enclose_surely(1.25, 0.);
+          const Passage    found = search.enclose_surely({1.25}, 0.);
           EXPECT_LE(found.before, fine);
           EXPECT_GT(found.beyond, fine);
           EXPECT_GT(found.beyond, found.before);
@@ -156,12 +153,11 @@ namespace strait
       int              n_plain = 0, n_sure = 0;
       TransitionSearch plain(constriction(1.436, n_plain), 1e-4);
       TransitionSearch sure(constriction(1.436, n_sure), 1e-4);
-      const Passage    one   = plain.enclose(1.25, 0.);
-      const Passage    other = sure.enclose_surely(1.25, 0.);
+      const Passage    one   = plain.enclose({1.25}, 0.);
+      const Passage    other = sure.enclose_surely({1.25}, 0.);
       EXPECT_EQ(one.before, other.before);
       EXPECT_EQ(one.beyond, other.beyond);
       EXPECT_EQ(n_sure, n_plain + 2);
-      EXPECT_EQ(sure.n_asked(), n_sure);
     }
 
     TEST(TransitionSearch, SaysWhenThereIsNone)
@@ -173,8 +169,10 @@ namespace strait
           return result;
         };
       };
-      EXPECT_THROW(TransitionSearch(always(1.), 1e-4).enclose(1., 0.), ComputationError);
-      EXPECT_THROW(TransitionSearch(always(-1.), 1e-4).enclose(1., 0.), ComputationError);
+      EXPECT_THROW(TransitionSearch(always(1.), 1e-4).enclose({1.}, 0.),
+                   ComputationError);
+      EXPECT_THROW(TransitionSearch(always(-1.), 1e-4).enclose({1.}, 0.),
+                   ComputationError);
     }
 
     constexpr double tolerance = 1e-4;
@@ -239,10 +237,11 @@ namespace strait
 
     TEST(SlowApproach, AsksOnceMoreWhereTheStepDoesNotMatter)
     {
-      TransitionSearch search = searching([](double) { return false; });
-      const auto       found  = search.approach({1., 1. + tolerance}, is_open);
+      int              n_asked = 0;
+      TransitionSearch search  = searching([&](double) { return ++n_asked == 0; });
+      const auto       found   = search.approach({1., 1. + tolerance}, is_open);
       ASSERT_TRUE(found);
-      EXPECT_EQ(search.n_asked(), 1);
+      EXPECT_EQ(n_asked, 1);
       EXPECT_EQ(found->before, 1.);
       EXPECT_EQ(found->beyond, 1. + tolerance);
     }

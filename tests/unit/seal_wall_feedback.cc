@@ -73,7 +73,7 @@ namespace strait
     TEST(WallFeedback, FindsTheStateThatPlainRoundsLeave)
     {
       UniformSeal seal([](const double p) { return .3 - 1.4 * (p - .3); }, always);
-      const FeedbackResult result = seal.solve(.5, {tolerance});
+      const FeedbackResult result = seal.solve(.5, {tolerance, tolerance});
       EXPECT_TRUE(result.converged);
       EXPECT_LE(result.iterations, 6);
       EXPECT_NEAR(seal.pressure, .3, tolerance);
@@ -83,11 +83,11 @@ namespace strait
     {
       // Even where the pressure is right at once, one round says nothing of it.
       UniformSeal seal([](const double) { return .3; }, always);
-      EXPECT_EQ(seal.solve(.3, {tolerance}).iterations, 2);
-      EXPECT_EQ(seal.solve(.3, {tolerance, false}).iterations, 1);
+      EXPECT_EQ(seal.solve(.3, {tolerance, tolerance}).iterations, 2);
+      EXPECT_EQ(seal.solve(.3, {tolerance, 1.}).iterations, 1);
       UniformSeal sealed([](const double) { return .3; },
                          [](const double) { return false; });
-      EXPECT_EQ(sealed.solve(.3, {tolerance}).iterations, 1);
+      EXPECT_EQ(sealed.solve(.3, {tolerance, tolerance}).iterations, 1);
     }
 
     TEST(WallFeedback, GoesOnFromTheLastImage)
@@ -96,7 +96,7 @@ namespace strait
       plain.acceleration = Acceleration::none;
       const auto   next  = [](const double p) { return .3 + .5 * (p - .3); };
       UniformSeal  seal(next, always, plain);
-      FeedbackGoal goal{1e-2};
+      FeedbackGoal goal{1e-2, 1e-2};
       seal.solve(.5, goal);
       const double before = seal.pressure;
       goal.goes_on        = true;
@@ -108,7 +108,7 @@ namespace strait
     {
       const auto  open = [](const double p) { return p > .4; };
       UniformSeal seal([open](const double p) { return open(p) ? .1 : .8; }, open);
-      const FeedbackResult result = seal.solve(.5, {tolerance});
+      const FeedbackResult result = seal.solve(.5, {tolerance, tolerance});
       EXPECT_FALSE(result.converged);
       EXPECT_TRUE(result.undecided);
       EXPECT_TRUE(open(seal.pressure)); // so that there is a leak rate
@@ -136,10 +136,8 @@ namespace strait
                                                   : .5 * assumed[k] + .2 + .1 * assumed[0];
         return result;
       };
-      const double coarse = 1e-5;
-      FeedbackGoal goal{coarse};
-      goal.leak_rate              = false;
-      const FeedbackResult result = feedback.solve(round, 1., goal);
+      const double         coarse = 1e-5;
+      const FeedbackResult result = feedback.solve(round, 1., {coarse, 1.});
       EXPECT_TRUE(result.undecided);
       EXPECT_LE(result.iterations, 150);
       // b = .4 + .2 a and a = .4 + .1 b
@@ -157,7 +155,7 @@ namespace strait
         return open(p) ? (p > .7 ? .35 : .55 + .1 * (p - .55)) : .9;
       };
       UniformSeal          seal(next, open);
-      const FeedbackResult result = seal.solve(.9, {tolerance});
+      const FeedbackResult result = seal.solve(.9, {tolerance, tolerance});
       EXPECT_TRUE(result.converged) << result.iterations;
       EXPECT_FALSE(result.undecided);
       EXPECT_NEAR(seal.pressure, .55, 2. * tolerance);
@@ -168,7 +166,7 @@ namespace strait
       // Closed it fills and opens, open it empties and closes: the mixture is a state.
       const double         coarse = 1e-3;
       UniformSeal          seal([](const double p) { return p < .5 ? .9 : .2; }, always);
-      const FeedbackResult result = seal.solve(.8, {coarse});
+      const FeedbackResult result = seal.solve(.8, {coarse, coarse});
       EXPECT_TRUE(result.converged);
       EXPECT_FALSE(result.undecided);
       EXPECT_LE(result.iterations, 150);
@@ -180,7 +178,7 @@ namespace strait
     {
       // Each round changes more than the tolerance, all in one direction.
       UniformSeal          seal([](const double p) { return p + .01; }, always);
-      const FeedbackResult result = seal.solve(.1, {1e-3});
+      const FeedbackResult result = seal.solve(.1, {1e-3, 1e-3});
       EXPECT_FALSE(result.converged);
     }
 
@@ -193,7 +191,7 @@ namespace strait
       for (const double limit : {.7, std::numeric_limits<double>::infinity()})
         {
           UniformSeal  seal(next, always);
-          FeedbackGoal goal{tolerance};
+          FeedbackGoal goal{tolerance, tolerance};
           goal.largest_mean = limit;
           EXPECT_TRUE(seal.solve(.1, goal).converged);
           EXPECT_NEAR(seal.pressure, .62, 1e-5);

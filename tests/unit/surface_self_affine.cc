@@ -108,33 +108,37 @@ namespace
     EXPECT_GT(square, 0.);
   }
 
-  TEST(SelfAffineSpectrum, HasItsShapeAndItsCutOffs)
+  TEST(SelfAffineSurface, HasItsShapeAndItsCutOffs)
   {
-    const SelfAffineSpectrum spectrum(example(), MPI_COMM_WORLD);
-    const double             plateau = spectrum(1, 0);
+    const SelfAffineSurface surface(example(), MPI_COMM_WORLD);
+    const double            plateau = surface.spectrum(1, 0);
     EXPECT_GT(plateau, 0.);
-    EXPECT_EQ(spectrum(0, 0), 0.);
-    EXPECT_EQ(spectrum(2, -3), plateau);
-    EXPECT_NEAR(spectrum(4, 0), plateau, 1e-14 * plateau);
+    EXPECT_EQ(surface.spectrum(0, 0), 0.);
+    EXPECT_EQ(surface.spectrum(2, -3), plateau);
+    EXPECT_NEAR(surface.spectrum(4, 0), plateau, 1e-14 * plateau);
     for (const auto &[kx, ky] : {std::pair(6, 8), {0, 15}, {-9, 3}})
-      EXPECT_NEAR(spectrum(kx, ky) / plateau,
+      EXPECT_NEAR(surface.spectrum(kx, ky) / plateau,
                   std::pow(std::hypot(kx, ky) / 4, -2 * (1 + 0.8)),
                   1e-13);
-    EXPECT_GT(spectrum(11, 11), 0.); // 15.6 of 16
-    EXPECT_EQ(spectrum(16, 0), 0.);  // on the cut-off
-    EXPECT_EQ(spectrum(12, 11), 0.); // 16.3
+    EXPECT_GT(surface.spectrum(11, 11), 0.); // 15.6 of 16
+    EXPECT_EQ(surface.spectrum(16, 0), 0.);  // on the cut-off
+    EXPECT_EQ(surface.spectrum(12, 11), 0.); // 16.3
   }
 
-  TEST(SelfAffineSpectrum, IsCircularInRectangularBoxes)
+  TEST(SelfAffineSurface, IsCircularInRectangularBoxes)
   {
     SurfaceParameters parameters = example();
     parameters.size              = {{2., 1.}};
-    const SelfAffineSpectrum spectrum(parameters, MPI_COMM_WORLD);
-    EXPECT_NEAR(spectrum(12, 8), spectrum(20, 0), 1e-13 * spectrum(20, 0));
-    EXPECT_NEAR(spectrum(0, 10), spectrum(20, 0), 1e-13 * spectrum(20, 0));
-    EXPECT_GT(spectrum(31, 0), 0.);
-    EXPECT_EQ(spectrum(32, 0), 0.);
-    EXPECT_EQ(spectrum(0, 16), 0.);
+    const SelfAffineSurface surface(parameters, MPI_COMM_WORLD);
+    EXPECT_NEAR(surface.spectrum(12, 8),
+                surface.spectrum(20, 0),
+                1e-13 * surface.spectrum(20, 0));
+    EXPECT_NEAR(surface.spectrum(0, 10),
+                surface.spectrum(20, 0),
+                1e-13 * surface.spectrum(20, 0));
+    EXPECT_GT(surface.spectrum(31, 0), 0.);
+    EXPECT_EQ(surface.spectrum(32, 0), 0.);
+    EXPECT_EQ(surface.spectrum(0, 16), 0.);
   }
 
   TEST(SelfAffineSurface, FixedAmplitudesHaveTheRmsValueExactly)
@@ -172,7 +176,7 @@ namespace
     EXPECT_NEAR(fourth_moment * 3 * n_samples / (second_moment * second_moment), 2., 0.5);
   }
 
-  TEST(SelfAffineSpectrum, RefusesBandsWithoutWavesAndHopelessOnes)
+  TEST(SelfAffineSurface, RefusesBandsWithoutWavesAndHopelessOnes)
   {
     SurfaceParameters parameters        = example();
     parameters.roll_off_wavelength      = 3.;

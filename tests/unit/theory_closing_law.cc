@@ -39,23 +39,23 @@ namespace
   {
     for (const double constant : {-1., -.1, 0., .7, 5.})
       {
-        const ClosingLaw               law(constant);
+        const ClosingLaw               law{constant};
         std::vector<ClosingLaw::Slope> slopes;
         for (const double load : {.05, 1e-2, 1e-3, 1e-4})
           slopes.push_back({load, law.leak_rate_exponent(load)});
-        EXPECT_NEAR(ClosingLaw::fit(slopes).value(), constant, 1e-6);
+        EXPECT_NEAR(ClosingLaw::fit(slopes).constant, constant, 1e-6);
         // One that is too large and one that is too small by as much.
         slopes.front().exponent += .01;
         slopes.back().exponent -= .01;
-        EXPECT_NEAR(ClosingLaw::fit(slopes).value(), constant, 1e-6);
+        EXPECT_NEAR(ClosingLaw::fit(slopes).constant, constant, 1e-6);
       }
   }
 
   TEST(ClosingLaw, FitSaysThatNoConstantWouldDo)
   {
-    EXPECT_TRUE(std::isnan(ClosingLaw::fit({}).value()));
-    EXPECT_TRUE(std::isnan(ClosingLaw::fit({{1e-2, 2.9}}).value()));
-    EXPECT_TRUE(std::isnan(ClosingLaw::fit({{1e-2, 6.}}).value()));
+    EXPECT_TRUE(std::isnan(ClosingLaw::fit({}).constant));
+    EXPECT_TRUE(std::isnan(ClosingLaw::fit({{1e-2, 2.9}}).constant));
+    EXPECT_TRUE(std::isnan(ClosingLaw::fit({{1e-2, 6.}}).constant));
   }
 
   /**

@@ -22,10 +22,10 @@ namespace
   {
     const GapDistribution gaps = gap_histogram(ramp(4000, 5), {0., .5, 1., 2., 4.});
     EXPECT_NEAR(gaps.contact_area, .25, 1e-3);
-    EXPECT_NEAR(gaps.density(0), .25, 1e-3);
-    EXPECT_NEAR(gaps.density(1), .25, 1e-3);
-    EXPECT_NEAR(gaps.density(2), .25, 1e-3);
-    EXPECT_NEAR(gaps.density(3), .125, 1e-3);
+    EXPECT_NEAR(gaps.shares[0], .125, 5e-4);
+    EXPECT_NEAR(gaps.shares[1], .125, 5e-4);
+    EXPECT_NEAR(gaps.shares[2], .25, 1e-3);
+    EXPECT_NEAR(gaps.shares[3], .25, 2e-3);
     EXPECT_NEAR(gaps.gaps[2], 1.5, 1e-3);
     EXPECT_NEAR(gaps.gaps[3], 2.5, 1e-3);
   }

@@ -56,8 +56,8 @@ namespace
         EXPECT_NEAR(spectrum.smallest_wave_number(), lowest, 1e-12);
         EXPECT_NEAR(spectrum.largest_wave_number(), highest, 1e-10);
         EXPECT_NEAR(spectrum.slope_square(), 1., 1e-14);
-        ASSERT_EQ(spectrum.corners().size(), 1u);
-        EXPECT_NEAR(spectrum.corners()[0], 4 * pi, 1e-12);
+        ASSERT_EQ(spectrum.power_laws().size(), 2u);
+        EXPECT_NEAR(spectrum.power_laws()[1].from, 4 * pi, 1e-12);
         const double all = moment(hurst, 3, lowest, highest);
         EXPECT_NEAR(spectrum.height_square(),
                     moment(hurst, 1, lowest, highest) / all,
@@ -90,7 +90,7 @@ namespace
   {
     SurfaceParameters parameters   = rough(.8);
     parameters.roll_off_wavelength = 1.;
-    EXPECT_TRUE(model_spectrum(parameters).corners().empty());
+    EXPECT_EQ(model_spectrum(parameters).power_laws().size(), 1u);
   }
 
   TEST(RadialSpectrum, MeasuredKeepsHeightAndSlope)

@@ -41,14 +41,13 @@ namespace strait
       field.update(gap);
       FlowMesh mesh(field, fluid.direction);
       mesh.refine_uniformly(log2_n - level);
-      PotentialProblem problem(PotentialProblem::Kind::pressure,
-                               mesh,
-                               field.moment_set());
-      problem.set_up();
-      problem.assemble(field, [](const dealii::Point<2> &r) {
-        return manufactured::source(r[0], r[1]);
-      });
-      EXPECT_TRUE(problem.solve(amg, 1e-18).converged);
+      PotentialProblem problem(mesh,
+                               field.moment_set(),
+                               GapField::Coefficient::conductivity);
+      problem.take_coefficient(field);
+      const dealii::ScalarFunctionFromFunctionObject<2> source(
+        [](const dealii::Point<2> &r) { return manufactured::source(r[0], r[1]); });
+      EXPECT_TRUE(problem.solve({amg, 1e-18}, &source).converged);
 
       dealii::Vector<float> per_cell(mesh.triangulation().n_active_cells());
       dealii::VectorTools::integrate_difference(problem.dof_handler(),

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Adhesion against what is known: the sphere between the limits of Bradley and of
 // Johnson, Kendall and Roberts, and the loads at which the square saddle closes.
-#include <strait/contact/adhesive_contact_solver.h>
-#include <strait/seal/dry_seal.h>
+#include <strait/seal/make_seal.h>
 #include <strait/seal/path.h>
 
 #include "run_fixture.h"
@@ -24,28 +23,25 @@ namespace
   Sphere
   pulled_sphere(const double tabor, const int n, const AdhesionMethod method)
   {
-    SurfaceParameters surface;
-    surface.kind      = SurfaceKind::sphere;
-    surface.size      = {{box, box}};
-    surface.amplitude = 1.;
-    ContactParameters contact;
-    contact.grid_points        = {{n, n}};
-    contact.tolerance          = 1e-5;
-    contact.adhesion.enabled   = true;
-    contact.adhesion.method    = method;
-    contact.maximum_iterations = 5000;
-    const AdhesionLaw law      = {surface_energy,
-                                  std::cbrt(surface_energy * surface_energy) / tabor};
-    DrySeal           seal(std::make_unique<AdhesiveContactSolver>(
-      contact,
-      law,
-      AdhesiveStart::without_adhesion,
-      make_surface(surface, make_layout({n, n, box, box}, MPI_COMM_WORLD))));
+    Scene scene;
+    scene.surface.kind                    = SurfaceKind::sphere;
+    scene.surface.size                    = {{box, box}};
+    scene.surface.amplitude               = 1.;
+    scene.contact.grid_points             = {{n, n}};
+    scene.contact.tolerance               = 1e-5;
+    scene.contact.maximum_iterations      = 5000;
+    scene.contact.adhesion.enabled        = true;
+    scene.contact.adhesion.method         = method;
+    scene.contact.adhesion.surface_energy = surface_energy;
+    scene.contact.adhesion.range = std::cbrt(surface_energy * surface_energy) / tabor;
+    scene.contact.adhesion.accept_unresolved = true;
+    Log        log(MPI_COMM_WORLD, true);
+    const auto seal = make_seal(scene, scene.contact, heights_of(scene), nullptr, log);
 
     const double unit = pi * surface_energy / (box * box);
     const auto   go   = [&](const double load, const SealState *from) {
       return follow(
-        seal, {load, 0., 0.}, from, Aim::verdict, {ContactControl::load, 4e-3 * unit});
+        *seal, {load, 0., 0.}, from, Aim::verdict, {ContactControl::load, 4e-3 * unit});
     };
     const SealState pressed  = *go(unit, nullptr).state;
     const SealState unloaded = *go(0., &pressed).state;

@@ -57,7 +57,7 @@ namespace strait
           std::max(largest, std::abs(pressed.state.gap()[k] - alone.state.gap()[k]));
       EXPECT_LT(largest, 1e-7); // heights up to 4; the solver's tolerance is 1e-8
       EXPECT_NEAR(pressed.state.fluid->load, pressure, 1e-12);
-      EXPECT_LE(pressed.state.fluid->rounds, 2);
+      EXPECT_LE(pressed.state.costs.rounds, 2);
       EXPECT_EQ(pressed.flow->leakage.rate, 0);
     }
 

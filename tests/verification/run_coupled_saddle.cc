@@ -76,7 +76,7 @@ namespace strait
 
       FixedFluid   seal(parameters, heights, pressed.fluid->pressure);
       SealSearch   search(scene, seal, heights.layout_pointer(), flow.domain(), log);
-      const double critical = search.find_critical_loads(1.5).front().middle();
+      const double critical = search.find_critical_loads({1.5}).front().middle();
       EXPECT_GT(critical, 1.5); // the fluid carries 5 % of it
       std::vector<double> leak_rates;
       for (const double reduced : {.04, .02})
@@ -136,7 +136,7 @@ namespace strait
           EXPECT_NEAR(threshold.middle() / 1.436526, expected.ratio, expected.tolerance);
           EXPECT_NEAR(threshold.bottleneck[0] - .5, expected.shift, 1. / 128);
           EXPECT_TRUE(silent.loads.run([&rounds](const Step &step) {
-            rounds.push_back(step.state.fluid->rounds);
+            rounds.push_back(step.state.costs.rounds);
             return true;
           }));
           EXPECT_LE(rounds[0], 8);

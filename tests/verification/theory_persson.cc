@@ -157,7 +157,7 @@ namespace
             (gap_density(state, left) + 4 * gap_density(state, .5 * (left + right)) +
              gap_density(state, right)) /
             6;
-          ASSERT_NEAR(gaps.density(k) / density, 1., 1e-5);
+          ASSERT_NEAR(gaps.shares[k] / (right - left) / density, 1., 1e-5);
           ++n;
         }
     EXPECT_GT(n, 100);

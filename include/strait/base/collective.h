@@ -93,6 +93,47 @@ namespace strait
       mine.data(), n, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, comm);
     return all;
   }
+
+  /** What a rank has for all ranks, or gets from them, one rank after the other. */
+  template <typename Item>
+  struct Parcels
+  {
+    std::vector<Item> items;
+    std::vector<int>  counts; // of units of items, for each rank
+  };
+
+  /** Collective: what all ranks have for this one. They send @p counts units of @p unit
+   *  items to each, which keeps counts small, as bytes. */
+  template <typename Item>
+  Parcels<Item>
+  exchange(MPI_Comm                 comm,
+           const std::vector<Item> &items,
+           const std::vector<int>  &counts,
+           const int                unit = 1)
+  {
+    static_assert(std::is_trivially_copyable<Item>::value, "is sent as bytes");
+    const std::size_t n_ranks = counts.size();
+    Parcels<Item>     received{{}, std::vector<int>(n_ranks)};
+    MPI_Alltoall(counts.data(), 1, MPI_INT, received.counts.data(), 1, MPI_INT, comm);
+    std::vector<int> to(n_ranks + 1), from(n_ranks + 1);
+    std::partial_sum(counts.begin(), counts.end(), to.begin() + 1);
+    std::partial_sum(received.counts.begin(), received.counts.end(), from.begin() + 1);
+    received.items.resize(static_cast<std::size_t>(from.back()) * unit);
+    MPI_Datatype type;
+    MPI_Type_contiguous(unit * static_cast<int>(sizeof(Item)), MPI_BYTE, &type);
+    MPI_Type_commit(&type);
+    MPI_Alltoallv(items.data(),
+                  counts.data(),
+                  to.data(),
+                  type,
+                  received.items.data(),
+                  received.counts.data(),
+                  from.data(),
+                  type,
+                  comm);
+    MPI_Type_free(&type);
+    return received;
+  }
 } // namespace strait
 
 #endif

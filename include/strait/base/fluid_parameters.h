@@ -94,13 +94,11 @@ namespace strait
   /** The section Fluid of a scene: Reynolds flow through the gap. */
   struct FluidParameters
   {
-    static constexpr double room_temperature = 293.15; // K
-
     bool        enabled = true;
     bool        is_gas  = false;
-    std::string gas;                  // names a row of a table of gases, or empty
-    double      molar_mass      = 0.; // [kg/mol]; 0: not known
-    double      temperature     = room_temperature; // [K]
+    std::string gas;                      // names a row of a table of gases, or empty
+    double      molar_mass      = 0.;     // [kg/mol]; 0: not known
+    double      temperature     = 293.15; // [K]
     Rarefaction rarefaction     = Rarefaction::none;
     double      accommodation   = 1.; // of a gas that slips [1]
     double      thermal_speed   = 0.; // √(2RT/M) in the scene's units; 0: not known

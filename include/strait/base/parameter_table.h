@@ -20,13 +20,13 @@ namespace strait
     std::string              name;
     std::string              value;   // at first the default
     std::string              allowed; // in words
-    std::string              documentation;
 
     /** Hand on the value that stands in a text; false: it is not allowed. */
     std::function<bool(const std::string &)> take;
 
     bool        is_path = false;
     std::string keyword = {}; // in place of a path
+    std::string meaning = {}; // with the unit
 
     /** "Section/Subsection/Name". */
     std::string path() const;
@@ -36,11 +36,12 @@ namespace strait
   class ParameterTable
   {
   public:
-    /** Append a parameter; those of a section must come one after the other. */
-    void
+    /** Append a parameter; those of a section must come one after the other. The next one
+     *  makes the result invalid. */
+    Parameter &
     add(Parameter parameter)
     {
-      parameters.push_back(std::move(parameter));
+      return parameters.emplace_back(std::move(parameter));
     }
 
     /**
@@ -65,9 +66,9 @@ namespace strait
   };
 
   /**
-   * One section of the table. Each add() says all about a parameter: its name; the
-   * variable that holds the default and gets the value, which must stay where it is as
-   * long as the table is in use; the values allowed; the documentation.
+   * One section of the table. Each add() is of a parameter: its name; the variable that
+   * holds the default and gets the value, which must stay where it is as long as the
+   * table is in use; the values allowed. The caller is to say what it means.
    */
   class ParameterSection
   {
@@ -82,88 +83,66 @@ namespace strait
     ParameterSection subsection(const std::string &name) const;
 
     /** Whether or not. */
-    void add(const std::string &name, bool &variable, const std::string &documentation);
-
-    /** Any text. */
-    void
-    add(const std::string &name, std::string &variable, const std::string &documentation);
+    [[nodiscard]] Parameter &add(const std::string &name, bool &variable);
 
     /** The path of a file, or @p keyword. */
-    void add_path(const std::string &name,
-                  std::string       &variable,
-                  const std::string &documentation,
-                  const std::string &keyword = {});
+    [[nodiscard]] Parameter &add_path(const std::string &name,
+                                      std::string       &variable,
+                                      const std::string &keyword = {});
 
     /** @p values is a Range, Names or a Text. */
     template <typename Value, typename Values>
-    void
-    add(const std::string &name,
-        Value             &variable,
-        const Values      &values,
-        const std::string &documentation)
+    [[nodiscard]] Parameter &
+    add(const std::string &name, Value &variable, const Values &values)
     {
-      add({names,
-           name,
-           values.text(variable),
-           values.words(variable, false),
-           documentation,
-           [&variable, values](const std::string &text) {
-             return values.read(text, variable);
-           }});
+      return table.add({names,
+                        name,
+                        values.text(variable),
+                        values.words(std::is_integral<Value>::value, false),
+                        [&variable, values](const std::string &text) {
+                          return values.read(text, variable);
+                        }});
     }
 
     /** A list, which may be empty. */
     template <typename Value, typename Values>
-    void
-    add(const std::string  &name,
-        std::vector<Value> &variable,
-        const Values       &values,
-        const std::string  &documentation)
+    [[nodiscard]] Parameter &
+    add(const std::string &name, std::vector<Value> &variable, const Values &values)
     {
       std::vector<std::string> texts;
       texts.reserve(variable.size());
       for (const Value &value : variable)
         texts.push_back(values.text(value));
-      add({names,
-           name,
-           join(texts, ", "),
-           values.words(Value(), true),
-           documentation,
-           [&variable, values](const std::string &text) {
-             return read_list(text, values, variable);
-           }});
+      return table.add({names,
+                        name,
+                        join(texts, ", "),
+                        values.words(std::is_integral<Value>::value, true),
+                        [&variable, values](const std::string &text) {
+                          return read_list(text, values, variable);
+                        }});
     }
 
     /** One value for each direction; if they are the same, one stands for both. */
     template <typename Value, typename Values>
-    void
-    add(const std::string    &name,
-        std::array<Value, 2> &variable,
-        const Values         &values,
-        const std::string    &documentation)
+    [[nodiscard]] Parameter &
+    add(const std::string &name, std::array<Value, 2> &variable, const Values &values)
     {
       const std::string first = values.text(variable[0]);
-      add({names,
-           name,
-           variable[0] == variable[1] ? first : first + ", " + values.text(variable[1]),
-           "one or two " + values.words(Value(), true),
-           documentation,
-           [&variable, values](const std::string &text) {
-             std::vector<Value> list;
-             if (!read_list(text, values, list) || list.empty() || list.size() > 2)
-               return false;
-             variable = {{list.front(), list.back()}};
-             return true;
-           }});
+      return table.add(
+        {names,
+         name,
+         variable[0] == variable[1] ? first : first + ", " + values.text(variable[1]),
+         "one or two " + values.words(std::is_integral<Value>::value, true),
+         [&variable, values](const std::string &text) {
+           std::vector<Value> list;
+           if (!read_list(text, values, list) || list.empty() || list.size() > 2)
+             return false;
+           variable = {{list.front(), list.back()}};
+           return true;
+         }});
     }
 
   private:
-    void
-    add(Parameter parameter)
-    {
-      table.add(std::move(parameter));
-    }
-
     template <typename Value, typename Values>
     static bool
     read_list(const std::string &text, const Values &values, std::vector<Value> &list)

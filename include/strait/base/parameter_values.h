@@ -4,18 +4,19 @@
 
 #include <strait/base/text.h>
 
+#include <algorithm>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace strait
 {
   // The values that a parameter of the scene may take. Each of these classes writes a
   // value with text(), reads it with read(), which gives false for what is not allowed,
-  // and says in words() what is.
+  // and says in words() what is: of whole numbers or others, of one or of a list.
 
   /** Numbers between two limits, at first all that are 0 or of a magnitude from 1e-30 to
    *  1e30, which covers all that is measured in any units. */
@@ -78,16 +79,10 @@ namespace strait
     }
 
     /** "a number above 0 and at most 1" and the like. */
-    template <typename Number>
-    std::string
-    words(const Number &, const bool is_list) const
-    {
-      return words_for(std::is_integral<Number>::value, is_list);
-    }
+    std::string words(bool is_integer, bool is_list) const;
 
   private:
     bool read_number(const std::string &text, bool is_integer, double &number) const;
-    std::string words_for(bool is_integer, bool is_list) const;
   };
 
   /** What to add to the words for a Range, if one of these numbers, separated by commas,
@@ -101,51 +96,44 @@ namespace strait
   /** Those from 0 on. */
   inline constexpr Range not_negative = any_number.at_least(0.);
 
-  /** Values that have names, such as those of an enumeration. */
-  template <typename Value>
+  /** The names of an enumeration's values, all of them and in the order of their
+   *  declaration, which nothing else ties them to. */
   class Names
   {
   public:
-    Names(std::vector<std::pair<Value, std::string>> table)
-      : table(std::move(table))
+    Names(std::initializer_list<std::string> names)
+      : names(names)
     {
     }
 
-    /** The name of @p value, which must be in the table. */
+    /** The name of @p value. */
+    template <typename Value>
     std::string
-    text(const Value &value) const
+    text(const Value value) const
     {
-      for (const auto &row : table)
-        if (row.first == value)
-          return row.second;
-      return {};
+      return names.at(static_cast<std::size_t>(value));
     }
 
     /** Find the value called @p text; false if there is none. */
+    template <typename Value>
     bool
     read(const std::string &text, Value &value) const
     {
-      for (const auto &row : table)
-        if (row.second == text)
-          {
-            value = row.first;
-            return true;
-          }
-      return false;
+      const auto found = std::find(names.begin(), names.end(), text);
+      if (found != names.end())
+        value = static_cast<Value>(found - names.begin());
+      return found != names.end();
     }
 
     /** "one of: NAME, NAME". */
     std::string
-    words(const Value &, const bool is_list) const
+    words(bool, const bool is_list) const
     {
-      std::string words = is_list ? "some of: " : "one of: ";
-      for (const auto &row : table)
-        words += (&row == &table.front() ? "" : ", ") + row.second;
-      return words;
+      return (is_list ? "some of: " : "one of: ") + join(names, ", ");
     }
 
   private:
-    std::vector<std::pair<Value, std::string>> table;
+    std::vector<std::string> names;
   };
 
   /** A text with a meaning. */
@@ -171,7 +159,7 @@ namespace strait
 
     /** The meaning. */
     std::string
-    words(const std::string &, bool) const
+    words(bool, bool) const
     {
       return meaning;
     }

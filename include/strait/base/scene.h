@@ -52,21 +52,15 @@ namespace strait
      *  it must add up, and not change the gap. */
     bool can_flow_in_a_row() const;
 
-    /** Whether the patches of the seal must be taken in rows, for their ends to count
-     *  once only. */
-    bool
-    has_patches_in_a_row() const
-    {
-      // A contact that is less than half a patch wider than one has one.
-      return seal.enabled && seal.contact_width >= 1.5 * surface.size[0] &&
-             can_flow_in_a_row();
-    }
-
-    /** Whether the flow through two boxes in a row is solved beside that through one. */
+    /** Whether the flow through two boxes in a row is solved beside that through one: it
+     *  is asked for, or the patches of the seal must be taken in rows, for their ends to
+     *  count once only. */
     bool
     has_two_boxes() const
     {
-      return fluid.enabled && (seal.two_in_a_row || has_patches_in_a_row());
+      // A contact that is less than half a patch wider than one has one.
+      const bool is_wide = seal.enabled && seal.contact_width >= 1.5 * surface.size[0];
+      return fluid.enabled && (seal.two_in_a_row || (is_wide && can_flow_in_a_row()));
     }
 
     /** The scene file, with every default filled in. */

@@ -45,7 +45,7 @@ namespace strait
 
   /**
    * A file of comma-separated values whose rows are on the disk as soon as they are
-   * appended. For one rank only, but for info(). All functions throw ComputationError if
+   * appended. Writing is for one rank only. All functions throw ComputationError if
    * the file cannot be written; then the table ends with the row before.
    */
   class TableFile
@@ -61,6 +61,9 @@ namespace strait
       return about;
     }
 
+    /** Note a column "name [unit]: definition", or "name: definition" of texts. */
+    void declare(const std::string &text);
+
     /** Write the header line to the file @p path. */
     void open(const std::string &path);
 
@@ -68,9 +71,6 @@ namespace strait
     void reopen(const std::string &path);
 
   protected:
-    /** Note a column "name [unit]: definition", or "name: definition" of texts. */
-    void declare(const std::string &text);
-
     /** Write a line with one entry for each of the columns that are written. */
     void write(const std::vector<std::string> &entries);
 

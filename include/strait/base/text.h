@@ -24,9 +24,9 @@ namespace strait
 
   /**
    * How many characters must be inserted, removed, replaced or swapped with
-   * their neighbour to turn @p a into @p b; case does not count.
+   * their neighbour to turn @p from into @p to; case does not count.
    */
-  int edit_distance(const std::string &a, const std::string &b);
+  int edit_distance(const std::string &from, const std::string &to);
 
   /**
    * The candidate that a user who wrote @p word most likely meant: the nearest

@@ -60,12 +60,9 @@ namespace strait
       return std::chrono::duration<double>(Clock::now() - start).count();
     }
 
-    /** Seconds since this object was made. */
-    double total() const;
-
     /**
-     * The whole, and depth first the parts in the order in which they first
-     * appeared; what the parts of a part leave over is its part "other".
+     * The whole since this object was made, and depth first the parts in the order in
+     * which they first appeared; what the parts of a part leave over is its part "other".
      */
     std::vector<Part> table() const;
 

@@ -37,12 +37,10 @@ namespace strait
     double resolution(const AdhesionLaw &law) const;
 
   private:
-    AdhesionShape shape;
-    double        range;
-    double        tabor;
-    double        modulus;
-    double        curvature_radius; // Rc
-    double        spacing;
+    const AdhesionParameters adhesion;
+    const double             modulus;
+    const double             curvature_radius; // Rc
+    const double             spacing;
   };
 
   /** Smallest resolution() without a warning. At half of it contact lines that begin to

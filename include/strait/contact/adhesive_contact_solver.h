@@ -4,8 +4,8 @@
 
 #include <strait/base/contact_parameters.h>
 #include <strait/contact/contact_model.h>
+#include <strait/contact/gap_optimisation.h>
 #include <strait/contact/half_space_problem.h>
-#include <strait/contact/make_optimiser.h>
 #include <strait/contact/wall.h>
 
 #include <memory>
@@ -55,18 +55,16 @@ namespace strait
   private:
     std::unique_ptr<GapOptimiser> make_optimiser(double target);
     void                          check(double target, const ContactState *from) const;
-    SlabField                     first_gap(double target) const;
     SlabField start_gap(double target, const ContactState *from, bool is_dry) const;
     void      push_off(const std::vector<double> &v, SlabField &gap) const;
     ContactState
     state_of(const GapOptimiser &optimiser, const GapSolution &, SlabField gap) const;
 
     const ContactParameters parameters;
-    const AdhesionLaw       law;
     const AdhesiveStart     start;
     Wall                    wall;
-    double                  traction_scale; // rms of K h, or what a flat surface has
     HalfSpaceGapProblem     problem;
+    const double            traction_scale; // rms of K h, or what a flat surface has
   };
 } // namespace strait
 

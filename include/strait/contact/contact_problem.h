@@ -30,8 +30,10 @@ namespace strait
     };
 
     /**
-     * What an optimiser does with a range of points just before or after the
-     * problem does, while they are in the cache. Passes may not communicate.
+     * What an optimiser does with a range of points while it is in the cache: before()
+     * just before the problem reads an argument there, which it may write; after() when
+     * the result is complete there. They are called for ranges that cover all points, and
+     * may not communicate.
      */
     using Pass = std::function<void(const Block &range)>;
 
@@ -104,19 +106,12 @@ namespace strait
     /** A pass that is told the work. */
     using WorkPass = std::function<void(const Block &range, double work)>;
 
-    /**
-     * u = G p. Returns the work <p, Gp>. Collective.
-     * after() gets the work and is called for ranges that cover all points when u is
-     * complete there.
-     */
+    /** u = G p. Returns the work <p, Gp>, which after() is told. Collective. */
     virtual double
     apply(const double *pressure, double *displacement, const WorkPass &after) = 0;
 
-    /**
-     * The same of a step, to seven digits.
-     * before() is called for ranges that cover all points before the step is read there,
-     * and may write it; the scratch() values of its range are as they were.
-     */
+    /** The same of a step, to seven digits. In before() the scratch() values of its range
+     *  are as they were. Collective. */
     virtual double respond(const float    *step,
                            float          *response,
                            const Pass     &before,
@@ -125,9 +120,6 @@ namespace strait
     /**
      * Replace @p values by M values, where M is symmetric and positive and resembles the
      * inverse of G up to a factor. Collective.
-     * before() is called for ranges that cover all points before the values are
-     * read there, and may write them; after() when the result is complete on its
-     * range.
      */
     virtual void precondition(float *values, const Pass &before, const Pass &after) = 0;
 
@@ -142,21 +134,20 @@ namespace strait
   class GapProblem : public ContactProblem
   {
   public:
-    using ContactProblem::ContactProblem;
+    GapProblem(Points points_, const AdhesionLaw &adhesion_)
+      : ContactProblem(std::move(points_))
+      , adhesion(adhesion_)
+    {
+    }
 
-    virtual const AdhesionLaw &adhesion() const = 0;
+    const AdhesionLaw adhesion;
 
-    /**
-     * traction = K w. Returns <w, Kw>. Collective.
-     * before() is called for ranges that cover all points before w is read there, and
-     * may write w.
-     */
+    /** traction = K w. Returns <w, Kw>. Collective. */
     virtual double
     apply(const double *displacement, double *traction, const Pass &before) = 0;
 
-    /** Replace @p values by M values; before() and after() as those of DualProblem.
-     *  Collective. */
-    virtual void precondition(double *values, const Pass &before, const Pass &after) = 0;
+    /** Replace @p values by M values. Collective. */
+    virtual void precondition(double *values, const Pass &before) = 0;
 
     /** What stands in M for the stiffness of a uniform gap [pressure/length]. */
     virtual double mean_stiffness() const = 0;
@@ -165,17 +156,8 @@ namespace strait
     virtual void fill_with_noise(double *values) const = 0;
   };
 
-  /** Nothing to do before or after. */
-  inline void
-  no_pass(const ContactProblem::Block &)
-  {
-  }
-
-  /** The same for a pass that is told the work. */
-  inline void
-  no_work_pass(const ContactProblem::Block &, double)
-  {
-  }
+  /** Nothing to do before or after, also where the work is told. */
+  inline constexpr auto no_pass = [](const ContactProblem::Block &, auto...) {};
 
   /** When an optimiser stops. */
   struct ContactTolerance

@@ -4,8 +4,8 @@
 
 #include <strait/base/contact_parameters.h>
 #include <strait/contact/contact_model.h>
+#include <strait/contact/dual_optimisation.h>
 #include <strait/contact/half_space_problem.h>
-#include <strait/contact/make_optimiser.h>
 #include <strait/contact/wall.h>
 #include <strait/contact/zoomed_problem.h>
 
@@ -50,24 +50,18 @@ namespace strait
     }
 
   private:
-    /** What is to carry the load @p target or to keep the mean gap @p target: the
-     *  load without the fluid's share, and the mean gap itself. */
-    double            share_of_solid(double target) const;
-    ContactConstraint constraint_for(double target) const;
-    ContactTolerance  tolerance_for(double target, Digits digits = Digits::all) const;
-    void              check(double target) const;
-    bool              makes_contact(double target) const;
-    ContactState      state_without_contact(double mean_gap) const;
+    void         check(double target, double of_solid) const;
+    ContactState state_without_contact(double mean_gap) const;
     ContactState
     state_of(const ContactSolution &solution, SlabField pressure, SlabField gap) const;
 
     SlabField       cold_start(const SlabField &grid_heights, double target) const;
     SlabField       start_from_coarser_grid(const SlabField &fine_heights, double target);
-    ContactSolution optimise(DualProblem            &on_grid,
-                             double                  target,
-                             const ContactTolerance &tolerance,
-                             SlabField              &grid_pressure,
-                             SlabField              &grid_gap);
+    ContactSolution optimise(DualProblem &on_grid,
+                             double       target,
+                             double       residual,
+                             SlabField   &grid_pressure,
+                             SlabField   &grid_gap);
     DualProblem    &problem_on(const SlabLayoutPtr &layout);
     SlabField       start_without(const SlabLayoutPtr &layout, double target);
 

@@ -15,9 +15,14 @@ namespace strait
    * What is held while the pressure 0 <= p <= limit is sought: its mean (force control;
    * the rigid displacement u0 of g = Gp + u0 − h follows) or u0 (gap control).
    */
-  class ContactConstraint
+  struct ContactConstraint
   {
-  public:
+    static constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+    bool   fixes_pressure;
+    double value; // the mean of the pressure, or u0
+    double limit; // of the pressure
+
     /** Load control with this nominal pressure, which is less than @p limit. */
     static ContactConstraint
     mean_pressure(const double pressure, const double limit = unlimited)
@@ -49,13 +54,6 @@ namespace strait
       return fixes_pressure && weight > 0 ? sum / weight : 0.;
     }
 
-    /** The mean that is prescribed under load control. */
-    double
-    mean() const
-    {
-      return value;
-    }
-
     /** The factor that gives a pressure of the mean @p mean the prescribed one. */
     double
     rescale(const double mean) const
@@ -67,29 +65,8 @@ namespace strait
     bool
     is_limited() const
     {
-      return largest < unlimited;
+      return limit < unlimited;
     }
-
-    /** The upper limit, infinite where there is none. */
-    double
-    limit() const
-    {
-      return largest;
-    }
-
-  private:
-    static constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-    ContactConstraint(bool fixes_pressure, double value, double limit)
-      : fixes_pressure(fixes_pressure)
-      , value(value)
-      , largest(limit)
-    {
-    }
-
-    bool   fixes_pressure;
-    double value;
-    double largest;
   };
 
   /** What brings a pressure within its limits, point by point. */

@@ -63,91 +63,11 @@ namespace strait
   constexpr double energy_noise = 3e-13;
 
   /**
-   * A gap g >= 0 on its way down in energy, and what follows from it: the elastic
-   * traction Kw, the derivative r of the energy by g, and the curvature of the adhesion.
-   */
-  class GapIterate
-  {
-  public:
-    GapIterate(GapProblem &problem, const GapConstraint &constraint);
-
-    /** Start at @p gap, which is made admissible, and whose array is from now on
-     *  worked on. One application of K; collective. */
-    void start(double *gap);
-
-    /** K w of the gap as it is, after it was changed by others. Likewise. */
-    void refresh();
-
-    /**
-     * g += length·d, where the response is K d and <d, Kd> is @p work; negative
-     * values that rounding leaves become 0. Collective.
-     */
-    void
-    move(const double *direction, const double *response, double work, double length);
-
-    /** The values that an admissible gap may not have become the nearest ones, at
-     *  the prescribed mean. Collective. */
-    void make_admissible(double *gap) const;
-
-    /** Values 0 off the free points, and at fixed mean gap of the mean 0 on them.
-     *  Collective. */
-    void
-    project(double *values) const
-    {
-      strait::project(
-        problem,
-        [this](const std::size_t i) { return is_free(i); },
-        constraint.fixes_mean_gap,
-        values);
-    }
-
-    /** Open, or in contact but pulled away: free to move. */
-    bool
-    is_free(const std::size_t i) const
-    {
-      return gap[i] > 0 || derivative[i] < 0;
-    }
-
-    double
-    energy() const
-    {
-      return elastic_energy + adhesive_energy;
-    }
-
-    /** Largest violation of the conditions of a minimum [pressure]. */
-    double
-    violation() const
-    {
-      return largest_violation;
-    }
-
-    /** No contact, and the load pulls at least twice as strongly as any point. */
-    bool is_detached() const;
-
-    /** Copy energies and load to @p solution. */
-    void describe(GapSolution &solution) const;
-
-    double             *gap = nullptr;
-    std::vector<double> elastic;    // K w
-    std::vector<double> derivative; // r = K w + γ'(g) + p0
-    std::vector<double> curvature;  // γ''(g)
-
-  private:
-    void evaluate();
-
-    GapProblem         &problem;
-    const GapConstraint constraint;
-    double              pressure       = 0; // p0, at fixed mean gap so that ⟨r⟩ = 0
-    double              elastic_energy = 0; // ½⟨w, Kw⟩, and p0 ⟨g⟩ at fixed load
-    double              adhesive_energy   = 0;
-    double              largest_violation = 0;
-    double              smallest_gap      = 0;
-  };
-
-  /**
-   * A method that goes down in energy from a given gap to a stationary one. It stops
-   * there, when the surfaces part, or after too many iterations. What the methods differ
-   * in is how they go one iteration further.
+   * A method that goes down in energy from a given gap g >= 0 to a stationary one. It
+   * stops there, when the surfaces part, or after too many iterations. What the methods
+   * differ in is how they go one iteration further; what follows from the gap is common
+   * to them: the elastic traction K w, the derivative r of the energy by g, and the
+   * curvature of the adhesion.
    */
   class GapOptimiser
   {
@@ -159,25 +79,35 @@ namespace strait
     virtual ~GapOptimiser() = default;
 
     /**
-     * @p gap: a start on entry (negative values count as 0), the solution on return;
-     * exactly 0 in contact. Collective.
+     * @p gap_values: a start on entry (negative values count as 0), the solution on
+     * return; exactly 0 in contact. Collective.
      */
-    GapSolution solve(double *gap);
+    GapSolution solve(double *gap_values);
 
     /** The derivative r of the energy at the solution: the reaction of the wall in
      *  contact. Valid as long as this object. */
     const double *
     reaction() const
     {
-      return iterate.derivative.data();
+      return derivative.data();
     }
 
-    /** γ'' at the solution. Likewise. */
-    const double *
-    curvature() const
-    {
-      return iterate.curvature.data();
-    }
+    /**
+     * Whether the solution is a minimum of the energy: the smallest eigenvalue μ that was
+     * found of (K + γ'') v = μ (K + mean_stiffness() M) v, M the mean, on the points
+     * where the gap is positive, for the others are held by the wall. All v have the mean
+     * 0 if that of the gap is held.
+     *
+     * It is sought by a descent of the Rayleigh quotient in the space of v, its
+     * preconditioned gradient and the last change of v (LOBPCG for one vector, Knyazev
+     * 2001). It is at most 1; a minimum has μ > 0. The quotient bounds μ from above, so a
+     * negative one is proof that the gap is no minimum.
+     *
+     * The solution is that of the last solve(), whose gap must be as it was left.
+     * @p direction is a start for v, noise if it is empty on all ranks, and v on return.
+     * Needs six fields with it. Collective.
+     */
+    double smallest_curvature(std::vector<double> &direction) const;
 
   protected:
     /** What a step came to. */
@@ -199,17 +129,64 @@ namespace strait
 
     /** A field of zeros, for a method to keep. */
     std::vector<double>
-    field()
+    field() const
     {
       return std::vector<double>(problem.size());
     }
 
-    GapProblem &problem;
-    GapIterate  iterate;
-    double      step_length = 0; // of the last step, see RelaxationStep
+    /** What follows from the gap as it is, after it was changed by others. One
+     *  application of K; collective. */
+    void refresh();
+
+    /**
+     * g += length·d, where the response is K d and <d, Kd> is @p work; negative
+     * values that rounding leaves become 0. Collective.
+     */
+    void
+    move(const double *direction, const double *response, double work, double length);
+
+    /** The values that an admissible gap may not have become the nearest ones, at
+     *  the prescribed mean. Collective. */
+    void make_admissible(double *values) const;
+
+    /** Values 0 off the free points, and at fixed mean gap of the mean 0 on them.
+     *  Collective. */
+    void project_on_free(double *values) const;
+
+    /** @p z = M r on the free points. Collective. */
+    void precondition_derivative(double *z);
+
+    /** Open, or in contact but pulled away: free to move. */
+    bool
+    is_free(const std::size_t i) const
+    {
+      return gap[i] > 0 || derivative[i] < 0;
+    }
+
+    double
+    energy() const
+    {
+      return elastic_energy + adhesive_energy;
+    }
+
+    GapProblem         &problem;
+    double             *gap         = nullptr;
+    std::vector<double> elastic     = field(); // K w
+    std::vector<double> derivative  = field(); // r = K w + γ'(g) + p0
+    std::vector<double> curvature   = field(); // γ''(g)
+    double              step_length = 0;       // of the last step, see RelaxationStep
 
   private:
+    void evaluate();
+    bool is_detached() const;
+
+    const GapConstraint    constraint;
     const ContactTolerance tolerance;
+    double                 pressure = 0; // p0, at fixed mean gap so that ⟨r⟩ = 0
+    double elastic_energy           = 0; // ½⟨w, Kw⟩, and p0 ⟨g⟩ at fixed load
+    double adhesive_energy          = 0;
+    double largest_violation        = 0; // of the conditions of a minimum [pressure]
+    double smallest_gap             = 0;
   };
 } // namespace strait
 

@@ -4,6 +4,8 @@
 
 #include <strait/spectral/slab_field.h>
 
+#include <vector>
+
 namespace strait
 {
   /** Whether a grid of half the points each way has at least 32 × 32. */
@@ -20,6 +22,13 @@ namespace strait
    * of @p fine_layout. Collective.
    */
   SlabField prolong_bilinearly(const SlabField &coarse, const SlabLayoutPtr &fine_layout);
+
+  /**
+   * The @p pressure of a contact with the windows @p windows in place of its own, as a
+   * start for the solution with them: what is known in a window is kept, the rest is
+   * interpolated from the window's parent. Collective.
+   */
+  SlabField zoom_in(const SlabField &pressure, std::vector<ZoomWindow> windows);
 } // namespace strait
 
 #endif

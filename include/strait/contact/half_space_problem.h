@@ -3,13 +3,48 @@
 #define strait_contact_half_space_problem_h
 
 #include <strait/contact/contact_problem.h>
-#include <strait/contact/half_space.h>
 #include <strait/contact/two_scale_operator.h>
 
+#include <cmath>
 #include <optional>
 
+/**
+ * How a periodic elastic half-space of the contact modulus E* answers waves: u~(q) =
+ * 2 p~(q)/(q E*) for q ≠ 0 and u~(0) = 0 (Johnson, Contact Mechanics, 1985). p > 0
+ * presses, u > 0 points away from the substrate.
+ */
 namespace strait
 {
+  /**
+   * E* q/2, by which a half-space answers a displacement by the wave that fits into a
+   * periodic box kx times along x and ky times along y, a function of both.
+   */
+  inline auto
+  wave_stiffness(const PeriodicGrid &grid, const double contact_modulus)
+  {
+    // In units of lx, so that tiny boxes do not underflow.
+    const double unit = M_PI * contact_modulus / grid.lx, aspect = grid.lx / grid.ly;
+    return [=](const int kx, const int ky) {
+      const double x = kx, y = ky * aspect;
+      return unit * std::sqrt(x * x + y * y);
+    };
+  }
+
+  /** 2/(q E*), by which it answers a pressure, and 0 for a uniform one; to the digits of
+   *  @p Number. */
+  template <class Number>
+  auto
+  wave_compliance(const PeriodicGrid &grid, const double contact_modulus)
+  {
+    const double unit   = grid.lx / (M_PI * contact_modulus);
+    const auto   aspect = static_cast<Number>(grid.lx / grid.ly);
+    return [=](const int kx, const int ky) {
+      const Number x = static_cast<Number>(kx), y = static_cast<Number>(ky) * aspect;
+      const Number square = x * x + y * y;
+      return square > 0 ? unit / std::sqrt(square) : 0.;
+    };
+  }
+
   /** The points of @p heights, on one periodic grid, perhaps with windows. */
   ContactProblem::Points points_of(const SlabField &heights);
 
@@ -30,11 +65,25 @@ namespace strait
                    const Pass     &before,
                    const WorkPass &after) override;
     void   precondition(float *values, const Pass &before, const Pass &after) override;
-    float *scratch() override;
-    long   n_applications() const override;
+
+    float *
+    scratch() override
+    {
+      return of_steps.scratch();
+    }
+
+    long
+    n_applications() const override
+    {
+      return transform.n_pairs() + of_steps.n_pairs();
+    }
 
     /** Free what is needed only while a contact is being solved. */
-    void release();
+    void
+    release()
+    {
+      of_steps.release();
+    }
 
   private:
     const double                 modulus;
@@ -55,19 +104,21 @@ namespace strait
                         double             contact_modulus,
                         const AdhesionLaw &adhesion);
 
-    const AdhesionLaw &adhesion() const override;
     double
          apply(const double *displacement, double *traction, const Pass &before) override;
-    void precondition(double *values, const Pass &before, const Pass &after) override;
+    void precondition(double *values, const Pass &before) override;
     double mean_stiffness() const override;
     void   fill_with_noise(double *values) const override;
-    long   n_applications() const override;
+
+    long
+    n_applications() const override
+    {
+      return transform.n_pairs();
+    }
 
   private:
-    const AdhesionLaw   law;
-    FourierTransform    transform;
-    const WaveStiffness stiffness;
-
+    const double                    modulus;
+    FourierTransform                transform;
     std::optional<TwoScaleOperator> compliance; // if the grid suits it
   };
 } // namespace strait

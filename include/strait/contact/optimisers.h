@@ -2,13 +2,15 @@
 #ifndef strait_contact_optimisers_h
 #define strait_contact_optimisers_h
 
+#include <strait/base/contact_parameters.h>
 #include <strait/contact/dual_optimisation.h>
 #include <strait/contact/gap_optimisation.h>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-/** The methods behind make_optimiser.h, each with a source of its own. */
+/** The methods that optimise, each with a source of its own. */
 namespace strait
 {
   /**
@@ -35,7 +37,6 @@ namespace strait
 
     void   find_gap();
     double survey();
-    double rigid_shift(double sum_g, double area) const;
     double choose_direction();
     bool   step(double slope);
     void   step_within_limits(double length);
@@ -96,7 +97,6 @@ namespace strait
   private:
     void   start();
     double centre_gap();
-    void   update_direction();
     bool   step();
 
     double             *p = nullptr;                             // pressure
@@ -128,12 +128,10 @@ namespace strait
     void    begin() override;
     Outcome descend(double residual) override;
 
-    void   precondition();
     double choose_direction();
     double form_step(double length);
     bool   go(double length);
     bool   search_line(double work);
-    void   learn_reach(double ideal);
 
     std::vector<double> trial    = field(); // z = M r, then t
     std::vector<double> step     = field(); // d
@@ -166,9 +164,8 @@ namespace strait
   private:
     Outcome descend(double residual) override;
 
-    void   solve_model(double residual);
-    double precondition();
-    bool   search();
+    void solve_model(double residual);
+    bool search();
 
     std::vector<double> step      = field(); // of the gap
     std::vector<double> remainder = field(); // of the model's gradient
@@ -193,9 +190,7 @@ namespace strait
     void    begin() override;
     Outcome descend(double residual) override;
 
-    void accelerate();
     void steer();
-    void advance();
 
     std::vector<double> velocity     = field();
     std::vector<double> acceleration = field(); // on the free points
@@ -203,6 +198,18 @@ namespace strait
     double mixing        = 0; // of the velocity with the acceleration's direction
     int    steps_forward = 0; // since the motion last went uphill
   };
+
+  /** The method of this name. @p problem must outlive it. */
+  std::unique_ptr<DualOptimiser> make_dual_optimiser(ContactMethod            method,
+                                                     DualProblem             &problem,
+                                                     const ContactConstraint &constraint,
+                                                     const ContactTolerance  &tolerance);
+
+  /** The method of this name. @p problem must outlive it. */
+  std::unique_ptr<GapOptimiser> make_gap_optimiser(AdhesionMethod          method,
+                                                   GapProblem             &problem,
+                                                   const GapConstraint    &constraint,
+                                                   const ContactTolerance &tolerance);
 } // namespace strait
 
 #endif

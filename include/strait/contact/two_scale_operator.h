@@ -2,7 +2,6 @@
 #ifndef strait_contact_two_scale_operator_h
 #define strait_contact_two_scale_operator_h
 
-#include <strait/contact/nine_point_stencil.h>
 #include <strait/spectral/fourier_transform.h>
 
 #include <functional>
@@ -11,6 +10,40 @@
 
 namespace strait
 {
+  /** Weights of a point, its neighbours in x, in y, and on the diagonals. */
+  struct NinePointStencil
+  {
+    double centre, x, y, diagonal;
+
+    /** Of the phases per point @p phase_x and @p phase_y. */
+    double symbol(double phase_x, double phase_y) const;
+  };
+
+  /**
+   * The stencil whose symbol has the least relative error in the mean square over all
+   * phases. @p target(x, y) > 0 is even in both phases.
+   */
+  NinePointStencil fit_stencil(const std::function<double(double, double)> &target);
+
+  /** Applies a stencil in place, row after row of a periodic line of points. */
+  template <class Number>
+  class StencilSweep
+  {
+  public:
+    /** Begins with the row after @p row_above. */
+    StencilSweep(const NinePointStencil &stencil,
+                 const Number           *row_above,
+                 int                     row_length);
+
+    /** Replace the next row @p values by the stencil's values plus @p added; @p below
+     *  is the row after it. */
+    void apply(Number *values, const Number *below, const Number *added);
+
+  private:
+    const NinePointStencil stencil;
+    std::vector<Number>    above, here, mixed; // rows as they were, and a sum of them
+  };
+
   /**
    * A cheap symmetric stand-in for an operator with the symbol S(|q|): a stencil of
    * 3 × 3 points, fitted to S, plus a correction of its long waves on a grid of every
@@ -25,8 +58,11 @@ namespace strait
      * constant on boxes of 4 × 4 points: about a tenth of an FFT pair, and within a
      * factor of 1.6 for all waves. Collective.
      */
-    static TwoScaleOperator stiffness(const SlabLayoutPtr &layout,
-                                      double               contact_modulus);
+    static TwoScaleOperator
+    stiffness(const SlabLayoutPtr &layout, const double contact_modulus)
+    {
+      return {layout, Transfer::constant, contact_modulus, 0.};
+    }
 
     /**
      * The compliance 2/(qE*), with E* = @p contact_modulus > 0; a uniform field is
@@ -35,7 +71,12 @@ namespace strait
      * factor of 1.6 on a grid that suits_compliance(). Collective.
      */
     static TwoScaleOperator
-    compliance(const SlabLayoutPtr &layout, double contact_modulus, double uniform);
+    compliance(const SlabLayoutPtr &layout,
+               const double         contact_modulus,
+               const double         uniform)
+    {
+      return {layout, Transfer::linear, contact_modulus, uniform};
+    }
 
     /** Whether there is a coarse grid and the points are spaced about equally. */
     static bool suits_compliance(const PeriodicGrid &grid);
@@ -54,17 +95,18 @@ namespace strait
     /** What a correction is between the coarse points; the way there is the adjoint. */
     enum class Transfer
     {
-      constant,
-      linear
+      constant, // of the stiffness
+      linear    // of the compliance
     };
 
-    /** @p symbol is S of the phase |q| √(dx dy) > 0, @p uniform that of a uniform field.
-     */
-    TwoScaleOperator(const SlabLayoutPtr                 &layout,
-                     Transfer                             transfer,
-                     const std::function<double(double)> &symbol,
-                     double                               uniform);
+    /** S of a uniform field is @p uniform. */
+    TwoScaleOperator(const SlabLayoutPtr &layout,
+                     Transfer             transfer,
+                     double               contact_modulus,
+                     double               uniform);
 
+    /** S of the phase |q| √(dx dy) > 0. */
+    double symbol(double of_phase) const;
     double correction(double x, double y, double missing) const;
     template <class Number>
     void restrict_row(const Number *values, int row);
@@ -75,11 +117,11 @@ namespace strait
 
     const SlabLayoutPtr    layout;
     const Transfer         transfer;
+    const double           modulus;
     const NinePointStencil stencil;
 
     std::unique_ptr<FourierTransform> coarse_transform; // null: stencil only
     std::vector<double>               coarse_symbol;    // ky by kx, both >= 0
-    std::vector<double>               coarse;           // rows of this rank
     std::vector<int>                  around;    // coarse rows about the fine ones,
     std::vector<double>               near_rows; // and their values
     std::vector<double>               coarse_line;

@@ -2,7 +2,7 @@
 #ifndef strait_contact_window_transfer_h
 #define strait_contact_window_transfer_h
 
-#include <strait/spectral/zoom_window.h>
+#include <strait/spectral/slab_layout.h>
 
 #include <array>
 #include <vector>

@@ -3,13 +3,83 @@
 #define strait_contact_zoomed_problem_h
 
 #include <strait/contact/half_space_problem.h>
-#include <strait/contact/zoomed_operator.h>
-#include <strait/spectral/slab_field.h>
+#include <strait/contact/two_scale_operator.h>
+#include <strait/spectral/fourier_transform.h>
 
+#include <memory>
 #include <vector>
 
 namespace strait
 {
+  /**
+   * What the surface of a half-space does under a pressure on a periodic grid and on
+   * nested windows of finer points. Each point is known on the finest level that has it,
+   * and stands for the area of its level.
+   *
+   * The pressure of a window acts on all that is around it as its mean on the parent's
+   * points does, which the interpolation's adjoint spreads. Inside, the displacement is
+   * interpolated from the parent's, less what that mean makes of it there, plus what the
+   * pressure itself makes. Both are found in a periodic box of the window's own, a little
+   * larger than it: images and means cancel in the difference, so that no kernel of free
+   * space is needed. The operator is symmetric in the scalar product that is weighted by
+   * area. The same with the half-space's stiffness, nearly that on the grid,
+   * preconditions it.
+   *
+   * @p Number is double or, for what need not be more than seven digits, float. Values
+   * are those of a SlabField on the layout; at points that windows cover they are
+   * ignored, and 0 in the end.
+   */
+  template <class Number>
+  class ZoomedOperator
+  {
+  public:
+    /** Collective. */
+    ZoomedOperator(const SlabLayoutPtr &layout, double contact_modulus);
+    ~ZoomedOperator();
+
+    /** Replace pressures by displacements. Collective. */
+    void apply(Number *values);
+
+    /** The same of the stiffness, that on the grid by @p grid_stiffness. Collective. */
+    void precondition(Number *values, TwoScaleOperator &grid_stiffness);
+
+    /** Give back the room that only apply() needs, until it is called again. */
+    void
+    release()
+    {
+      grid_transform.release();
+    }
+
+    /** FFT pairs on the grid so far. */
+    long
+    n_pairs() const
+    {
+      return grid_transform.n_pairs();
+    }
+
+  private:
+    class Window;
+
+    /** on_grid() does on the grid what multiply(box, values) does in the boxes of
+     * windows, in place. */
+    template <class OnGrid, class Multiply>
+    void act(Number *values, const OnGrid &on_grid, const Multiply &multiply);
+    void clear_covered(Number *values) const;
+    void gather_from_windows(Number *values);
+    template <class Multiply>
+    void spread_to_windows(Number *values, const Multiply &multiply);
+
+    const SlabLayout &
+    layout() const
+    {
+      return grid_transform.layout();
+    }
+
+    const double                         modulus;
+    BasicFourierTransform<Number>        grid_transform;
+    std::vector<std::unique_ptr<Window>> windows;
+  };
+
   /** The contact of a half-space with heights on a periodic grid and nested windows of
    *  finer points, one problem over all points: ZoomedOperator. */
   class ZoomedProblem : public DualProblem
@@ -26,8 +96,18 @@ namespace strait
                    const Pass     &before,
                    const WorkPass &after) override;
     void   precondition(float *values, const Pass &before, const Pass &after) override;
-    float *scratch() override;
-    long   n_applications() const override;
+
+    float *
+    scratch() override
+    {
+      return room.data();
+    }
+
+    long
+    n_applications() const override
+    {
+      return exact.n_pairs() + of_steps.n_pairs();
+    }
 
   private:
     template <class Number>

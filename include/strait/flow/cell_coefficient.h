@@ -7,7 +7,6 @@
 #include <deal.II/fe/fe.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include <array>
 #include <cstddef>
 #include <memory>
 
@@ -31,23 +30,15 @@ namespace strait
                            dealii::FullMatrix<double> &matrix) const = 0;
   };
 
-  /** The coefficient on the cells of @p mesh: of the box, exactly; of a seal mesh, by
-   *  quadrature. */
+  /**
+   * The coefficient on the cells of @p mesh: of the box, exactly; of a seal mesh, by
+   * quadrature. The potentials are those of @p fe: FE_Q of the degree of @p set, or
+   * FE_Q_iso_Q1(2) with the set of degree 1, bilinear on the four children of a cell.
+   */
   std::unique_ptr<CellCoefficient> make_coefficient(const FlowMesh                 &mesh,
                                                     const MomentSet                &set,
                                                     const dealii::FiniteElement<2> &fe,
                                                     GapField::Coefficient coefficient);
-
-  /** The same for potentials that are bilinear on the four children of a cell, in the
-   *  order of FE_Q(2), as those of @p fe, FE_Q_iso_Q1(2); it makes matrices of 9 × 9. */
-  std::unique_ptr<CellCoefficient>
-  make_child_coefficient(const FlowMesh                 &mesh,
-                         const dealii::FiniteElement<2> &fe,
-                         GapField::Coefficient           coefficient);
-
-  /** The nodes of FE_Q(2) at the corners of the children, deal.II's order throughout. */
-  constexpr std::array<std::array<unsigned int, 4>, 4> child_corners = {
-    {{{0, 6, 4, 8}}, {{6, 1, 8, 5}}, {{4, 8, 2, 7}}, {{8, 5, 7, 3}}}};
 } // namespace strait
 
 #endif

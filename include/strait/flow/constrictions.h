@@ -4,19 +4,9 @@
 
 #include <strait/percolation/channel.h>
 
-#include <vector>
-
 namespace strait
 {
   class ReynoldsSolver;
-
-  /** What one constriction of the path takes of the pressure. */
-  struct PressureDrop
-  {
-    GridPoint narrowest;     // point of the constriction
-    double    gap      = 0.; // there
-    double    fraction = 0.; // of the drop along the whole path
-  };
 
   /** Where the pressure drops, along the path of least resistance. */
   struct ConstrictionReport
@@ -26,8 +16,6 @@ namespace strait
     double fraction_at_worst = 0.; // of the pressure drop, at one constriction
     int    n_for_90_percent  = 0;  // constrictions that carry 90 % of the drop
     int    n_constrictions   = 0;
-
-    std::vector<PressureDrop> drops; // of all constrictions, the largest first
   };
 
   /** @p solver has solved for the flow in @p channel. Collective. */

@@ -11,8 +11,8 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <array>
 #include <cmath>
-#include <vector>
 
 namespace strait
 {
@@ -54,9 +54,10 @@ namespace strait
       return cell_mapping;
     }
 
-    /** Make unknowns agree across the periodic boundary, if there is one. */
-    void constrain_periodic(const dealii::DoFHandler<2>       &dofs,
-                            dealii::AffineConstraints<double> &constraints) const;
+    /** What makes functions of @p dofs continuous where nodes hang, and across the
+     *  periodic boundary, if there is one; of the locally relevant unknowns, not closed.
+     */
+    dealii::AffineConstraints<double> continuity(const dealii::DoFHandler<2> &dofs) const;
 
     Triangulation &
     triangulation()
@@ -68,12 +69,6 @@ namespace strait
     triangulation() const
     {
       return tria;
-    }
-
-    FlowDirection
-    direction() const
-    {
-      return flow_direction;
     }
 
     /** Coordinate number along the flow, 0 or 1. */
@@ -92,21 +87,12 @@ namespace strait
     /** The cell of the grid's quadtree that @p cell is; not of a seal mesh. */
     GridCell grid_cell(const dealii::CellAccessor<2> &cell) const;
 
-    /** The locally owned active cells, in the order of iteration. */
-    std::vector<GridCell> owned_grid_cells() const;
-
-    /** Length of @p cell along x. */
-    double
-    width(const GridCell &cell) const
+    /** Lengths of @p cell along x and y. */
+    std::array<double, 2>
+    edges(const GridCell &cell) const
     {
-      return std::ldexp(periodic_grid.dx(), cell.exponent);
-    }
-
-    /** Length of @p cell along y. */
-    double
-    height(const GridCell &cell) const
-    {
-      return std::ldexp(periodic_grid.dy(), cell.exponent);
+      return {std::ldexp(periodic_grid.dx(), cell.exponent),
+              std::ldexp(periodic_grid.dy(), cell.exponent)};
     }
 
     /** The length of the longest edge of @p cell in spacings of the grid. */
@@ -125,12 +111,6 @@ namespace strait
     bool can_be_refined() const;
 
   private:
-    int
-    exponent_of_level(const int level) const
-    {
-      return root_exponent - level;
-    }
-
     void make_box();
     void make_seal();
 

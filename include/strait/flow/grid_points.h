@@ -3,12 +3,29 @@
 #define strait_flow_grid_points_h
 
 #include <strait/flow/flow_mesh.h>
-#include <strait/flow/point_rows.h>
+#include <strait/spectral/slab_field.h>
 
 #include <vector>
 
 namespace strait
 {
+  /** Rows of equally spaced points, in units of the grid's spacings. */
+  struct PointRows
+  {
+    double x0   = 0.;
+    double y0   = 0.;
+    double step = 1.;
+    int    nx   = 0;
+    int    ny   = 0;
+  };
+
+  /** The grid points in steps of @p stride that are counted from 0, without the seam's
+   *  copies. */
+  PointRows rows_of_grid(const PeriodicGrid &grid, int stride);
+
+  /** The points of window @p window. */
+  PointRows rows_of_window(const SlabLayout &layout, int window);
+
   /** One of some rows of points and the unit coordinates (s, t) that it has in a cell. */
   struct PointInCell
   {

@@ -3,6 +3,7 @@
 #define strait_flow_marking_h
 
 #include <strait/flow/bracket.h>
+#include <strait/percolation/channel.h>
 
 namespace strait
 {
@@ -12,18 +13,21 @@ namespace strait
   constexpr double progress = .97;
 
   /**
-   * Mark the cells to refine, at most @p affordable of all, for a bracket of which the
-   * part @p excess is too much: those that contribute more than others, and those that
-   * hide more than the part @p largest_hidden of its width (hidden_flows()). Returns
-   * false, with none marked, if there are none or if so few could be that another mesh
-   * does not pay. Collective.
+   * Mark the cells of @p mesh to refine, at most @p affordable of all, for the bracket of
+   * both solutions (plain_bracket()), of which the part @p excess is too much: those that
+   * contribute more than others, and those on whose flow the solutions disagree by more
+   * than the part of the bracket's width that is that of one constriction of the first
+   * path of @p channel. Returns false, with none marked, if there are none or if so few
+   * could be that another mesh does not pay. Collective.
    */
-  bool mark(FlowMesh::Triangulation     &tria,
-            const Bracket               &bracket,
-            const dealii::Vector<float> &hidden,
-            double                       largest_hidden,
-            double                       excess,
-            double                       affordable);
+  bool mark(FlowMesh               &mesh,
+            const GapField         &gap,
+            const Bracket          &bracket,
+            const PotentialProblem &pressure,
+            const PotentialProblem &stream_function,
+            const Channel          &channel,
+            double                  excess,
+            double                  affordable);
 } // namespace strait
 
 #endif

@@ -4,6 +4,7 @@
 
 #include <strait/base/fluid_parameters.h>
 
+#include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
@@ -12,36 +13,25 @@
 
 namespace strait
 {
-  /** One algebraic multigrid cycle as an approximate inverse of a matrix. */
-  class Multigrid
-  {
-  public:
-    using Matrix = dealii::TrilinosWrappers::SparseMatrix;
-    using Vector = dealii::TrilinosWrappers::MPI::Vector;
+  /** A matrix of the unknowns, which the ranks share. */
+  using UnknownsMatrix = dealii::TrilinosWrappers::SparseMatrix;
 
-    virtual ~Multigrid() = default;
-
-    /** z = M⁻¹ r. Collective. */
-    virtual void vmult(Vector &z, const Vector &r) = 0;
-  };
+  /** A vector of them. */
+  using UnknownsVector = dealii::TrilinosWrappers::MPI::Vector;
 
   /**
-   * Set up a cycle for the symmetric positive definite @p matrix, whose rows are
-   * dealt out in contiguous blocks ascending with the rank.
-   *
-   * boomeramg: hypre's BoomerAMG with HMIS coarsening, extended+i interpolation of
-   * at most 4 entries a row, threshold 0.25 and one symmetric Gauss–Seidel sweep.
-   * ml: Trilinos' ML, smoothed aggregation with threshold 0.02, W-cycle, two
-   * symmetric Gauss–Seidel sweeps, direct coarse solver. Collective.
+   * One algebraic multigrid cycle, as an approximate inverse of the symmetric positive
+   * definite @p matrix, whose rows are dealt out in contiguous blocks ascending with the
+   * rank: of hypre's BoomerAMG, or of Trilinos' ML, smoothed aggregation. Collective.
    */
-  std::unique_ptr<Multigrid> make_multigrid(FlowPreconditioner       kind,
-                                            const Multigrid::Matrix &matrix);
+  std::unique_ptr<dealii::TrilinosWrappers::PreconditionBase>
+  make_multigrid(FlowPreconditioner kind, const UnknownsMatrix &matrix);
 
   /** How a linear system was solved. */
   struct LinearSolve
   {
     unsigned int iterations   = 0;
-    double       error_energy = 0.; // r·M⁻¹r at the end
+    double       error_energy = 0.; // r·M⁻¹r at the end of one run of the solver
     bool         converged    = false;
   };
 

@@ -8,58 +8,52 @@
 #include <strait/flow/multigrid.h>
 #include <strait/flow/ring_background.h>
 
+#include <deal.II/base/function.h>
 #include <deal.II/base/index_set.h>
 #include <deal.II/distributed/solution_transfer.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace strait
 {
+  /** How a linear system is to be solved. */
+  struct LinearAccuracy
+  {
+    FlowPreconditioner preconditioner;
+    double             energy; // relative error of the energy
+  };
+
   /**
    * One of the two variational problems that enclose the leak rate, on the current
    * mesh:
-   * - pressure: p = 1 at the inlet, 0 at the outlet; minimises ∫ K |∇p|², whose
-   *   minimum is Q/Δp;
-   * - stream_function: ψ = ±(coordinate across)/(length across) + periodic part,
-   *   free at the reservoirs; its curl is a flux of total 1 without sources, and
-   *   it minimises ∫ |∇ψ|²/K, whose minimum is Δp/Q. On a strip ψ is 0 at the right and
-   *   1 at the left wall; around a ring it is ±(angle)/2π + a function of one value.
+   * - pressure, with a conductivity K: p = 1 at the inlet, 0 at the outlet; minimises
+   *   ∫ K |∇p|², whose minimum is Q/Δp;
+   * - stream function, with a resistivity 1/K: ψ = ±(coordinate across)/(length across)
+   *   + periodic part, free at the reservoirs; its curl is a flux of total 1 without
+   *   sources, and it minimises ∫ |∇ψ|²/K, whose minimum is Δp/Q. On a strip ψ is 0 at
+   *   the right and 1 at the left wall; around a ring it is ±(angle)/2π + a function of
+   *   one value.
    * Both are conforming, so each energy is too large and falls under refinement:
    * the first gives an upper, the second a lower bound of the leak rate.
    */
   class PotentialProblem
   {
   public:
-    /** Which of the two problems. */
-    enum class Kind
-    {
-      pressure,
-      stream_function
-    };
-    using Vector   = Multigrid::Vector;
-    using Source   = std::function<double(const dealii::Point<2> &)>;
+    using Vector   = UnknownsVector;
     using Iterator = dealii::DoFHandler<2>::active_cell_iterator;
 
-    /** With the conductivity or the resistivity, as it fits the kind, unless another
-     *  @p coefficient is given. */
-    PotentialProblem(Kind                                 kind,
-                     FlowMesh                            &mesh,
-                     const MomentSet                     &set,
-                     std::optional<GapField::Coefficient> coefficient = {});
+    /** That of the two to which the @p coefficient belongs. */
+    PotentialProblem(FlowMesh             &mesh,
+                     const MomentSet      &set,
+                     GapField::Coefficient coefficient);
 
-    /** Number the unknowns of the current mesh, unless that was done, and make room
-     *  for the matrix. The solution on the same mesh, or that interpolated from the mesh
-     *  before, is kept as a start. Collective. */
-    void set_up();
-
-    /** Ask @p gap for the coefficient on all cells, which then have no weights.
-     *  Collective. */
+    /** Ask @p gap for the coefficient on all cells of the current mesh, which then have
+     * no weights. The solution on the same mesh, or that interpolated from the mesh
+     * before, is kept as a start. Collective. */
     void take_coefficient(const GapField &gap);
 
     /** Multiply the conductivity of each owned cell with one of @p weights. */
@@ -70,24 +64,12 @@ namespace strait
     }
 
     /**
-     * Assemble the matrix. @p source, if given, is the right-hand side f of
-     * −∇·(K∇p) = f (for verification). Collective.
+     * Solve from the solution that is there, until the energy is known to @p accuracy.
+     * @p source, if given, is the right-hand side f of −∇·(K∇p) = f (for verification).
+     * Collective.
      */
-    void assemble(const Source &source = {});
-
-    /** The same after take_coefficient(). */
-    void
-    assemble(const GapField &gap, const Source &source = {})
-    {
-      take_coefficient(gap);
-      assemble(source);
-    }
-
-    /**
-     * Solve from the solution that is there, until the energy is known to the relative
-     * @p accuracy. Collective.
-     */
-    LinearSolve solve(FlowPreconditioner preconditioner, double accuracy);
+    LinearSolve solve(const LinearAccuracy      &accuracy,
+                      const dealii::Function<2> *source = nullptr);
 
     /** ∫ coefficient |∇·|². Collective. */
     double energy() const;
@@ -95,21 +77,27 @@ namespace strait
     /** Keep the solution for the mesh that is about to be refined. */
     void prepare_for_refinement();
 
-    /** Values of the potential on @p cell, up to a constant for ψ. */
-    void cell_values(const Iterator &cell, std::vector<double> &values) const;
+    /** The owned cells. Their positions are the numbers by which they are asked for. */
+    const std::vector<Iterator> &
+    cells() const
+    {
+      return owned_cells;
+    }
 
-    /** Energy of the cell that is number @p owned_cell among the owned ones. */
-    double cell_energy(std::size_t owned_cell, const std::vector<double> &values) const;
+    /** Values of the potential on a cell, up to a constant for ψ. */
+    void cell_values(std::size_t cell, std::vector<double> &values) const;
 
-    /** What the weights make of the coefficient of the owned cell number @p owned_cell.
-     */
+    /** Energy of a cell with these @p values. */
+    double cell_energy(std::size_t cell, const std::vector<double> &values) const;
+
+    /** What the weights multiply the coefficient of a cell with. */
     double
-    coefficient_weight(const std::size_t owned_cell) const
+    coefficient_weight(const std::size_t cell) const
     {
       if (conductivity_weights.empty())
         return 1.;
-      const double weight = conductivity_weights[owned_cell];
-      return problem_kind == Kind::pressure ? weight : 1. / weight;
+      const double weight = conductivity_weights[cell];
+      return is_pressure() ? weight : 1. / weight;
     }
 
     /** One for each owned cell, or none. */
@@ -121,29 +109,31 @@ namespace strait
 
     /** Mean of the coefficient over a cell, without weights. */
     double
-    unweighted_mean(const std::size_t owned_cell) const
+    unweighted_mean(const std::size_t cell) const
     {
-      return coefficient->mean(owned_cell);
+      return coefficient->mean(cell);
     }
 
-    /** Mean of the coefficient over the owned cell number @p owned_cell. */
+    /** The same with them. */
     double
-    mean_coefficient(const std::size_t owned_cell) const
+    mean_coefficient(const std::size_t cell) const
     {
-      return coefficient_weight(owned_cell) * coefficient->mean(owned_cell);
+      return coefficient_weight(cell) * coefficient->mean(cell);
     }
 
     /** True where the coefficient does not vanish. */
     bool
-    is_active(const std::size_t owned_cell) const
+    is_active(const std::size_t cell) const
     {
-      return coefficient->mean(owned_cell) > 0;
+      return coefficient->mean(cell) > 0;
     }
 
-    Kind
-    kind() const
+    /** Which of the two problems this is. */
+    bool
+    is_pressure() const
     {
-      return problem_kind;
+      return kind_of_coefficient == GapField::Coefficient::conductivity ||
+             kind_of_coefficient == GapField::Coefficient::largest_conductivity;
     }
 
     /** What the coefficient is of the gap, apart from weights. */
@@ -172,7 +162,7 @@ namespace strait
       return element;
     }
 
-    /** The solution, with ghost values. */
+    /** The solution, with ghost values; empty before take_coefficient(). */
     const Vector &
     solution() const
     {
@@ -180,45 +170,42 @@ namespace strait
     }
 
   private:
-    void number_unknowns();
-    void complete_solution();
-    void make_constraints();
+    void           number_unknowns();
+    void           complete_solution();
+    void           constrain_boundary();
+    UnknownsMatrix empty_matrix() const;
+    void           assemble(const dealii::Function<2> *source,
+                            UnknownsMatrix            &matrix,
+                            Vector                    &right) const;
 
     /** Whether a constant may be added to the potential. */
     bool
     is_free() const
     {
-      return problem_kind == Kind::stream_function &&
-             (mesh.seal() == nullptr || mesh.seal()->is_ring);
+      return !is_pressure() && (mesh.seal() == nullptr || mesh.seal()->is_ring);
     }
 
-    void pin_one_value();
-    void pin_unreached_rows();
+    void pin_one_value(UnknownsMatrix &matrix) const;
+    void pin_unreached_rows(UnknownsMatrix &matrix);
 
     void background(const Iterator &cell, std::vector<double> &values) const;
-    void add_source(const Iterator         &cell,
-                    const Source           &source,
-                    dealii::Vector<double> &rhs) const;
 
-    Kind                                         problem_kind;
-    GapField::Coefficient                        kind_of_coefficient;
-    FlowMesh                                    &mesh;
-    ElementMatrix                                element;
-    dealii::FE_Q<2>                              fe;
-    dealii::DoFHandler<2>                        dofs;
-    dealii::IndexSet                             owned, relevant;
-    dealii::AffineConstraints<double>            constraints;
-    Multigrid::Matrix                            matrix; // between assemble() and solve()
-    std::vector<dealii::types::global_dof_index> unreached; // by no open cell
-    Vector                                       right_hand_side, distributed, ghosted;
-    std::unique_ptr<CellCoefficient>             coefficient;
-    std::vector<double>                          conductivity_weights; // empty: all one
-    std::optional<RingBackground>                ring; // of the stream function on one
-    dealii::types::global_dof_index              n_active_unknowns = 0;
-    bool                                         is_numbered       = false;
+    GapField::Coefficient             kind_of_coefficient;
+    FlowMesh                         &mesh;
+    ElementMatrix                     element;
+    dealii::FE_Q<2>                   fe;
+    dealii::DoFHandler<2>             dofs;
+    std::vector<Iterator>             owned_cells;
+    dealii::IndexSet                  owned, relevant;
+    dealii::AffineConstraints<double> constraints;
+    Vector                            distributed, ghosted; // the solution
+    std::unique_ptr<CellCoefficient>  coefficient;
+    std::vector<double>               conductivity_weights; // empty: all one
+    Vector                            angles; // of the stream function of a ring
+    dealii::types::global_dof_index   n_active_unknowns = 0;
 
     using Transfer = dealii::parallel::distributed::SolutionTransfer<2, Vector>;
-    std::unique_ptr<Transfer> transfer;
+    std::unique_ptr<Transfer> transfer; // to the mesh that is being made
   };
 } // namespace strait
 

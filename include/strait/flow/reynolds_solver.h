@@ -3,6 +3,7 @@
 #define strait_flow_reynolds_solver_h
 
 #include <strait/flow/bracket.h>
+#include <strait/flow/hierarchical_correction.h>
 #include <strait/flow/leakage.h>
 #include <strait/flow/potential_problem.h>
 #include <strait/flow/rarefied_problem.h>
@@ -18,14 +19,11 @@ namespace strait
    * The Reynolds equation ∇·(K ∇p_f) = 0 in a percolating gap, on a mesh that is
    * refined until the leak rate is bracketed as closely as asked.
    *
-   * The pressure problem gives an upper, the stream-function problem on the same
-   * mesh a lower bound, and the part of their difference that a cell is responsible
-   * for, ∫ K |∇p + Q_lower/Δp K⁻¹ curl ψ|², marks the cells to refine: it is zero
-   * where the flux of both agrees. A coarse cell may let the pressure through a barrier
-   * or bar the stream function's way, whose effect is elsewhere: the flow on which the
-   * two disagree marks it (hidden_flows()). K and 1/K are integrated from above, so that
-   * both energies are still too large (CellQuadrature); a cell where that can be done
-   * roughly only is marked as well, as it contributes to the difference.
+   * The pressure problem gives an upper, the stream-function problem on the same mesh a
+   * lower bound. Their difference on a cell (plain_bracket()), and the flow through it on
+   * which the two disagree, mark the cells to refine (mark()). K and 1/K are integrated
+   * from above, so that both energies are still too large (CellQuadrature); a cell where
+   * that can be done roughly only is marked as well, as it contributes to the difference.
    *
    * Of a rarefied gas Q is the volume at the mean pressure of the reservoirs. Its problem
    * is not linear (RarefiedFlow): on each mesh pressure and weights follow from each
@@ -66,6 +64,11 @@ namespace strait
      */
     double solve_pressure();
 
+    /** By how much the leak rate would change, relative, if the gap were that of @p
+     * other: the change of the pressure problem's energy on the mesh of run(), infinite
+     * if the linear solver fails. Collective. */
+    double change_in(const GapField &other);
+
     /** The fluid's pressure where the solution of the pressure problem is @p potential.
      */
     double pressure_at(double potential) const;
@@ -99,13 +102,10 @@ namespace strait
 
     LinearAccuracy accuracy() const;
     LinearSolve    solve(PotentialProblem &problem);
-    void           enclose_rarefied(const Channel &channel, Leakage &leakage);
     double         drive() const;
 
     /** @return whether the linear solver converged; the bounds hold either way. */
     bool solve_on_mesh(Leakage &leakage);
-
-    bool is_enough(const Leakage &leakage) const;
 
     /** @return why another mesh would not pay; empty if it would. */
     std::string obstacle(const Leakage &leakage);
@@ -119,11 +119,10 @@ namespace strait
     FlowMesh                                flow_mesh;
     PotentialProblem                        pressure_problem;
     PotentialProblem                        stream_problem;
-    std::unique_ptr<HierarchicalCorrection> correction; // of solutions of degree 1
+    std::unique_ptr<HierarchicalCorrection> correction; // in run(), for degree 1
     std::vector<double>                     widths;     // log(upper/lower) on all meshes
-    Bracket            plain;                 // without correction; says where to refine
-    unsigned long long unknowns_needed   = 0; // for the target accuracy; 0: not known
-    bool               pressure_is_known = false; // of a rarefied gas, if but roughly
+    Bracket            plain;               // without correction; says where to refine
+    unsigned long long unknowns_needed = 0; // for the target accuracy; 0: not known
   };
 } // namespace strait
 

@@ -14,30 +14,19 @@ namespace strait
 {
   /**
    * The part of a ring's stream function that has many values: the angle around the pole
-   * in turns, of the sign that lets its curl flow from inlet to outlet, interpolated from
-   * its values at the unknowns.
+   * in turns, of the sign that lets its curl flow from inlet to outlet, at the unknowns
+   * of
+   * @p dofs, with ghost values. Completes the @p constraints of the other part: where a
+   * node hangs, the sum of both must be continuous, not the other one alone. Collective.
    */
-  class RingBackground
-  {
-  public:
-    /** Take the angles at the unknowns of @p dofs. Collective. */
-    void set_up(const FlowMesh              &mesh,
-                const dealii::DoFHandler<2> &dofs,
-                const dealii::IndexSet      &owned,
-                const dealii::IndexSet      &relevant);
+  UnknownsVector ring_background(const FlowMesh                    &mesh,
+                                 const dealii::DoFHandler<2>       &dofs,
+                                 dealii::AffineConstraints<double> &constraints);
 
-    /** Values on @p cell, less that at its first unknown. */
-    void values(const dealii::DoFHandler<2>::active_cell_iterator &cell,
-                std::vector<double>                               &values) const;
-
-    /** Where a node hangs, the sum of both parts of the stream function must be
-     *  continuous, not the other one alone: complete its constraints so. */
-    void complete(dealii::AffineConstraints<double> &constraints,
-                  const dealii::IndexSet            &relevant) const;
-
-  private:
-    Multigrid::Vector angles;
-  };
+  /** The @p values on @p cell of such a @p background, less that at its first unknown. */
+  void background_values(const UnknownsVector                              &background,
+                         const dealii::DoFHandler<2>::active_cell_iterator &cell,
+                         std::vector<double>                               &values);
 } // namespace strait
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef strait_flow_solution_on_grid_h
 #define strait_flow_solution_on_grid_h
 
-#include <strait/flow/point_rows.h>
+#include <strait/flow/grid_points.h>
 #include <strait/interface/grid_deposit.h>
 
 #include <vector>

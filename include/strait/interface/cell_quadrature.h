@@ -82,14 +82,8 @@ namespace strait
       return set;
     }
 
-    const GapInterpolant &
-    gap_interpolant() const
-    {
-      return interpolant;
-    }
-
   private:
-    class Sum;
+    struct Sum;
 
     static constexpr int max_points = 4; // of a rule for degree 2
 

@@ -3,44 +3,23 @@
 #define strait_interface_gap_field_h
 
 #include <strait/interface/cell_quadrature.h>
-#include <strait/interface/gap_levels.h>
+#include <strait/interface/gap_interpolant.h>
 #include <strait/interface/moment_pyramid.h>
-#include <strait/spectral/grid_cell.h>
+#include <strait/percolation/flow_region.h>
+#include <strait/spectral/periodic_grid.h>
+
+#include <deal.II/base/table.h>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace strait
 {
-  /** The moments of a list of cells, in its order. */
-  class CellAnswers
-  {
-  public:
-    CellAnswers(const int n_moments_, const std::size_t n_cells)
-      : n_moments(n_moments_)
-      , values(n_cells * n_moments_)
-    {
-    }
-
-    /** Those of one cell, in the order of the MomentSet. */
-    const double *
-    operator[](const std::size_t cell) const
-    {
-      return values.data() + cell * n_moments;
-    }
-
-    double *
-    operator[](const std::size_t cell)
-    {
-      return values.data() + cell * n_moments;
-    }
-
-  private:
-    int                 n_moments;
-    std::vector<double> values;
-  };
+  /** The moments of a list of cells in its order, each in that of the MomentSet. */
+  using CellAnswers = dealii::Table<2, double>;
 
   /**
    * The one bridge from slabs to cells: it keeps the gap with the grid's own ranks
@@ -54,11 +33,15 @@ namespace strait
    * least values at any pressure, the least as the largest resistivity, and the two
    * parts into which it may be split (RarefiedFlow). Cells of at least four grid
    * spacings are looked up in a pyramid of moments, where K was integrated on each cell
-   * of the grid (CellQuadrature); smaller ones are integrated directly. Where the gap has
-   * windows of finer points K is that of the finest level present: a cell of the grid
-   * that a window replaces is the sum over the window's cells, of which each is
-   * integrated once, and a smaller cell that over the parts of the levels' cells that lie
-   * in it.
+   * of the grid (CellQuadrature); smaller ones are integrated directly.
+   *
+   * Where the gap has windows of finer points K is that of the finest level present. The
+   * cells of a level lie between its points, and one of which a window covers all four
+   * corners is replaced by the 3 × 3 cells of the window that lie in it: the outermost
+   * rows and columns of a window lie outside of all its cells, and the interpolant needs
+   * them. A cell of the grid that a window replaces is the sum over the window's cells,
+   * of which each is integrated once, and a smaller cell that over the parts of the
+   * levels' cells that lie in it.
    *
    * Where the fluid flows on a mesh of its own there are no such cells and no pyramid;
    * the mesh's ranks take the rows of the grid that they touch, as GapRows.
@@ -112,11 +95,7 @@ namespace strait
 
     /** The gap for points with @p y_low <= y <= @p y_high; each rank may ask for others.
      *  Collective. */
-    GapRows
-    rows(const double y_low, const double y_high) const
-    {
-      return levels.rows(quadrature.gap_interpolant(), y_low, y_high);
-    }
+    GapRows rows(double y_low, double y_high) const;
 
     /** Of one @p gap. */
     double
@@ -141,7 +120,7 @@ namespace strait
     const SlabLayout &
     layout() const
     {
-      return levels.layout();
+      return *slab_layout;
     }
 
     /** Conductivity of a gap, g³/(12 η). */
@@ -158,7 +137,8 @@ namespace strait
     void
     release()
     {
-      levels.release();
+      grid_rows.rows = std::vector<double>();
+      window_values  = std::vector<double>();
       known.clear();
     }
 
@@ -166,30 +146,40 @@ namespace strait
     /** What is known of one coefficient. */
     struct Known
     {
-      MomentPyramid       pyramid;
       std::vector<double> of_window_cells; // at the position of each cell
+      MomentPyramid       pyramid;
     };
 
     /** Find the moments of @p coefficient on the grid and on the windows. Collective. */
     void build(Coefficient coefficient) const;
-    void forget_others() const;
-
-    Known &room_for(Coefficient coefficient) const;
 
     CoefficientLaw law(Coefficient coefficient) const;
+
+    /** The lower left one of the 3 × 3 cells by which a window replaces @p cell, if one
+     *  does. Cells are named by their lower left points. */
+    std::optional<GridPoint> first_finer_cell(const GridPoint &cell) const;
+
+    /** The gap around a cell of a window, or of the grid in a row of this rank or the one
+     *  after these. */
+    GapStencil stencil(const GridPoint &cell) const;
+
+    /** Position of a point or cell of a window among those of all windows. */
+    std::size_t position(const GridPoint &cell) const;
 
     /** Add to the moments of @p square what a cell that windows may replace has of it.
      *  Returns whether there is anything. */
     bool add_cell(Coefficient      coefficient,
-                  const LevelCell &cell,
+                  const GridPoint &cell,
                   const Square    &square,
-                  const Known     &of_grid,
+                  const double    *of_window_cells,
                   double          *moments) const;
 
     /** Find the moments, zero so far, of a cell that this rank owns. */
     void answer(Coefficient coefficient, const GridCell &cell, double *moments) const;
 
-    GapLevels                           levels;
+    SlabLayoutPtr                       slab_layout;
+    GapRows                             grid_rows; // one before, three after the own ones
+    std::vector<double>                 window_values;
     CellQuadrature                      quadrature;
     double                              conductivity_of_one;
     double                              floor_value = 0.;

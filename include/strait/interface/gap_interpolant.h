@@ -24,15 +24,8 @@ namespace strait
    * zero on a cell that is open at no corner or only at two opposite ones, which
    * are no neighbours to the percolation verdict.
    */
-  class GapInterpolant
+  struct GapInterpolant
   {
-  public:
-    GapInterpolant(GapInterpolation kind_, FlowDirection direction_)
-      : kind(kind_)
-      , direction(direction_)
-    {
-    }
-
     /** False where the gap vanishes on the whole cell. */
     static bool may_be_open(const GapStencil &gap);
 
@@ -57,9 +50,6 @@ namespace strait
 
     /** Between the inner two of four values. */
     Cubic between(double v0, double v1, double v2, double v3) const;
-
-  private:
-    friend class CellGap;
 
     GapInterpolation kind;
     FlowDirection    direction;
@@ -103,26 +93,19 @@ namespace strait
   };
 
   /** The gap between some rows of the grid, for cells that are not the grid's own. */
-  class GapRows
+  struct GapRows
   {
-  public:
-    /**
-     * @p rows holds the grid rows that follow each other from @p first_row on, one
-     * before and two after those that points may lie above.
-     */
-    GapRows(const PeriodicGrid   &grid,
-            const GapInterpolant &interpolant,
-            int                   first_row,
-            std::vector<double>   rows);
-
-    /** The gap at a point of the box, not below zero. */
-    double operator()(double x, double y) const;
-
-  private:
     PeriodicGrid        grid;
     GapInterpolant      interpolant;
     int                 first_row;
-    std::vector<double> rows;
+    std::vector<double> rows; // from that on, one after the other
+
+    /** The gap around the cell to the right of and above point (@p ix, @p iy). It needs
+     *  the rows from the one before to the second one after that. */
+    GapStencil stencil(int ix, int iy) const;
+
+    /** The gap at a point of the box, not below zero. */
+    double operator()(double x, double y) const;
   };
 } // namespace strait
 

@@ -2,7 +2,7 @@
 #ifndef strait_interface_grid_deposit_h
 #define strait_interface_grid_deposit_h
 
-#include <strait/spectral/grid_cell.h>
+#include <strait/spectral/periodic_grid.h>
 #include <strait/spectral/slab_field.h>
 
 #include <map>
@@ -47,9 +47,8 @@ namespace strait
      */
     struct Weights
     {
-      int                 first = 0; // grid point
-      int                 n     = 0; // number of grid points
-      std::vector<double> values;    // [k·n + point]
+      int                 n = 0;  // number of grid points
+      std::vector<double> values; // [k·n + point]
     };
     /** Sums at the points of one row. */
     struct Row
@@ -57,9 +56,7 @@ namespace strait
       std::vector<double> integral, area;
     };
 
-    const Weights      &weights(int exponent, int index_in_grid_cell);
-    Weights             compute_weights(int exponent, int index_in_grid_cell) const;
-    std::vector<double> polynomials_at(double x) const;
+    const Weights &weights(int exponent, int index_in_grid_cell);
 
     SlabLayoutPtr                          layout;
     unsigned int                           degree;

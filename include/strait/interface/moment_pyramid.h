@@ -3,7 +3,7 @@
 #define strait_interface_moment_pyramid_h
 
 #include <strait/interface/moment_set.h>
-#include <strait/spectral/grid_cell.h>
+#include <strait/spectral/periodic_grid.h>
 #include <strait/spectral/slab_field.h>
 
 #include <functional>
@@ -23,14 +23,12 @@ namespace strait
     /** The exponent of the smallest cells. */
     static constexpr int finest = 2;
 
-    /** Writes the moments of the grid cell (ix, local row), which are zero so far, and
-     *  returns whether they no longer are. */
-    using Leaf = std::function<bool(int ix, int row, double *moments)>;
-
-    MomentPyramid(SlabLayoutPtr layout, MomentSet set, int n_halvings);
+    /** Writes the moments of the grid cell (ix, iy), which are zero so far, and returns
+     *  whether they no longer are. */
+    using Leaf = std::function<bool(int ix, int iy, double *moments)>;
 
     /** Sum up all levels from the grid cells of this rank. Collective. */
-    void build(const Leaf &leaf);
+    MomentPyramid(SlabLayoutPtr layout, MomentSet set, int n_halvings, const Leaf &leaf);
 
     /** Moments of a cell of this rank with finest <= exponent <= n_halvings. */
     const double *moments(const GridCell &cell) const;

@@ -87,7 +87,7 @@ namespace strait
     double
     drive() const
     {
-      return pressure_drive;
+      return (falls ? total_drive : -total_drive) / mean_pressure;
     }
 
     /** The pressure at a Ψ that is @p potential: 1 at the inlet, 0 at the outlet. */
@@ -120,17 +120,14 @@ namespace strait
 
   private:
     void      tabulate_potential();
-    void      choose_bounds(const std::vector<PathPart> &parts);
-    GapFactor extreme_weight(const std::vector<double> &potential_factors,
-                             bool                       is_largest) const;
+    GapFactor extreme_weight(const std::vector<PathPart> &parts, bool is_largest) const;
     double    weight(double gap, double p) const;
 
     double              low, high; // pressures
     double              reference_gap;
     double              mean_pressure;      // of the reservoirs
     double              total_drive;        // ΔΨ [pressure²]
-    double              pressure_drive;     // over the mean pressure, as it falls
-    bool                falls;              // from the inlet to the outlet
+    bool                falls;              // the pressure, from the inlet to the outlet
     std::vector<double> pressures;          // from the lower one up
     std::vector<double> potentials, slopes; // Ψ at the pressures, 0 to 1, and dp/dΨ
   };

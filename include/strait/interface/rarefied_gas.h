@@ -20,11 +20,11 @@ namespace strait
     explicit RarefiedGas(const FluidParameters &fluid);
 
     /**
-     * Q_P at @p delta > 0 [1]. Transitional: of the linearised BGK equation between walls
-     * that reflect diffusely, interpolated to 10⁻⁵ of a solution of its integral equation
-     * (tools/bgk_poiseuille.py), and its asymptotes beyond.
+     * Q_P at @p delta > 0 [1] of a transitional gas: of the linearised BGK equation
+     * between walls that reflect diffusely, interpolated to 10⁻⁵ of a solution of its
+     * integral equation (tools/bgk_poiseuille.py), and its asymptotes beyond.
      */
-    double poiseuille_coefficient(double delta) const;
+    static double poiseuille_coefficient(double delta);
 
     /**
      * a over the viscous conductivity g³/(12 η) [pressure]: p of a viscous gas, p + r/g

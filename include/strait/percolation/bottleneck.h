@@ -3,7 +3,6 @@
 #define strait_percolation_bottleneck_h
 
 #include <strait/percolation/flow_region.h>
-#include <strait/percolation/grid_point.h>
 #include <strait/spectral/slab_field.h>
 
 #include <array>

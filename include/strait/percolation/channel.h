@@ -19,8 +19,7 @@ namespace strait
    */
   struct Channel
   {
-    FlowDomain domain = FlowDirection::x;
-    Clusters   clusters;
+    Clusters clusters;
 
     /** The open gap of what percolates (percolating_gap()); empty where nothing does. */
     SlabField gap;

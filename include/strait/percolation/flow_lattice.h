@@ -2,7 +2,6 @@
 #ifndef strait_percolation_flow_lattice_h
 #define strait_percolation_flow_lattice_h
 
-#include <strait/percolation/grid_lines.h>
 #include <strait/percolation/lattice_levels.h>
 #include <strait/spectral/slab_field.h>
 
@@ -79,18 +78,8 @@ namespace strait
       return region == nullptr && is_outlet(k);
     }
 
-    /** This rank's own points where the fluid enters, and those where it leaves. */
-    std::vector<std::size_t>
-    inlet_points() const
-    {
-      return points_at(false);
-    }
-
-    std::vector<std::size_t>
-    outlet_points() const
-    {
-      return points_at(true);
-    }
+    /** This rank's own points at the inlet, or at the outlet. */
+    std::vector<std::size_t> points_at(OutlineKind kind) const;
 
     /** From a point to one of the eight around it on the same level. */
     struct Step
@@ -157,23 +146,9 @@ namespace strait
       return levels.point(place_of(k));
     }
 
-    /** Points that lie together are in the same one of so many blocks. */
-    std::size_t
-    n_blocks() const
-    {
-      return lines.n_blocks() + levels.size() - 1;
-    }
-
     /** The point that is @p p of the grid or a window, on the seam that at the inlet;
      *  none if this rank does not know it. */
     std::size_t number_at(const GridPoint &p) const;
-
-    /** The block that point @p k is in. */
-    std::size_t
-    block_of(const std::size_t k) const
-    {
-      return in_window(k) ? lines.n_blocks() + levels.level_of(k) - 1 : lines.block_of(k);
-    }
 
     const LatticeLevels &
     all_levels() const
@@ -197,7 +172,8 @@ namespace strait
       const int level = levels.level_of(k);
       if (level == 0)
         {
-          const int line = lines.line_of(k), i = lines.position_of(k);
+          const int line = lines.first() + static_cast<int>(k / lines.length());
+          const int i    = static_cast<int>(k % lines.length());
           return levels.along_x ? Place{0, i, line} : Place{0, line, i};
         }
       const std::size_t i = k - levels[level].begin;
@@ -206,10 +182,6 @@ namespace strait
     }
 
     std::size_t global_number(const Place &p) const;
-
-    /** This rank's own points where the fluid leaves if @p outlet, else where it enters.
-     */
-    std::vector<std::size_t> points_at(bool outlet) const;
 
     /** Number of point @p p; none if it is one of the grid that this rank does not know.
      */
@@ -221,13 +193,19 @@ namespace strait
     void
     for_each_copy(const Place &p, const Visit &visit) const
     {
-      for (const int periods : {0, -1, 1})
-        if (const std::size_t k = number_of_copy(p, periods); k != none)
-          visit(k);
+      const Level &level = levels[p.level];
+      if (p.level > 0)
+        visit(level.begin + static_cast<std::size_t>(p.across) * level.n_along + p.along);
+      else
+        for (const int periods : {0, -1, 1})
+          {
+            const int across = levels.wrapped(p.across) + periods * level.n_across;
+            if (const std::size_t k = levels.along_x ? lines.number_of(across, p.along)
+                                                     : lines.number_of(p.along, across);
+                k != none)
+              visit(k);
+          }
     }
-
-    /** Its number so many periods away across the flow; none if it is not known there. */
-    std::size_t number_of_copy(const Place &p, int periods) const;
 
     std::size_t
     finest(const std::size_t k) const
@@ -241,10 +219,6 @@ namespace strait
                      std::size_t   from,
                      int           n_directions,
                      const Action &action) const;
-
-    /** Whether the steps along and across that make up a diagonal one from the point
-     *  @p k of a region are possible, that along first if @p first_along. */
-    bool can_go_around(std::size_t k, int d_along, int d_across, bool first_along) const;
 
     SlabLayoutPtr                     layout;
     std::shared_ptr<const FlowRegion> region; // null: the box
@@ -266,11 +240,10 @@ namespace strait
     const bool   from_is_finest = is_covered.empty() || !is_covered[from];
     // Across the flow the lines wrap around by their ghosts, points of a line here.
     const bool wraps       = p.level == 0 && !levels.along_x;
-    const int  first       = p.level > 0 || wraps ? rim : lines.first();
-    const int  end         = p.level > 0 || wraps ? level.n_across - rim : lines.end();
-    const int  first_along = p.level == 0 && !levels.along_x ? lines.first() : rim;
-    const int  end_along =
-      p.level == 0 && !levels.along_x ? lines.end() : level.n_along - rim;
+    const int  first       = p.level > 0 ? rim : lines.first();
+    const int  end         = p.level > 0 ? level.n_across - rim : lines.end();
+    const int  first_along = wraps ? lines.first() : rim;
+    const int  end_along   = wraps ? lines.end() : level.n_along - rim;
     for (int d = 0; d < n_directions; ++d)
       {
         const auto [da, db] = directions[d];
@@ -289,8 +262,10 @@ namespace strait
           continue;
         if (region != nullptr && d >= 4)
           {
-            corner = can_go_around(from, da, db, true) ? corner : none;
-            other  = can_go_around(from, da, db, false) ? other : none;
+            if (!region->is_joined(from, da, 0) || !region->is_joined(corner, 0, db))
+              corner = none;
+            if (!region->is_joined(from, 0, db) || !region->is_joined(other, da, 0))
+              other = none;
             if (corner == none && other == none)
               continue;
           }

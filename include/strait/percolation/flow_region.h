@@ -55,7 +55,7 @@ namespace strait
   public:
     /**
      * The region that the closed curves of @p outline enclose, which lie in the box.
-     * Rank 0 of @p comm alone holds its points: for a moment 8 B a grid point, 1 B then.
+     * Rank 0 of @p comm alone holds its points: for a moment 4 B a grid point, 1 B then.
      * Throws InputError if the grid is too coarse to tell inlet and outlet apart.
      * Collective.
      */

@@ -2,8 +2,8 @@
 #ifndef strait_percolation_lattice_levels_h
 #define strait_percolation_lattice_levels_h
 
-#include <strait/percolation/grid_lines.h>
-#include <strait/percolation/grid_point.h>
+#include <strait/percolation/flow_region.h>
+#include <strait/spectral/slab_field.h>
 
 #include <array>
 #include <cstddef>
@@ -11,6 +11,82 @@
 
 namespace strait
 {
+  /**
+   * The lines of constant y of a grid, with the outlet's copy of the seam, of which a
+   * rank owns its rows and knows the line before and the one after them, its ghosts.
+   * Across a flow along x lines follow each other periodically; a ghost may then be the
+   * rank's own line as well. Of a region rank 0 owns all lines, which are those of
+   * FlowRegion.
+   */
+  class GridLines
+  {
+  public:
+    GridLines(SlabLayoutPtr layout, const FlowDomain &domain);
+
+    /** Number of points of a line. */
+    int
+    length() const
+    {
+      return n_along_line;
+    }
+
+    /** The first line that this rank knows, −1 for that before line 0. */
+    int
+    first() const
+    {
+      return first_line;
+    }
+
+    /** The one after the last. */
+    int
+    end() const
+    {
+      return first_line + n_lines;
+    }
+
+    /** Number of points that this rank knows. */
+    std::size_t
+    size() const
+    {
+      return static_cast<std::size_t>(n_lines) * n_along_line;
+    }
+
+    /** Whether point @p k is on a line of this rank's own. */
+    bool
+    is_own(const std::size_t k) const
+    {
+      return k >= own[0] && k < own[1];
+    }
+
+    /** Number of no point. */
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    /** The number of point @p i of line @p line; none if this rank does not know it. */
+    std::size_t
+    number_of(const int line, const int i) const
+    {
+      return line < first_line || line >= end() || i < 0 || i >= n_along_line
+               ? none
+               : static_cast<std::size_t>(line - first_line) * n_along_line + i;
+    }
+
+    /** The values of @p field at the points; zero at what does not belong to the region.
+     *  Collective. */
+    std::vector<double> values(const SlabField &field) const;
+
+    /** Call visit(k, number) for each ghost @p k, with what its owner has of @p numbers,
+     *  one for each point. Collective. */
+    template <class Number, class Visit>
+    void for_each_ghost(const std::vector<Number> &numbers, const Visit &visit) const;
+
+  private:
+    SlabLayoutPtr                     layout;
+    std::shared_ptr<const FlowRegion> region; // null: the box
+    int                               n_along_line, n_lines = 0, first_line = 0;
+    // From the first of this rank's own points to before the second.
+    std::array<std::size_t, 2> own = {{0, 0}};
+  };
+
   /**
    * The grid and its windows turned so that the flow runs along, from the inlet to the
    * outlet's copy of the seam. A window that crosses the seam is two levels.
@@ -21,21 +97,23 @@ namespace strait
     /** The grid, or a window. */
     struct Level
     {
-      std::size_t           begin; // number of its first point
       int                   n_along;
       int                   n_across;
       std::array<double, 3> lengths;             // of steps along, across and diagonally
       std::ptrdiff_t        along_by, across_by; // steps in the numbers of its points
-      int                   parent; // its level, and the first of its points that the
-      int                   along;  // window covers
-      int                   across;
+
+      std::size_t begin  = 0;  // number of its first point
+      int         parent = -1; // its level, and the first of its points that the window
+      int         along  = 0;  // covers
+      int         across = 0;
 
       // Of a window across the seam there are two parts: that on the side of the outlet,
-      // which ends with the outlet's copy of the seam, and that which begins with it.
+      // which ends with the outlet's copy of the seam, and that which begins with it. The
+      // grid does both, other windows neither.
       int  window          = -1;
       int  first           = 0; // its first column, along the flow, in the window
-      bool begins_at_inlet = false;
-      bool ends_at_outlet  = false;
+      bool begins_at_inlet = true;
+      bool ends_at_outlet  = true;
 
       /** How many points to each side are there for interpolation only. */
       int
@@ -127,17 +205,7 @@ namespace strait
     const bool is_periodic; // across it
 
   private:
-    /** Columns of a window, along the flow: all, or those on one side of the seam. */
-    struct Part
-    {
-      int  first;
-      int  last;
-      bool begins_at_inlet;
-      bool ends_at_outlet;
-    };
-
     void add_window(const SlabLayout &layout, int w);
-    void add_part(const SlabLayout &layout, int w, const Part &part);
 
     /** The level with column @p along of a window, −1 for the grid; of a column on the
      *  seam the copy at the outlet if @p of_outlet, else that at the inlet. */
@@ -146,6 +214,23 @@ namespace strait
     std::size_t        n_on_grid;
     std::vector<Level> levels;
   };
+
+  template <class Number, class Visit>
+  void
+  GridLines::for_each_ghost(const std::vector<Number> &numbers, const Visit &visit) const
+  {
+    if (region != nullptr)
+      return;
+    std::vector<int> wanted;
+    if (own[0] > 0)
+      wanted.push_back(first_line);
+    if (own[1] < size())
+      wanted.push_back(end() - 1);
+    const std::vector<Number> lines =
+      fetch_rows(*layout, numbers.data() + own[0], n_along_line, wanted);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      visit(i < own[0] ? i : i - own[0] + own[1], lines[i]);
+  }
 } // namespace strait
 
 #endif

@@ -31,12 +31,13 @@ namespace strait
     /** Of ways with the first @p n_directions of a point's steps. */
     LatticeSearch(const FlowLattice &lattice, int n_directions);
 
-    /** The least cost of a way, infinite if there is none, and the end that it leads to
-     * on the rank that knows. */
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    /** The least cost of a way, infinite if there is none, and the global number of the
+     * end that it leads to. */
     struct End
     {
-      double      cost  = std::numeric_limits<double>::infinity();
-      int         rank  = 0;
+      double      cost  = infinity;
       std::size_t point = FlowLattice::none;
     };
 
@@ -50,7 +51,7 @@ namespace strait
             const Start                    &start,
             const Total                    &total,
             const IsEnd                    &is_end,
-            double most = std::numeric_limits<double>::infinity());
+            double                          most = infinity);
 
     /** The least cost to point @p k, if it is less than that of the end. */
     double
@@ -70,13 +71,12 @@ namespace strait
 
   private:
     using Entry = std::pair<double, std::size_t>; // cost, and point or block
-    using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
 
     /** A better way was found to point @p k, whose steps are to be searched. */
     void improve(std::size_t k, double cost, std::uint8_t step);
 
-    /** Forget earlier searches; ways cost no more than @p most. */
-    void reset(double most);
+    /** The block that point @p k is in: a square of points, or a window. */
+    std::size_t block_of(std::size_t k) const;
 
     /** Search what is pending in block @p b. */
     template <class Total, class IsEnd>
@@ -89,9 +89,6 @@ namespace strait
     /** The same for points of windows. */
     void exchange_in_windows();
 
-    /** The best end of all ranks. Collective. */
-    End best_of_all() const;
-
     const FlowLattice        &lattice;
     int                       n_directions;
     std::vector<double>       costs;
@@ -102,9 +99,9 @@ namespace strait
 
     // Points to be searched by block, the least cost of those of each, and the blocks
     // that have some, of which entries with other costs are outdated.
-    std::vector<std::vector<Entry>> pending;
-    std::vector<double>             least_pending;
-    Queue                           blocks;
+    std::vector<std::vector<Entry>>                                pending;
+    std::vector<double>                                            least_pending;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> blocks;
 
     // The block at work, and its points as a heap.
     std::size_t        block_at_work = FlowLattice::none;
@@ -119,12 +116,13 @@ namespace strait
   {
     heap.clear();
     heap.swap(pending[b]);
-    least_pending[b] = std::numeric_limits<double>::infinity();
+    least_pending[b] = infinity;
     block_at_work    = b;
     std::make_heap(heap.begin(), heap.end(), std::greater<>());
     while (!heap.empty())
       {
-        const auto [here, k] = heap.front();
+        const double      here = heap.front().first;
+        const std::size_t k    = heap.front().second;
         std::pop_heap(heap.begin(), heap.end(), std::greater<>());
         heap.pop_back();
         if (here > costs[k] || here > limit)
@@ -133,7 +131,7 @@ namespace strait
         if (own && is_end(k))
           {
             if (here < best.cost)
-              best = {here, best.rank, k};
+              best = {here, lattice.global_number(k)};
             limit = std::min(limit, here);
             continue;
           }
@@ -164,8 +162,11 @@ namespace strait
     // of the time that they take told at the end only; a quarter or four times as many
     // parts take 0.8.
     constexpr std::size_t parts       = 64;
-    const std::size_t     most_blocks = lattice.n_blocks() / parts + 1;
-    reset(most);
+    const std::size_t     most_blocks = pending.size() / parts + 1;
+    costs.assign(lattice.size(), infinity);
+    last_steps.assign(lattice.size(), start_of_way);
+    limit = most;
+    best  = {};
     for (const std::size_t k : starts)
       if (start(k) < costs[k])
         improve(k, start(k), start_of_way);
@@ -180,7 +181,11 @@ namespace strait
           ++n;
         }
     while (exchange());
-    return best_of_all();
+    End result;
+    for (const End &end : gather_all(lattice.communicator(), std::vector<End>{best}))
+      if (end.cost < result.cost)
+        result = end;
+    return result;
   }
 } // namespace strait
 

@@ -12,29 +12,40 @@
 namespace strait
 {
   /**
-   * The file of a run's state: a signature, the items in their order, each with its
-   * kind and size, and at the end a checksum of all that, so that a file that was cut off
+   * The file of a run's state: a signature, the items in their order, each after its
+   * size in bytes, and at the end a checksum of all that, so that a file that was cut off
    * or changed is recognised before anything is taken from it.
    *
    * Rank 0 alone writes and reads; the rows of a field pass by it one after the other.
    * The file is in the byte order of the machine.
    */
-  class CheckpointWriter : public StateArchive
+  class Checkpoint : public StateArchive
   {
   public:
-    /** Write to a file beside @p path. Errors wait for commit(). Collective. */
-    CheckpointWriter(const std::string &path, MPI_Comm comm);
+    /** What is to be done with the file. */
+    enum class Access
+    {
+      write,
+      read
+    };
+
+    /**
+     * Write to a file beside @p path, where errors wait for commit(), or open @p path and
+     * check it from end to end. Collective. Throws InputError on all ranks if there is
+     * nothing to read, or no file that was committed.
+     */
+    Checkpoint(const std::string &path, MPI_Comm comm, Access access);
 
     /** Removes what was not committed. */
-    ~CheckpointWriter() override;
+    ~Checkpoint() override;
 
-    CheckpointWriter(const CheckpointWriter &)            = delete;
-    CheckpointWriter &operator=(const CheckpointWriter &) = delete;
+    Checkpoint(const Checkpoint &)            = delete;
+    Checkpoint &operator=(const Checkpoint &) = delete;
 
     bool
     is_reading() const override
     {
-      return false;
+      return access == Access::read;
     }
 
     using StateArchive::value;
@@ -43,66 +54,29 @@ namespace strait
     void value(std::vector<double> &numbers) override;
 
     /**
-     * Put the file in the place of the one before, once it is safe on the disk: at any
-     * moment one of the two is there, whole. Collective. Throws ComputationError if
-     * anything could not be written; then the one before stays.
+     * Put the file that was written in the place of the one before, once it is safe on
+     * the disk: at any moment one of the two is there, whole. Collective. Throws
+     * ComputationError if anything could not be written; then the one before stays.
      */
     void commit();
 
   private:
     void rows(void *local, std::size_t point_size, const SlabLayout &layout) override;
-    void put_item(char kind, const void *data, std::uint64_t size);
-    void put(const void *data, std::size_t size);
-    void flush();
-
-    std::string   path;
-    MPI_Comm      comm;
-    bool          on_root;
-    int           file     = -1; // descriptor
-    int           error    = 0;  // errno of the first failure
-    std::uint64_t checksum = 0;
-
-    std::vector<unsigned char> buffer;
-  };
-
-  /** Gives back what a CheckpointWriter put into its file. */
-  class CheckpointReader : public StateArchive
-  {
-  public:
-    /**
-     * Open @p path and check it from end to end. Collective. Throws InputError on all
-     * ranks if there is no such file, or none that a CheckpointWriter completed.
-     */
-    CheckpointReader(const std::string &path, MPI_Comm comm);
-    ~CheckpointReader() override;
-
-    CheckpointReader(const CheckpointReader &)            = delete;
-    CheckpointReader &operator=(const CheckpointReader &) = delete;
-
-    bool
-    is_reading() const override
-    {
-      return true;
-    }
-
-    using StateArchive::value;
-    void value(double &number) override;
-    void value(std::string &text) override;
-    void value(std::vector<double> &numbers) override;
-
-  private:
-    void rows(void *local, std::size_t point_size, const SlabLayout &layout) override;
-    std::string       take_item(char kind);
-    std::uint64_t     take_head(char kind);
-    void              take(void *data, std::size_t size);
+    std::string       item(std::string bytes);
+    std::size_t       size_of_item(std::size_t size);
+    bool              pass(void *data, std::size_t size);
     void              check_whole_file();
     [[noreturn]] void refuse() const;
 
-    std::string path;
-    MPI_Comm    comm;
-    bool        on_root;
-    std::FILE  *file      = nullptr;
-    std::size_t remaining = 0; // bytes of items
+    const std::string path;
+    const MPI_Comm    comm;
+    const Access      access;
+
+    // Of rank 0.
+    std::FILE    *file      = nullptr;
+    std::size_t   remaining = 0; // bytes of items to be read
+    int           error     = 0; // errno of the first failure in writing
+    std::uint32_t checksum  = 0; // of what was written
   };
 } // namespace strait
 

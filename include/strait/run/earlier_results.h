@@ -2,6 +2,7 @@
 #ifndef strait_run_earlier_results_h
 #define strait_run_earlier_results_h
 
+#include <strait/base/log.h>
 #include <strait/base/scene.h>
 
 #include <mpi.h>
@@ -26,11 +27,12 @@ namespace strait
   void refuse_results_of_another_scene(const Scene &scene, MPI_Comm comm);
 
   /**
-   * Make the folder @p path and remove the results of an earlier run from it, and
-   * only those, so that a folder never mixes two runs. Collective. Throws InputError
-   * on all ranks if the folder cannot be made or written to.
+   * Make the output directory of @p scene, unless the run is @p resumed remove the
+   * results of an earlier one from it, and only those, so that a folder never mixes two
+   * runs, and begin with the log and parameters.prm. Collective. Throws InputError on all
+   * ranks if the folder cannot be made or written to.
    */
-  void prepare_directory(const std::string &path, MPI_Comm comm);
+  void begin_results(const Scene &scene, MPI_Comm comm, Log &log, bool resumed);
 } // namespace strait
 
 #endif

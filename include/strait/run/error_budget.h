@@ -2,12 +2,10 @@
 #ifndef strait_run_error_budget_h
 #define strait_run_error_budget_h
 
-#include <strait/base/json.h>
 #include <strait/base/scene.h>
 #include <strait/run/coarser_seals.h>
 #include <strait/run/step.h>
-
-#include <string>
+#include <strait/seal/flow_stage.h>
 
 namespace strait
 {
@@ -34,7 +32,8 @@ namespace strait
    *   as well, and the difference counts three times. A load that was named by its
    *   distance from the critical load is as far from that of the coarser grid: most of
    *   what a grid does is to shift both;
-   * - gap interpolation: bilinear in place of monotone cubic, or the reverse.
+   * - gap interpolation: bilinear in place of monotone cubic, or the reverse, on the same
+   *   mesh.
    *
    * Near a critical load:
    * - critical load: what half of its bracket's width changes at such a load, by
@@ -44,13 +43,8 @@ namespace strait
                            const Transition *counted_from,
                            const Scene      &scene,
                            double            rms_height,
+                           const FlowStage  &flow,
                            CoarserSeals     &coarser);
-
-  /** The errors for run.json. */
-  Json to_json(const Step &step);
-
-  /** One line for the log: the largest error, and what would reduce it. */
-  std::string describe_errors(const StepErrors &errors);
 } // namespace strait
 
 #endif

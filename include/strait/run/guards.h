@@ -2,8 +2,9 @@
 #ifndef strait_run_guards_h
 #define strait_run_guards_h
 
-#include <strait/base/log.h>
 #include <strait/base/scene.h>
+
+#include <mpi.h>
 
 #include <string>
 #include <vector>

@@ -28,6 +28,10 @@ namespace strait
     double slip_length;
     bool   is_reduced  = false; // the target is that far from the critical load
     bool   begins_anew = false; // a contact that remembers begins a new path here
+
+    /** "loading" or "unloading": what the scene says, but where the path matters or turns
+     *  the direction of the last change up to here. */
+    std::string branch = {};
   };
 
   /**
@@ -37,16 +41,19 @@ namespace strait
   std::vector<LoadStop> plan_stops(const Scene                   &scene,
                                    const std::vector<Transition> &thresholds);
 
-  /** "loading" or "unloading": what the scene says, but where the path matters or turns
-   *  the direction of the last change up to the stop @p k. */
-  std::string
-  branch_of(const Scene &scene, const std::vector<LoadStop> &stops, std::size_t k);
-
   /**
    * The channel and the leak rate in the gap of @p state, to the accuracy that @p scene
    * asks for. Collective.
    */
   StepFlow leak_through(const SealState &state, const Scene &scene, FlowStage &flow);
+
+  /**
+   * The gap of two equal boxes, one behind the other in x. At its ends a box opens on
+   * reservoirs, which let the fluid in wherever there is a gap; in the middle of two it
+   * must find the way from one channel to the next. The difference of the resistances of
+   * two and one is that of one box in an endless row.
+   */
+  SlabField two_in_a_row(const SlabField &gap);
 
   /**
    * The method in one place: for each load of the programme, press the surface
@@ -116,8 +123,9 @@ namespace strait
     /** The searches are over; what only they need is freed. */
     void end_searches();
 
-    /** All that is to come depends on: the last state, the answers of a search, and what
-     *  was found. May be called by the consumer and after a probe. Collective. */
+    /** All that is to come depends on: the last state, the answers of a search, unless
+     *  end_searches() was called before in both directions, and what was found. May be
+     *  called by the consumer and after a probe. Collective. */
     void transfer(StateArchive &archive);
 
     /** How many steps are done. */
@@ -144,11 +152,9 @@ namespace strait
   private:
     SearchStart search_start() const;
     bool        begins_where_search_ended() const;
-    bool        press(Step &step, const LoadStop &stop);
-    void        leak(Step &step);
-    void        judge(Step &step, const LoadStop &stop);
-    void        compare_with_threshold(Step &step) const;
-    void        compare_with_theory(Step &step);
+    bool        press(const LoadStop &stop);
+    void        leak();
+    void        judge(const LoadStop &stop);
 
     const Scene                      &scene;
     Log                              &log;

@@ -2,6 +2,7 @@
 #ifndef strait_run_output_directory_h
 #define strait_run_output_directory_h
 
+#include <strait/base/collective.h>
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
@@ -30,14 +31,14 @@ namespace strait
      *  completed. Collective. */
     void transfer(StateArchive &archive);
 
-    /** Write threshold.csv. Collective. */
-    void write(const std::vector<Transition> &thresholds) const;
-
-    /** Write blow_out.csv. Collective. */
-    void write(const std::vector<BlowOut> &blow_outs) const;
-
-    /** Write jumps.csv if there are any. Collective. */
-    void write(const std::vector<Jump> &jumps) const;
+    /** Write a whole table to its file. Collective. */
+    template <typename Row>
+    void
+    write_table(Table<Row> whole, const std::vector<Row> &rows) const
+    {
+      run_on_root(comm,
+                  [&]() { whole.write_rows(path + "/" + whole.info().file, rows); });
+    }
 
     /** Write a row, and fields and picture data as the scene asks. Collective. */
     void write(const Step &step, bool is_last);
@@ -52,8 +53,6 @@ namespace strait
     void summarise(const std::vector<Transition> &thresholds, RunSummary &summary) const;
 
   private:
-    void write_record(const Timers &timers, double bytes_per_point) const;
-
     const Scene &scene;
     MPI_Comm     comm;
     Log         &log;

@@ -5,6 +5,7 @@
 #include <strait/base/scene.h>
 #include <strait/base/table.h>
 #include <strait/run/exponent_fit.h>
+#include <strait/run/run_summary.h>
 #include <strait/run/step.h>
 #include <strait/seal/path.h>
 #include <strait/seal/seal_search.h>
@@ -14,14 +15,43 @@
 #include <string>
 #include <vector>
 
-/** The tables of a run besides those of realisations: what files and columns there are,
- * in what units, and what they mean, is said here and nowhere else. */
+/** The tables of a run and of its realisations: what files and columns there are, in what
+ * units, and what they mean, is said here and nowhere else. */
 namespace strait
 {
   /** A row of spectrum.csv. */
   struct SpectrumRow : SpectrumBin
   {
     double law = 0.; // density of the self-affine law that fits best
+  };
+
+  /** One surface of several, and what came of it: a row of ensemble.csv. */
+  struct RealisationRow : RunSummary
+  {
+    int                number      = 0; // from 1
+    unsigned long long seed        = 0;
+    Orientation        orientation = Orientation::as_is;
+
+    double
+    crossover_load() const
+    {
+      return (1 - crossover) * critical_load();
+    }
+    double
+    theory_crossover_load() const
+    {
+      return (1 - theory_crossover) * critical_load();
+    }
+  };
+
+  /** How a quantity scatters over the realisations: a row of ensemble_summary.csv. */
+  struct ScatterRow
+  {
+    std::string quantity;
+    double      mean               = 0.;
+    double      standard_deviation = 0.;
+    std::size_t n_samples          = 0; // realisations for which it is a finite number
+    std::size_t n_missing          = 0; // the others
   };
 
   /** leakage.csv, with the columns of the effects that @p scene enables. */
@@ -47,6 +77,24 @@ namespace strait
 
   /** spectrum.csv: of the surface. */
   Table<SpectrumRow> spectrum_table(const Scene &scene);
+
+  /** ensemble.csv: one row for each realisation. */
+  Table<RealisationRow> ensemble_table(const Scene &scene);
+
+  /** ensemble_summary.csv: means and scatter over these. */
+  Table<ScatterRow> ensemble_summary_table(const Scene &scene);
+
+  /** Its rows: mean and standard deviation of what @p scene looks for, over
+   *  @p realisations. */
+  std::vector<ScatterRow> scatter_of(const std::vector<RealisationRow> &realisations,
+                                     const Scene                       &scene);
+
+  /** seal.csv, the leak rate of the whole seal, which a script makes of the realisations.
+   */
+  TableInfo seal_table(const Scene &scene);
+
+  /** seal_load.csv, the load for a wanted leak rate, likewise. */
+  TableInfo seal_load_table(const Scene &scene);
 
   /** What all tables hold, leakage.csv first. */
   std::vector<TableInfo> all_tables(const Scene &scene);

@@ -29,7 +29,7 @@ namespace strait
      */
     RunState(const Scene &scene, MPI_Comm comm, bool resume);
 
-    /** What the run that is resumed left, if it had come to its end. */
+    /** What the run left, if it has come to its end. */
     const std::optional<RunSummary> &
     finished() const
     {
@@ -50,14 +50,16 @@ namespace strait
     void save(LoadSweep &sweep, OutputDirectory &output, Log &log);
 
     /** Replace the checkpoint by a mark that all is done. Collective. */
-    void save_end(const RunSummary &summary) const;
+    void save_end(const RunSummary &summary);
 
   private:
+    void transfer(StateArchive &file);
+
     const Scene                  &scene;
     MPI_Comm                      comm;
     std::string                   path;
     std::unique_ptr<StateArchive> archive; // of the run that is resumed
-    std::optional<RunSummary>     left;
+    std::optional<RunSummary>     left;    // by a run that has come to its end
     std::vector<double>           surface; // smallest, largest and rms height
   };
 } // namespace strait

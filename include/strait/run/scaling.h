@@ -12,6 +12,7 @@
 namespace strait
 {
   class StateArchive;
+  struct RunSummary;
   struct Step;
 
   /**
@@ -34,17 +35,11 @@ namespace strait
     /** All that was collected. Collective. */
     void transfer(StateArchive &archive);
 
-    /** The fit of the leak rate at the smallest slip. */
-    ExponentFit leak_rate_fit() const;
-
-    /** The crossover of the leak rate at the smallest slip, and of what the theory says
-     *  at the same steps; not numbers where too little is known. */
-    double crossover() const;
-    double theory_crossover() const;
-
-    /** "ok", or words for what could not be told of the leak rate because too few of the
-     *  steps that it takes are resolved: no-exponent, no-crossover. */
-    std::string missing() const;
+    /** Tell @p summary the exponent and the crossover of the leak rate at the smallest
+     *  slip, and the crossover of what the theory says at the same steps. Its status gets
+     *  words for what could not be told of the leak rate because too few of the steps it
+     *  takes are resolved: no-exponent, no-crossover. */
+    void summarise(RunSummary &summary) const;
 
     /** The local slopes of each quantity, and its fit over all steps that are trusted,
      *  which goes to @p log as well, with a warning of what is missing. Collective. */
@@ -61,16 +56,6 @@ namespace strait
       n_quantities
     };
 
-    /** What a step contributes. Values that are not positive are not known. */
-    struct Sample
-    {
-      double                           slip_length  = 0.;
-      double                           reduced_load = 0.;
-      std::string                      status       = "ok";
-      bool                             is_coarse    = false; // its throat
-      std::array<double, n_quantities> values       = {};
-    };
-
     /** Which steps serve. */
     enum class Trust
     {
@@ -79,11 +64,30 @@ namespace strait
       doubtless // whose status is ok: for exponents
     };
 
-    static bool serves(const Sample &sample, Quantity quantity, Trust trust);
+    /** What a step contributes. Values that are not positive are not known. */
+    struct Sample
+    {
+      double                           slip_length  = 0.;
+      double                           reduced_load = 0.;
+      std::string                      status       = "ok";
+      bool                             is_coarse    = false; // its throat
+      std::array<double, n_quantities> values       = {};
+
+      /** Whether its value of @p quantity serves. */
+      bool
+      serves(const Quantity quantity, const Trust trust) const
+      {
+        return values[quantity] > 0 && !(trust == Trust::doubtless && status != "ok") &&
+               !(trust == Trust::resolved && is_coarse);
+      }
+    };
 
     /** The known values of a quantity at one slip length, in the order of the steps. */
     std::vector<ScalingPoint>
     series(Quantity quantity, double slip_length, Trust trust) const;
+
+    /** Those at the smallest slip at which the quantity is known. */
+    std::vector<ScalingPoint> at_smallest_slip(Quantity quantity, Trust trust) const;
 
     /** What the steps at the smallest slip give a result: how many there are in its
      *  window, how many have a leak rate that serves, and the status of the others. */
@@ -108,9 +112,6 @@ namespace strait
     /** Those of the exponent and of the crossover of the leak rate. */
     std::array<Supply, 2> supplies() const;
     void                  report_missing(Log &log) const;
-
-    /** The smallest slip at which a quantity is known; not a number if it never is. */
-    double smallest_slip(Quantity quantity) const;
 
     double              largest;
     std::vector<Sample> samples;

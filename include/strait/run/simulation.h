@@ -8,6 +8,9 @@
 
 #include <mpi.h>
 
+#include <string>
+#include <vector>
+
 namespace strait
 {
   /**
@@ -28,6 +31,15 @@ namespace strait
    * warnings and active effects; compute nothing but the surface. Collective.
    */
   void describe(const Scene &scene, Log &log);
+
+  /**
+   * What a run is likely to cost and what will limit its accuracy, without computing
+   * anything, in lines for the screen: ranges of what comparable runs took
+   * (doc/accuracy.md, doc/adhesion.md, doc/feedback.md, doc/paper.md), in counts rather
+   * than seconds. @p rms_slope is that of the heights, which the threshold of a rough
+   * surface scales with.
+   */
+  std::vector<std::string> predict_cost(const Scene &scene, double rms_slope);
 
   /**
    * What simulate() does where the scene asks for the theory alone: evaluate it at every

@@ -5,8 +5,8 @@
 #include <strait/base/text.h>
 #include <strait/percolation/bottleneck.h>
 #include <strait/run/theory_prediction.h>
+#include <strait/seal/flow_stage.h>
 #include <strait/seal/seal_state.h>
-#include <strait/seal/step_flow.h>
 
 #include <algorithm>
 #include <array>
@@ -94,11 +94,11 @@ namespace strait
     std::string
     validity() const
     {
-      std::vector<std::string> words;
+      std::string words = "ok";
       for (const ValidityCheck &check : checks)
         if (!check.holds())
-          words.push_back(check.word);
-      return words.empty() ? "ok" : join(words, "+");
+          add_words(words, check.word);
+      return words;
     }
 
     /** Where the path of least resistance is narrowest; not numbers if there is none. */
@@ -122,17 +122,19 @@ namespace strait
     std::string
     status() const
     {
-      std::vector<std::string> words;
+      std::string words = "ok";
       if (state.contact && !state.contact->converged)
-        words.emplace_back("contact-not-converged");
-      if (flow && flow->leakage.status != "ok")
-        words.push_back(flow->leakage.status);
+        add_words(words, "contact-not-converged");
+      if (flow)
+        add_words(words, flow->leakage.status);
       if (state.fluid && !state.fluid->converged)
-        words.emplace_back(state.fluid->lifted_off  ? "lifted-off"
-                           : state.fluid->undecided ? "feedback-undecided"
-                                                    : "feedback-not-converged");
-      words.insert(words.end(), doubts.begin(), doubts.end());
-      return words.empty() ? "ok" : join(words, "+");
+        add_words(words,
+                  state.fluid->lifted_off  ? "lifted-off"
+                  : state.fluid->undecided ? "feedback-undecided"
+                                           : "feedback-not-converged");
+      for (const std::string &doubt : doubts)
+        add_words(words, doubt);
+      return words;
     }
   };
 } // namespace strait

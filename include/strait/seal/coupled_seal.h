@@ -18,11 +18,9 @@ namespace strait
    * and the gap decides where the fluid goes. Exists only where the scene enables
    * Wall feedback.
    *
-   * The fluid's pressure is that of the flow in the channel, that of the reservoir in
-   * regions that only one of them reaches, the pool pressure in those that none does
-   * (but see UnsettledPools), and harmonic under the contact. Contact is then the dry
-   * problem for the wall that this pressure has displaced, under the load that it leaves
-   * (the pressure of the contact is that of the solid beyond the fluid's).
+   * Contact is the dry problem for the wall that the fluid's pressure (FluidOnWall) has
+   * displaced, under the load that it leaves (the pressure of the contact is that of the
+   * solid beyond the fluid's).
    *
    * For a leak rate, contact and flow agree on finer and finer meshes, until what the
    * last mesh changed and the width of a bracket on it are together as small as the

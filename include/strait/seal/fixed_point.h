@@ -2,6 +2,7 @@
 #ifndef strait_seal_fixed_point_h
 #define strait_seal_fixed_point_h
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -50,11 +51,19 @@ namespace strait
     void move_on();
 
     /** Take only this share of each residual from now on. */
-    void relax(double new_relaxation);
+    void
+    relax(const double new_relaxation)
+    {
+      share = new_relaxation;
+    }
 
     /** Until it moves on, plain relaxation takes at most @p factor times as much of that
      *  as before, and never more than all. */
-    void damp(double factor);
+    void
+    damp(const double factor)
+    {
+      most_damping = std::min(1., factor * most_damping);
+    }
 
     double
     relaxation() const

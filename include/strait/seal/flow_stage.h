@@ -5,13 +5,35 @@
 #include <strait/base/fluid_parameters.h>
 #include <strait/base/log.h>
 #include <strait/base/timers.h>
+#include <strait/flow/constrictions.h>
+#include <strait/flow/leakage.h>
 #include <strait/interface/gap_field.h>
-#include <strait/seal/step_flow.h>
+#include <strait/percolation/channel.h>
 
 #include <memory>
+#include <optional>
 
 namespace strait
 {
+  class ReynoldsSolver;
+  struct SealMesh;
+
+  /** What the fluid does in one gap. */
+  struct StepFlow
+  {
+    Channel channel;
+    Leakage leakage; // a rate of zero where nothing percolates
+
+    /** If the scene looks for the threshold and something percolates. */
+    std::optional<ConstrictionReport> constrictions;
+
+    /** For fields and pictures: the mesh that the scene names, null if the fluid flows in
+     *  the box, and the mesh and pressure of the flow, null where nothing percolates;
+     *  valid until the flow stage is given another gap. */
+    const SealMesh                 *seal = nullptr;
+    std::shared_ptr<ReynoldsSolver> solution;
+  };
+
   /** From a gap to what the fluid does in it: percolation, paths, mesh, flow. */
   class FlowStage
   {
@@ -34,8 +56,10 @@ namespace strait
     StepFlow
     solve(const SlabField &gap, double slip_length, double tolerance_factor = 1.);
 
-    /** The same in a channel that is known, with a path if anything drives a flow. */
-    StepFlow solve(Channel channel, double tolerance_factor = 1.);
+    /** By how much the leak rate of @p flow, which solve() has found and which is not
+     * zero, would change, relative, if the gap between the points were interpolated the
+     * other way. Collective. */
+    double change_by_interpolation(const StepFlow &flow) const;
 
     /**
      * Bring @p flow, which may be new, up to date with a gap that differs a little
@@ -86,19 +110,16 @@ namespace strait
     }
 
     /** For flows that are solved from now on [pressure]. */
-    void set_inlet_pressure(double pressure);
-
-    /** Whether reservoirs differ in pressure. */
-    bool
-    has_drive() const
+    void
+    set_inlet_pressure(const double pressure)
     {
-      return parameters.inlet_pressure != parameters.outlet_pressure;
+      parameters.inlet_pressure = pressure;
     }
 
   private:
     void    read_mesh(const SlabLayoutPtr &layout);
     Channel find_channel(const SlabField &gap, double slip_length);
-    void    update_bridge(const Channel &channel, bool with_bounds);
+    void    fill(GapField &bridge, const Channel &channel, bool with_bounds) const;
     void    mesh_and_bracket(StepFlow          &flow,
                              double             tolerance_factor,
                              unsigned long long most_unknowns);

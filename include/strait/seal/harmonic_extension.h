@@ -57,8 +57,6 @@ namespace strait
     /** z = the preconditioner times r, zero where the pressure is known. */
     void precondition(const SlabField &r, SlabField &z);
 
-    double product(const SlabField &a, const SlabField &b) const;
-
     SlabLayoutPtr       layout;
     FlowDirection       direction;
     double              weight_x, weight_y;       // dy/dx and dx/dy

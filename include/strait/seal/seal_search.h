@@ -121,18 +121,14 @@ namespace strait
 
     Transition
     critical_load(TransitionSearch &search, const SearchStart &first, double slip_length);
-    BlowOut    blow_out(double load);
-    Transition re_sealing(TransitionSearch             &search,
-                          double                        leaking,
-                          const TransitionSearch::Kept &leaks);
-    Transition between(const TransitionSearch &search,
-                       double                  lower,
-                       double                  upper,
-                       double                  open) const;
-    Side       side_of_path() const;
-    Probe      ask(const Control &control, Side path_comes_from);
-    Probe      probe(const Control &control, Side path_comes_from);
-    double     openness(const SealState &state, std::array<double, 2> &place) const;
+    BlowOut                   blow_out(double load);
+    Transition                between(const TransitionSearch &search,
+                                      const Passage          &passage,
+                                      double                  open,
+                                      std::size_t             begin) const;
+    Side                      side_of_path() const;
+    Probe                     ask(const Control &control, Side path_comes_from);
+    Probe                     probe(const Control &control, Side path_comes_from);
     std::optional<SealState> &place_of(Side side);
     void                      report(const SealState &state, bool leaks) const;
 

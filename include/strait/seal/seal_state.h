@@ -25,7 +25,6 @@ namespace strait
 
     std::optional<TrappedFluid> trapped; // none where it is drained
 
-    int    rounds     = 0;  // of contact and flow, until they agreed
     double mesh_error = 0.; // what the last mesh changed of the leak rate, relative
 
     bool   converged  = false;
@@ -43,6 +42,25 @@ namespace strait
     double largest_slope = 0.;    // of the energy, on the path so far
   };
 
+  /** What was spent on a state, which adds up over the steps on the way to it. */
+  struct Costs
+  {
+    int    iterations      = 0; // of the contact, on the grid itself
+    long   fft_pairs       = 0; // likewise
+    int    rounds          = 0; // of contact and flow, until they agreed
+    double contact_seconds = 0.;
+
+    Costs &
+    operator+=(const Costs &other)
+    {
+      iterations += other.iterations;
+      fft_pairs += other.fft_pairs;
+      rounds += other.rounds;
+      contact_seconds += other.contact_seconds;
+      return *this;
+    }
+  };
+
   /** A seal, and all that its past leaves behind. */
   struct SealState
   {
@@ -52,7 +70,7 @@ namespace strait
     double                      mean_gap = 0.; // closed points count as zero
     std::optional<FluidState>   fluid;         // where it presses on the walls
     PathTrend                   trend;
-    double                      contact_seconds = 0.; // spent on the contact
+    Costs                       costs;
 
     /** As the contact leaves it, [length]; at most 0 where closed. */
     const SlabField &

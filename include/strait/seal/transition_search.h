@@ -31,18 +31,13 @@ namespace strait
   /** Where a search begins. */
   struct SearchStart
   {
-    SearchStart(const double value_,
-                const double step_ = .2,
-                const double end_  = std::numeric_limits<double>::infinity())
-      : value(value_)
-      , step(step_)
-      , end(end_)
-    {
-    }
-
     double value;
-    double step; // to the next value if both are on one side, relative to the first
-    double end;  // all values are below it, but for the first, which it may be
+
+    /** To the next value if both are on one side, relative to the first. */
+    double step = .2;
+
+    /** All values are below it, but for the first, which it may be. */
+    double end = std::numeric_limits<double>::infinity();
   };
 
   /**
@@ -109,19 +104,6 @@ namespace strait
       return asked.at(value);
     }
 
-    /** How many answers there were so far, and the FFT pairs that these took. */
-    int
-    n_asked() const
-    {
-      return n_answers;
-    }
-
-    long
-    n_fft_pairs() const
-    {
-      return fft_pairs;
-    }
-
   private:
     std::optional<Passage>
     lose_slowly(Passage at, double first_step, const Kept &is_kept);
@@ -129,8 +111,6 @@ namespace strait
     Ask                     ask;
     double                  tolerance;
     std::map<double, Probe> asked;
-    int                     n_answers = 0;
-    long                    fft_pairs = 0;
   };
 } // namespace strait
 

@@ -22,9 +22,9 @@ namespace strait
   /** How far to iterate. */
   struct FeedbackGoal
   {
-    double tolerance; // of the change of the fluid pressure, as FeedbackParameters'
-    bool   leak_rate = true; // until that has settled as closely, too
-    bool   goes_on = false;  // the iteration before, with a map that has changed a little
+    double tolerance;       // of the change of the fluid pressure, as FeedbackParameters'
+    double leak_tolerance;  // of that of the leak rate, relative
+    bool   goes_on = false; // the iteration before, with a map that has changed a little
 
     /** No guess may have a larger mean pressure, such as the load. */
     double largest_mean = std::numeric_limits<double>::infinity();
@@ -52,8 +52,7 @@ namespace strait
     bool
     agrees_within(const FeedbackGoal &goal) const
     {
-      return change <= goal.tolerance &&
-             (!goal.leak_rate || leak_change <= goal.tolerance);
+      return change <= goal.tolerance && leak_change <= goal.leak_tolerance;
     }
   };
 
@@ -118,7 +117,6 @@ namespace strait
                           const FeedbackGoal  &goal,
                           FeedbackResult      &result);
     bool   slide(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
-    double difference(const SlabField &a, const SlabField &b) const;
     double size(const SlabField &change) const;
 
     const FeedbackParameters parameters;

@@ -2,7 +2,7 @@
 #ifndef strait_seal_window_arrangement_h
 #define strait_seal_window_arrangement_h
 
-#include <strait/percolation/grid_point.h>
+#include <strait/percolation/flow_region.h>
 #include <strait/spectral/slab_field.h>
 
 #include <array>

@@ -5,6 +5,7 @@
 #include <strait/spectral/slab_field.h>
 
 #include <complex>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -68,27 +69,20 @@ namespace strait
     double
     multiply(const Number *in, Number *out, const Symbol &symbol)
     {
-      double product = 0;
-      multiply_in_passes(
-        in,
-        out,
-        symbol,
-        [](int) {},
-        [&](const double local_product) { product = local_product; },
-        [](int) {});
-      return product;
+      return multiply_in_passes(
+        in, out, symbol, [](int) {}, [](double) {}, [](int) {});
     }
 
     /**
      * multiply() for callers that would run over the field just before and just
      * after it, which costs less while a row is in the cache: before(row) is
      * called before the local row is read and may still write it, between(product)
-     * before the inverse transform with what multiply() returns, and after(row)
+     * before the inverse transform with what both functions return, and after(row)
      * when the row of @p out is complete. before() runs from the last row to the
      * first: values of its row that lie in scratch() are not overwritten yet.
      */
     template <class Symbol, class Before, class Between, class After>
-    void
+    double
     multiply_in_passes(const Number  *in,
                        Number        *out,
                        const Symbol  &symbol,
@@ -104,18 +98,9 @@ namespace strait
         }
       double     product = 0;
       const auto scale   = 1. / static_cast<double>(slab_layout->grid().n_points());
-      for (int block = 0; block < n_blocks; ++block)
-        {
-          fetch_columns(block);
-          for (int k = 0; k < n_columns(block); ++k)
-            {
-              const int kx = first_column(block) + k;
-              product +=
-                weight_of(kx) * multiply_column(forward_column(k), kx, scale, symbol);
-              backward_column(k);
-            }
-          return_columns(block);
-        }
+      for_each_column(true, true, [&](const int kx, Complex *modes) {
+        product += weight_of(kx) * multiply_column(modes, kx, scale, symbol);
+      });
       between(product * scale);
       for (int row = 0; row < slab_layout->n_rows(); ++row)
         {
@@ -123,6 +108,7 @@ namespace strait
           after(row);
         }
       ++pairs;
+      return product * scale;
     }
 
     /**
@@ -137,17 +123,10 @@ namespace strait
     {
       const int ny = slab_layout->grid().ny;
       buffer();
-      for (int block = 0; block < n_blocks; ++block)
-        {
-          for (int k = 0; k < n_columns(block); ++k)
-            {
-              const int kx = first_column(block) + k;
-              for (int i = 0; i < ny; ++i)
-                spectrum[i] = mode(kx, signed_wave_number(i, ny));
-              backward_column(k);
-            }
-          return_columns(block);
-        }
+      for_each_column(false, true, [&](const int kx, Complex *modes) {
+        for (int i = 0; i < ny; ++i)
+          modes[i] = mode(kx, signed_wave_number(i, ny));
+      });
       for (int row = 0; row < slab_layout->n_rows(); ++row)
         store_row(out, row);
     }
@@ -165,17 +144,10 @@ namespace strait
         load_row(in, row);
       const int  ny    = slab_layout->grid().ny;
       const auto scale = 1. / static_cast<double>(slab_layout->grid().n_points());
-      for (int block = 0; block < n_blocks; ++block)
-        {
-          fetch_columns(block);
-          for (int k = 0; k < n_columns(block); ++k)
-            {
-              const int      kx     = first_column(block) + k;
-              const Complex *values = forward_column(k);
-              for (int i = 0; i < ny; ++i)
-                visit(kx, signed_wave_number(i, ny), values[i] * scale, weight_of(kx));
-            }
-        }
+      for_each_column(true, false, [&](const int kx, const Complex *modes) {
+        for (int i = 0; i < ny; ++i)
+          visit(kx, signed_wave_number(i, ny), modes[i] * scale, weight_of(kx));
+      });
     }
 
     /** FFT pairs (one forward, one inverse transform) of multiply() so far. */
@@ -197,29 +169,11 @@ namespace strait
     /** Transform a row of the buffer back along x, into @p out; the buffer's is lost. */
     void store_row(Number *out, int row);
 
-    /** Collect this rank's columns of a block from the rows of all ranks. Collective. */
-    void fetch_columns(int block);
-
-    /** Give them back to the rows of all ranks. Collective. */
-    void return_columns(int block);
-
-    /** Exchange messages between all ranks, if there are others. */
-    void exchange(const std::vector<Complex> &from, std::vector<Complex> &to) const;
-
-    /** The ny modes of column @p k of the block. */
-    Complex *forward_column(int k);
-
-    /** Transform those modes back, into column @p k of the block. */
-    void backward_column(int k);
-
-    /** Wave number kx of the first of this rank's columns of a block. */
-    int first_column(int block) const;
-
-    int
-    n_columns(const int block) const
-    {
-      return first_column(block + 1) - first_column(block);
-    }
+    /** Call visit(kx, modes) for each of this rank's columns, with its ny modes: those of
+     *  the rows if @p are_read, and given back to these if @p are_written. Collective. */
+    void for_each_column(bool                                       are_read,
+                         bool                                       are_written,
+                         const std::function<void(int, Complex *)> &visit);
 
     double
     weight_of(const int kx) const
@@ -262,8 +216,6 @@ namespace strait
 
     SlabLayoutPtr          slab_layout;
     std::unique_ptr<Parts> parts;
-    int                    n_blocks;
-    Complex               *spectrum;
     std::vector<Number>    factors; // of the modes of a column
     long                   pairs = 0;
   };

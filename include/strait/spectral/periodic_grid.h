@@ -53,11 +53,38 @@ namespace strait
         ++n;
       return n;
     }
+  };
+
+  /**
+   * A square cell of the quadtree over the grid: its edge is 2^exponent grid
+   * spacings (negative: a fraction), and (i, j) counts cells of that size from the
+   * origin.
+   */
+  struct GridCell
+  {
+    int exponent = 0;
+    int i        = 0;
+    int j        = 0;
 
     bool
-    operator==(const PeriodicGrid &other) const
+    operator==(const GridCell &other) const
     {
-      return nx == other.nx && ny == other.ny && lx == other.lx && ly == other.ly;
+      return exponent == other.exponent && i == other.i && j == other.j;
+    }
+  };
+
+  /** A grid point; along the flow, index n stands for the outlet's copy of 0. Or a point
+   *  of a window. */
+  struct GridPoint
+  {
+    int ix     = 0;
+    int iy     = 0;
+    int window = -1; // −1: the grid
+
+    bool
+    operator==(const GridPoint &other) const
+    {
+      return ix == other.ix && iy == other.iy && window == other.window;
     }
   };
 } // namespace strait

@@ -14,14 +14,21 @@ namespace strait
    * after the other, x fastest, without padding. The values of the layout's windows
    * follow, the same on all ranks.
    */
-  class SlabField
+  class SlabField : private std::vector<double>
   {
   public:
+    // Of the local values, those of windows included.
+    using std::vector<double>::begin;
+    using std::vector<double>::end;
+    using std::vector<double>::data;
+    using std::vector<double>::size;
+    using std::vector<double>::operator[];
+
     SlabField() = default;
 
     explicit SlabField(SlabLayoutPtr layout, const double value = 0.)
-      : slab_layout(std::move(layout))
-      , values(slab_layout->n_values(), value)
+      : std::vector<double>(layout->n_values(), value)
+      , slab_layout(std::move(layout))
     {
     }
 
@@ -50,77 +57,21 @@ namespace strait
       return slab_layout == nullptr;
     }
 
-    /** Number of local values, those of windows included. */
-    std::size_t
-    size() const
-    {
-      return values.size();
-    }
-
-    double *
-    data()
-    {
-      return values.data();
-    }
-
-    const double *
-    data() const
-    {
-      return values.data();
-    }
-
-    double &
-    operator[](const std::size_t local_index)
-    {
-      return values[local_index];
-    }
-
-    double
-    operator[](const std::size_t local_index) const
-    {
-      return values[local_index];
-    }
-
     /** Value at column @p ix of the local row @p local_row. */
     double &
     operator()(const int ix, const int local_row)
     {
-      return values[static_cast<std::size_t>(local_row) * grid().nx + ix];
+      return (*this)[static_cast<std::size_t>(local_row) * grid().nx + ix];
     }
 
     double
     operator()(const int ix, const int local_row) const
     {
-      return values[static_cast<std::size_t>(local_row) * grid().nx + ix];
-    }
-
-    std::vector<double>::iterator
-    begin()
-    {
-      return values.begin();
-    }
-
-    std::vector<double>::iterator
-    end()
-    {
-      return values.end();
-    }
-
-    std::vector<double>::const_iterator
-    begin() const
-    {
-      return values.begin();
-    }
-
-    std::vector<double>::const_iterator
-    end() const
-    {
-      return values.end();
+      return (*this)[static_cast<std::size_t>(local_row) * grid().nx + ix];
     }
 
   private:
-    SlabLayoutPtr       slab_layout;
-    std::vector<double> values;
+    SlabLayoutPtr slab_layout;
   };
 
   /** Mean over the box. Collective. */
@@ -189,6 +140,37 @@ namespace strait
       }
     return field;
   }
+
+  /** This rank's rows of the grid, with the one before and the one after them. */
+  class RowsAround
+  {
+  public:
+    /** @p field must outlive this object. Collective. */
+    explicit RowsAround(const SlabField &field_)
+      : field(field_)
+    {
+      const int        first = field.layout().first_row();
+      const int        end   = first + field.layout().n_rows();
+      std::vector<int> wanted;
+      if (end > first)
+        wanted = {first - 1, end};
+      neighbours = fetch_rows(field, wanted);
+    }
+
+    /** @p row counts this rank's rows: −1 <= @p row <= their number. */
+    const double *
+    operator[](const int row) const
+    {
+      const int nx = field.grid().nx, n_rows = field.layout().n_rows();
+      return row < 0         ? neighbours.data()
+             : row == n_rows ? neighbours.data() + nx
+                             : field.data() + static_cast<std::size_t>(row) * nx;
+    }
+
+  private:
+    const SlabField    &field;
+    std::vector<double> neighbours;
+  };
 } // namespace strait
 
 #endif

@@ -5,44 +5,13 @@
 #include <strait/base/surface_parameters.h>
 #include <strait/spectral/slab_field.h>
 
-#include <array>
 #include <complex>
 
 namespace strait
 {
   /**
-   * The height spectrum C(q) = ⟨|h~(q)|²⟩ of a self-affine surface:
-   * constant below the roll-off 2π/λr, ∝ q^{−2(1+H)} from there to the cut-off
-   * 2π/λs (exclusive), zero above and at q = 0, where
-   * q = 2π |(kx/lx, ky/ly)| and kx, ky are integers.
-   *
-   * C is scaled such that Σ q² C (or Σ C), summed over every wave of the band,
-   * is the square of the rms slope (or height) asked for. The sum knows no grid,
-   * so refining the grid never changes the surface. With fixed amplitudes a
-   * realisation has the rms value exactly, with Gaussian ones on average.
-   */
-  class SelfAffineSpectrum
-  {
-  public:
-    /** Collective. Throws InputError if no wave, or too many, lie in the band. */
-    SelfAffineSpectrum(const SurfaceParameters &parameters, MPI_Comm communicator);
-
-    /** C of the wave vector (2π kx/lx, 2π ky/ly), in length². */
-    double operator()(int kx, int ky) const;
-
-  private:
-    /** Σ C, or Σ q² C, over all waves, before C is scaled. */
-    double band_sum(Normalisation normalisation, MPI_Comm communicator) const;
-
-    std::array<double, 2> size;
-    double                hurst_exponent;
-    double                roll_off; // of q/2π
-    double                cut_off;  // of q/2π
-    double                scale = 1.;
-  };
-
-  /**
-   * A random self-affine surface h(r) = Σ_q h~(q) exp(i q·r).
+   * A random self-affine surface h(r) = Σ_q h~(q) exp(i q·r), where
+   * q = 2π (kx/lx, ky/ly) and kx, ky are integers.
    *
    * h~(q) is a function of the seed and the wave vector alone, so that the
    * realisation is the same on every grid and number of ranks. Waves that a
@@ -52,7 +21,7 @@ namespace strait
   class SelfAffineSurface
   {
   public:
-    /** Collective. Throws InputError as SelfAffineSpectrum does. */
+    /** Collective. Throws InputError if no wave, or too many, lie in the band. */
     SelfAffineSurface(const SurfaceParameters &parameters, MPI_Comm communicator);
 
     /** At the points of the grid of @p layout. Collective. */
@@ -61,10 +30,26 @@ namespace strait
     /** h~ of the wave vector (2π kx/lx, 2π ky/ly); h~(−q) is its conjugate. */
     std::complex<double> mode(int kx, int ky) const;
 
+    /**
+     * The height spectrum C(q) = ⟨|h~(q)|²⟩ at the same, in length²: constant below the
+     * roll-off 2π/λr, ∝ q^{−2(1+H)} from there to the cut-off 2π/λs (exclusive), zero
+     * above and at q = 0.
+     *
+     * C is scaled such that Σ q² C (or Σ C), summed over every wave of the band,
+     * is the square of the rms slope (or height) asked for. The sum knows no grid,
+     * so refining the grid never changes the surface. With fixed amplitudes a
+     * realisation has the rms value exactly, with Gaussian ones on average.
+     */
+    double spectrum(int kx, int ky) const;
+
   private:
-    SelfAffineSpectrum spectrum;
-    unsigned long long seed;
-    Amplitudes         amplitudes;
+    /** Σ C, or Σ q² C, over all waves, before C is scaled. */
+    double band_sum(MPI_Comm communicator) const;
+
+    SurfaceParameters parameters;
+    double            roll_off; // of q/2π
+    double            cut_off;  // of q/2π
+    double            scale = 1.;
   };
 } // namespace strait
 

@@ -15,18 +15,13 @@ namespace strait
    *   Λ = 1 + √(½ ln(1/ε) + C)
    *
    * towards those of Λ → ∞: 1 for the gap, ½ for width and length, 3 for the leak rate.
-   * C is the one constant that depends on the surface. Formal asymptotics; no proof.
+   * Formal asymptotics; no proof.
    */
-  class ClosingLaw
+  struct ClosingLaw
   {
-  public:
-    /** With the constant of a square saddle. */
-    ClosingLaw() = default;
-
-    explicit ClosingLaw(const double constant_)
-      : constant(constant_)
-    {
-    }
+    /** C, the one constant that depends on the surface. Fitted to a square saddle between
+     *  ε = 1e-2 and 1e-4. */
+    double constant = -.1;
 
     /** A local exponent that was measured around one reduced load. */
     struct Slope
@@ -38,13 +33,6 @@ namespace strait
     /** The law whose exponents of the leak rate agree with @p leak_rate in the mean. Not
      *  a number for the constant if there is none. */
     static ClosingLaw fit(const std::vector<Slope> &leak_rate);
-
-    /** C. */
-    double
-    value() const
-    {
-      return constant;
-    }
 
     /** s in gap ∝ ε^s, of the constriction's narrowest point: 1 + 1/(2Λ). */
     double gap_exponent(double reduced_load) const;
@@ -58,10 +46,8 @@ namespace strait
     /** Of the leak rate, ∝ gap^{5/2} · width. */
     double leak_rate_exponent(double reduced_load) const;
 
-  private:
+    /** Λ. */
     double lambda(double reduced_load) const;
-
-    double constant = -.1; // fitted to a square saddle between ε = 1e-2 and 1e-4
   };
 } // namespace strait
 

@@ -15,13 +15,6 @@ namespace strait
     std::vector<double> edges;             // of the bins, ascending from 0; one more
     std::vector<double> shares;            // of the nominal area, one a bin
     std::vector<double> gaps;              // that stand for the bins
-
-    /** Share of the area per gap in bin @p k [1/length]. */
-    double
-    density(const std::size_t k) const
-    {
-      return shares[k] / (edges[k + 1] - edges[k]);
-    }
   };
 
   /**

@@ -12,29 +12,6 @@
 namespace strait
 {
   /**
-   * W(s) = ∫_s^∞ [γ + 3(1−γ) erf²(t)] exp(−t²) dt/t, the integral over the pressure in
-   * Persson's mean gap, where s is the pressure in units of the stress that flattens
-   * the waves in question (Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355).
-   * The part with γ is an exponential integral; the other has no closed form and is
-   * expanded in Chebyshev polynomials once, for it is needed a million times.
-   */
-  class CompressionIntegral
-  {
-  public:
-    explicit CompressionIntegral(double gamma);
-
-    /** For s > 0, to a relative 1e-12, and zero above largest(). */
-    double operator()(double s) const;
-
-    /** Beyond it W is less than a rounding error of 1. */
-    static double largest();
-
-  private:
-    double                                   gamma;
-    boost::math::chebyshev_transform<double> saturated; // see saturated_part()
-  };
-
-  /**
    * The part of the area that comes out of contact when waves between two magnifications
    * are switched on. Its gaps are distributed as |separation + roughness z|, z normal.
    */
@@ -48,7 +25,6 @@ namespace strait
   /** What Persson's theory says about one load. */
   struct PerssonState
   {
-    double                pressure     = 0.; // nominal
     double                contact_area = 0.; // share of the nominal area
     double                mean_gap     = 0.; // ū
     std::vector<GapLayer> layers;            // from long waves to short ones
@@ -83,7 +59,7 @@ namespace strait
    * At the magnification ζ, where waves up to ζ q0 are seen and ḡ²(ζ) is their mean
    * square slope, the contact area is A(ζ) = erf(√2 p0/(E* ḡ(ζ))) and the mean gap in it
    * ū(ζ) = √(2/π) ∫ dv W(√2 p(ζ)/(E* v))/q, v² = ḡ²(q) − ḡ²(ζ), p = p0/A, which is the
-   * usual integral over q with v in place of q and W the CompressionIntegral.
+   * usual integral over q with v in place of q.
    */
   class PerssonTheory
   {
@@ -119,6 +95,15 @@ namespace strait
     GapDistribution distribution(const PerssonState &state, double closed = 0.) const;
 
   private:
+    /**
+     * W(s) = ∫_s^∞ [γ + 3(1−γ) erf²(t)] exp(−t²) dt/t for s > 0, to a relative 1e-12, and
+     * zero where it is less than a rounding error of 1: the integral over the pressure,
+     * in units of the stress that flattens the waves in question. The part with γ is an
+     * exponential integral; the other has no closed form and is expanded in Chebyshev
+     * polynomials once, for it is needed a million times.
+     */
+    double compression(double s) const;
+
     /** ū where the waves up to mean square slope @p seen carry the pressure
      *  @p smoothed, √2 p/E*. */
     double mean_gap(double seen, double smoothed) const;
@@ -126,10 +111,11 @@ namespace strait
     /** ḡ² of the magnifications between the layers at a load of √2 p0/E*. */
     std::vector<double> magnifications(double smoothed) const;
 
-    RadialSpectrum      waves;
-    double              modulus;
-    CompressionIntegral compression;
-    TheoryResolution    resolution;
+    RadialSpectrum                           waves;
+    double                                   modulus;
+    double                                   gamma;
+    boost::math::chebyshev_transform<double> saturated; // see saturated_part()
+    TheoryResolution                         resolution;
   };
 } // namespace strait
 

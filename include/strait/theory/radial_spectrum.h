@@ -67,19 +67,18 @@ namespace strait
     /** The inverse of slope_square_below(). */
     double wave_number_at(double slope_square) const;
 
-    /** Wave numbers within the band at which the power law changes or C jumps: integrals
-     *  over it are divided there. */
-    const std::vector<double> &
-    corners() const
+    /** The sections. Integrals are divided where they meet, as the power law changes or C
+     *  jumps. */
+    const std::vector<Section> &
+    power_laws() const
     {
-      return changes;
+      return sections;
     }
 
   private:
     std::vector<Section> sections;
     std::vector<double>  slope_below;  // at the edges of the sections
     std::vector<double>  height_above; // likewise
-    std::vector<double>  changes;
   };
 
   /**

@@ -3,6 +3,8 @@
 #include <strait/base/exceptions.h>
 #include <strait/surface/readers/height_map.h>
 
+#include <boost/algorithm/string.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -33,12 +35,9 @@ namespace strait
     HeightMap
     read_by_content(const std::string &file, const std::string &start)
     {
-      const auto starts_with = [&](const std::string &magic) {
-        return start.compare(0, magic.size(), magic) == 0;
-      };
-      if (starts_with("\x93NUMPY"))
+      if (boost::starts_with(start, "\x93NUMPY"))
         return read_npy(file);
-      if (starts_with("CDF\x01") || starts_with("CDF\x02"))
+      if (boost::starts_with(start, "CDF\x01") || boost::starts_with(start, "CDF\x02"))
         return read_netcdf(file);
       if (start.find('\0') == std::string::npos)
         return read_matrix_text(file);
@@ -77,10 +76,6 @@ namespace strait
   HeightMap
   read_height_map(const std::string &file)
   {
-    if (file.empty())
-      throw InputError(
-        "Surface/File is empty: name a height map, or choose another "
-        "Surface/Kind.");
     const std::string start = start_of(file);
     if (start.empty())
       reject_height_map(file, "is empty: copy or export it again.");
@@ -112,13 +107,10 @@ namespace strait
                         "\" and set Surface/File = " + map.string());
   }
 
-  void
-  check_claim(const std::string  &file,
-              const std::uint64_t n_columns,
-              const std::uint64_t n_rows,
-              const std::uint64_t item_size,
-              const std::uint64_t n_bytes)
+  HeightMap
+  read_values(const std::string &file, const StoredValues &stored)
   {
+    const auto &[n_columns, n_rows, by_columns, begin, item_size, decode] = stored;
     constexpr std::uint64_t most = 65535; // points of a side of a grid
     const std::string       claim =
       std::to_string(n_columns) + " x " + std::to_string(n_rows) + " points";
@@ -126,9 +118,29 @@ namespace strait
       reject_height_map(file,
                         "has " + claim + ", and both must lie between 1 and " +
                           std::to_string(most) + ": cut or thin it out.");
-    if (n_columns * n_rows > n_bytes / item_size)
+    const std::uint64_t n_bytes = std::filesystem::file_size(file);
+    if (n_columns * n_rows > (n_bytes - std::min(n_bytes, begin)) / item_size)
       reject_height_map(file,
                         "promises " + claim +
                           " and is too short for them: copy or export it again.");
+    HeightMap map;
+    map.nx = static_cast<int>(n_columns);
+    map.ny = static_cast<int>(n_rows);
+    map.values.resize(n_columns * n_rows);
+    const std::size_t n_lines = by_columns ? n_columns : n_rows;
+    const std::size_t n_items = by_columns ? n_rows : n_columns;
+    std::vector<char> line(n_items * item_size);
+    std::ifstream     stream(file, std::ios::binary);
+    stream.seekg(static_cast<std::streamoff>(begin));
+    for (std::size_t i = 0; i < n_lines; ++i)
+      {
+        stream.read(line.data(), static_cast<std::streamsize>(line.size()));
+        if (!stream)
+          reject_height_map(file, "cannot be read to its end: copy it again.");
+        for (std::size_t j = 0; j < n_items; ++j)
+          map.values[by_columns ? j * n_lines + i : i * n_items + j] =
+            decode(line.data() + j * item_size);
+      }
+    return map;
   }
 } // namespace strait

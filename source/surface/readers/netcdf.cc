@@ -126,7 +126,7 @@ namespace strait
       {
         if (n_bytes > content.size() - position)
           reject_height_map(file, "ends within its header: copy or import it again.");
-        const std::string bytes = content.substr(position, n_bytes);
+        std::string bytes = content.substr(position, n_bytes);
         position += n_bytes;
         return bytes;
       }
@@ -224,39 +224,23 @@ namespace strait
   HeightMap
   read_netcdf(const std::string &file)
   {
-    const Header        header(file);
-    const Variable     &heights = find_heights(header, file);
-    const Dimension    &outer   = header.dimensions[heights.dimensions[0]];
-    const Dimension    &inner   = header.dimensions[heights.dimensions[1]];
-    const std::uint64_t n_bytes = std::filesystem::file_size(file);
-    check_claim(file,
-                inner.n,
-                outer.n,
-                bytes_of(heights.type),
-                n_bytes - std::min(n_bytes, heights.begin));
-
-    const bool x_is_outer = outer.name == "x";
-    HeightMap  map;
-    map.nx = static_cast<int>(x_is_outer ? outer.n : inner.n);
-    map.ny = static_cast<int>(x_is_outer ? inner.n : outer.n);
-    map.values.resize(outer.n * inner.n);
-    const double      fill = heights["_FillValue"].number.value_or(usual_fill);
-    const auto        size = bytes_of(heights.type);
-    std::vector<char> line(inner.n * size);
-    std::ifstream     stream(file, std::ios::binary);
-    stream.seekg(static_cast<std::streamoff>(heights.begin));
-    for (std::uint64_t i = 0; i < outer.n; ++i)
-      {
-        stream.read(line.data(), static_cast<std::streamsize>(line.size()));
-        if (!stream)
-          reject_height_map(file, "cannot be read to its end: copy or import it again.");
-        for (std::uint64_t j = 0; j < inner.n; ++j)
-          {
-            const double value = decode(line.data() + j * size, heights.type);
-            map.values[x_is_outer ? j * outer.n + i : i * inner.n + j] =
-              value == fill ? std::numeric_limits<double>::quiet_NaN() : value;
-          }
-      }
+    const Header     header(file);
+    const Variable  &heights    = find_heights(header, file);
+    const Dimension &outer      = header.dimensions[heights.dimensions[0]];
+    const Dimension &inner      = header.dimensions[heights.dimensions[1]];
+    const bool       x_is_outer = outer.name == "x";
+    const double     fill       = heights["_FillValue"].number.value_or(usual_fill);
+    const auto       value      = [&](const char *bytes) {
+      const double number = decode(bytes, heights.type);
+      return number == fill ? std::numeric_limits<double>::quiet_NaN() : number;
+    };
+    HeightMap map   = read_values(file,
+                                {x_is_outer ? outer.n : inner.n,
+                                 x_is_outer ? inner.n : outer.n,
+                                 x_is_outer,
+                                 heights.begin,
+                                 bytes_of(heights.type),
+                                 value});
     map.height_unit = heights.unit();
     map.format      = "NetCDF";
     read_sides(map,

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -79,17 +80,23 @@ namespace strait
   [[noreturn]] void reject_for_import(const std::string &file,
                                       const std::string &complaint);
 
+  /** How the values of a map lie in a file: row by row, or column by column. */
+  struct StoredValues
+  {
+    std::uint64_t                       n_columns  = 0;
+    std::uint64_t                       n_rows     = 0;
+    bool                                by_columns = false;
+    std::uint64_t                       begin     = 0; // bytes from the start of the file
+    std::uint64_t                       item_size = 0; // bytes of a value
+    std::function<double(const char *)> decode;        // a value from its bytes
+  };
+
   /**
-   * Throw InputError if a map of n_columns × n_rows values of @p item_size bytes
-   * cannot be: an extent is zero or too large for any grid, or there are fewer
-   * than that many bytes in @p n_bytes. Call it before memory is set aside for
-   * what a damaged header may claim.
+   * Read the values of a map, and nothing else of it. Throws InputError if they cannot
+   * be: an extent is zero or too large for any grid, or the file is too short, which is
+   * checked before memory is set aside for what a damaged header may claim.
    */
-  void check_claim(const std::string &file,
-                   std::uint64_t      n_columns,
-                   std::uint64_t      n_rows,
-                   std::uint64_t      item_size,
-                   std::uint64_t      n_bytes);
+  HeightMap read_values(const std::string &file, const StoredValues &stored);
 } // namespace strait
 
 #endif

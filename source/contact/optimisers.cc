@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/contact/make_optimiser.h>
 #include <strait/contact/optimisers.h>
 
 namespace strait

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
+#include <strait/run/checkpoint.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace strait
+{
+  namespace
+  {
+    /** The first bytes. The number is another one whenever the items have changed. */
+    const std::string signature = "strait checkpoint 14\n";
+
+    std::uint32_t
+    continued_checksum(const std::uint32_t checksum,
+                       const void         *data,
+                       const std::size_t   size)
+    {
+      return static_cast<std::uint32_t>(
+        crc32_z(checksum, static_cast<const Bytef *>(data), size));
+    }
+
+    std::string
+    name_beside(const std::string &path)
+    {
+      return path + ".new";
+    }
+
+    /** Until a renamed file is safe, its folder must be as well. */
+    void
+    sync_folder_of(const std::string &path)
+    {
+      const auto folder = std::filesystem::absolute(path).parent_path();
+      const int  file   = open(folder.c_str(), O_RDONLY);
+      if (file < 0)
+        return;
+      fsync(file);
+      close(file);
+    }
+  } // namespace
+
+  Checkpoint::Checkpoint(const std::string &path_, MPI_Comm comm_, const Access access_)
+    : path(path_)
+    , comm(comm_)
+    , access(access_)
+  {
+    run_on_root(comm, [this]() {
+      file = std::fopen(is_reading() ? path.c_str() : name_beside(path).c_str(),
+                        is_reading() ? "rb" : "wb");
+      if (is_reading())
+        check_whole_file();
+      else if (file == nullptr)
+        error = errno;
+      else
+        {
+          // Rows of a field are much shorter.
+          std::setvbuf(file, nullptr, _IOFBF, 1 << 20);
+          std::string begin = signature;
+          pass(begin.data(), begin.size());
+        }
+    });
+  }
+
+  Checkpoint::~Checkpoint()
+  {
+    if (file == nullptr)
+      return;
+    std::fclose(file);
+    if (!is_reading())
+      unlink(name_beside(path).c_str());
+  }
+
+  void
+  Checkpoint::refuse() const
+  {
+    throw InputError("The file '" + path +
+                     "' is not a whole checkpoint of this version of strait, so the run "
+                     "cannot be resumed; begin anew without --resume.");
+  }
+
+  void
+  Checkpoint::check_whole_file()
+  {
+    if (file == nullptr)
+      throw InputError("There is no checkpoint '" + path +
+                       "' to resume from; begin anew without --resume.");
+    std::error_code failure;
+    const auto      size = std::filesystem::file_size(path, failure);
+    if (failure || size < signature.size() + sizeof checksum)
+      refuse();
+    const std::size_t length = size - sizeof checksum;
+    std::uint32_t     now = 0, then = 0;
+    std::vector<char> block(1 << 20);
+    for (std::size_t at = 0; at < length; at += block.size())
+      {
+        block.resize(std::min(block.size(), length - at));
+        if (std::fread(block.data(), block.size(), 1, file) != 1 ||
+            (at == 0 &&
+             std::memcmp(block.data(), signature.data(), signature.size()) != 0))
+          refuse();
+        now = continued_checksum(now, block.data(), block.size());
+      }
+    if (std::fread(&then, sizeof then, 1, file) != 1 || then != now ||
+        std::fseek(file, static_cast<long>(signature.size()), SEEK_SET) != 0)
+      refuse();
+    remaining = length - signature.size();
+  }
+
+  /** Write, or read, these bytes on rank 0. Returns whether they could be read. */
+  bool
+  Checkpoint::pass(void *data, const std::size_t size)
+  {
+    if (is_reading())
+      {
+        if (size > remaining || std::fread(data, 1, size, file) != size)
+          return false;
+        remaining -= size;
+        return true;
+      }
+    checksum = continued_checksum(checksum, data, size);
+    if (error == 0 && std::fwrite(data, 1, size, file) != size)
+      error = errno != 0 ? errno : EIO;
+    return true;
+  }
+
+  /** The size of the next item, @p size if it is written. For rank 0. */
+  std::size_t
+  Checkpoint::size_of_item(std::size_t size)
+  {
+    if (!pass(&size, sizeof size) || (is_reading() && size > remaining))
+      refuse();
+    return size;
+  }
+
+  /** What is read, on all ranks; or @p bytes, which rank 0 writes without the others,
+   *  that may have other ones and fewer or more of them. */
+  std::string
+  Checkpoint::item(std::string bytes)
+  {
+    const auto pass_item = [&]() {
+      bytes.resize(size_of_item(bytes.size()));
+      if (!pass(bytes.data(), bytes.size()))
+        refuse();
+    };
+    if (is_reading())
+      {
+        run_on_root(comm, pass_item);
+        return broadcast(comm, bytes);
+      }
+    if (rank_in(comm) == 0)
+      pass_item();
+    return bytes;
+  }
+
+  void
+  Checkpoint::value(double &number)
+  {
+    std::vector<double> numbers(1, number);
+    value(numbers);
+    if (numbers.size() != 1) // on all ranks
+      refuse();
+    number = numbers[0];
+  }
+
+  void
+  Checkpoint::value(std::string &text)
+  {
+    text = item(text);
+  }
+
+  void
+  Checkpoint::value(std::vector<double> &numbers)
+  {
+    const auto       *begin = reinterpret_cast<const char *>(numbers.data());
+    const std::string bytes = item({begin, numbers.size() * sizeof(double)});
+    numbers.resize(bytes.size() / sizeof(double));
+    std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+  }
+
+  void
+  Checkpoint::rows(void *local, const std::size_t point_size, const SlabLayout &layout)
+  {
+    const std::size_t row_size = layout.grid().nx * point_size;
+    const std::size_t size     = layout.grid().ny * row_size;
+    const int         n_bytes  = static_cast<int>(row_size);
+    const bool        on_root  = layout.rank() == 0;
+    run_on_root(comm, [&]() {
+      if (size_of_item(size) != size)
+        refuse();
+    });
+    // The file was read before; should it fail now, the others must not wait.
+    bool              is_complete = true;
+    std::vector<char> passed_on(row_size);
+    for (int rank = 0; rank < layout.n_ranks(); ++rank)
+      for (int row = layout.first_row_of(rank); row < layout.first_row_of(rank + 1);
+           ++row)
+        {
+          char *own =
+            rank == layout.rank()
+              ? static_cast<char *>(local) + (row - layout.first_row_of(rank)) * row_size
+              : passed_on.data();
+          if (!on_root && rank == layout.rank() && !is_reading())
+            MPI_Send(own, n_bytes, MPI_BYTE, 0, 0, comm);
+          if (on_root && rank > 0 && !is_reading())
+            MPI_Recv(own, n_bytes, MPI_BYTE, rank, 0, comm, MPI_STATUS_IGNORE);
+          if (on_root)
+            is_complete = pass(own, row_size) && is_complete;
+          if (on_root && rank > 0 && is_reading())
+            MPI_Send(own, n_bytes, MPI_BYTE, rank, 0, comm);
+          if (!on_root && rank == layout.rank() && is_reading())
+            MPI_Recv(own, n_bytes, MPI_BYTE, 0, 0, comm, MPI_STATUS_IGNORE);
+        }
+    run_on_root(comm, [&]() {
+      if (!is_complete)
+        refuse();
+    });
+  }
+
+  void
+  Checkpoint::commit()
+  {
+    run_on_root(comm, [this]() {
+      std::uint32_t of_all = checksum;
+      pass(&of_all, sizeof of_all);
+      const auto ends_well = [this](const bool succeeds) {
+        if (error == 0 && !succeeds)
+          error = errno != 0 ? errno : EIO;
+        return error == 0;
+      };
+      if (file != nullptr)
+        {
+          ends_well(std::fflush(file) == 0 && fsync(fileno(file)) == 0);
+          ends_well(std::fclose(file) == 0);
+          file = nullptr;
+        }
+      if (!ends_well(error != 0 ||
+                     std::rename(name_beside(path).c_str(), path.c_str()) == 0))
+        {
+          unlink(name_beside(path).c_str());
+          throw ComputationError(
+            "The checkpoint '" + path + "' could not be written (" +
+            std::strerror(error) +
+            "); what was written before is kept, make room and continue with --resume.");
+        }
+      sync_folder_of(path);
+    });
+  }
+} // namespace strait

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/run/load_sweep.h>
+#include <strait/seal/coupled_seal.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace strait
+{
+  namespace
+  {
+    // Where the accuracy is that of the whole number: what the mesh may take of it. Half
+    // of it makes twice the cells, double of it leaves nothing to the gap.
+    constexpr double share_of_mesh = .5;
+
+    /** Of walls that the fluid has parted: nothing limits the leak. */
+    StepFlow
+    unlimited_flow(const std::size_t n_points)
+    {
+      StepFlow flow;
+      flow.channel.clusters.percolates = true;
+      flow.channel.clusters.states.assign(n_points, NodeState::percolating);
+      flow.leakage.rate = flow.leakage.upper = std::numeric_limits<double>::infinity();
+      return flow;
+    }
+  } // namespace
+
+  StepFlow
+  leak_through(const SealState &state, const Scene &scene, FlowStage &flow)
+  {
+    const double accuracy = scene.fluid.target_accuracy;
+    StepFlow     result =
+      state.fluid && state.fluid->lifted_off
+            ? unlimited_flow(state.gap().size())
+            : flow.solve(state.gap(),
+                     state.control.slip_length,
+                     scene.contact.zoom.enabled ? share_of_mesh
+                                                    : share_of_bracket(state, accuracy));
+    if (state.fluid && result.solution)
+      allow_for_feedback(result.leakage, *state.fluid, accuracy);
+    flow.warn_of_width(result.leakage);
+    return result;
+  }
+
+  SlabField
+  two_in_a_row(const SlabField &gap)
+  {
+    const int    nx   = gap.grid().nx;
+    PeriodicGrid grid = gap.grid();
+    grid.nx *= 2;
+    grid.lx *= 2.;
+    // Rows are dealt out by their number alone, so that each rank has its own twice.
+    SlabField two(make_layout(grid, gap.layout().communicator()));
+    for (int row = 0; row < gap.layout().n_rows(); ++row)
+      for (const int half : {0, 1})
+        std::copy_n(&gap.data()[static_cast<std::size_t>(row) * nx],
+                    nx,
+                    &two(half * nx, row));
+    return two;
+  }
+} // namespace strait

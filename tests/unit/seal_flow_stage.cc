@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/seal/flow_stage.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <sstream>
+
+namespace strait
+{
+  namespace
+  {
+    struct Interpolated
+    {
+      double leak_rate, change;
+    };
+
+    /** The leak rate through a gap on 32² points, and what the other interpolation of the
+     *  gap is said to change of it. */
+    Interpolated
+    leak(const GapInterpolation                       interpolation,
+         const std::function<double(double, double)> &gap_at)
+    {
+      std::ostringstream  said;
+      Log                 log(MPI_COMM_WORLD, said, Log::Screen::silent);
+      Timers              timers;
+      const SlabLayoutPtr layout = make_layout({32, 32, 1., 1.}, MPI_COMM_WORLD);
+      SlabField           gap(layout);
+      for (int row = 0; row < layout->n_rows(); ++row)
+        for (int ix = 0; ix < 32; ++ix)
+          gap(ix, row) = gap_at(ix / 32., (layout->first_row() + row) / 32.);
+      FluidParameters fluid;
+      fluid.target_accuracy = .002;
+      fluid.interpolation   = interpolation;
+      FlowStage      flow(fluid, layout, log, timers);
+      const StepFlow solved = flow.solve(gap, 0.);
+      return {solved.leakage.rate, flow.change_by_interpolation(solved)};
+    }
+
+    TEST(FlowStage, ChangeByInterpolationIsThatOfTwoSolutions)
+    {
+      const auto throat = [](const double x, const double y) {
+        return .02 + .5 * (1. + std::cos(2 * M_PI * x)) * (1.2 + std::cos(2 * M_PI * y));
+      };
+      const Interpolated cubic  = leak(GapInterpolation::monotone_cubic, throat);
+      const Interpolated linear = leak(GapInterpolation::bilinear, throat);
+      const double       change = linear.leak_rate / cubic.leak_rate - 1.;
+      EXPECT_GT(std::abs(change), .01);
+      EXPECT_NEAR(cubic.change, change, .004);
+      EXPECT_NEAR(linear.change, 1. / (1. + change) - 1., .004);
+    }
+
+    TEST(FlowStage, InterpolationChangesNothingOfPlates)
+    {
+      const auto plates = [](double, double) { return .3; };
+      EXPECT_NEAR(leak(GapInterpolation::monotone_cubic, plates).change, 0., 1e-9);
+      EXPECT_NEAR(leak(GapInterpolation::bilinear, plates).change, 0., 1e-9);
+    }
+  } // namespace
+} // namespace strait
