@@ -20,7 +20,7 @@ namespace strait
     }
   } // namespace
 
-  GapField::GapField(SlabLayoutPtr layout, const FluidParameters &fluid)
+  GapField::GapField(const SlabLayoutPtr &layout, const FluidParameters &fluid)
     : slab_layout(layout)
     , grid_rows{layout->grid(), {fluid.interpolation, fluid.direction}, 0, {}}
     , quadrature(fluid)
@@ -266,6 +266,7 @@ namespace strait
       else
         asked_of[owner].push_back(c);
     std::vector<unsigned int> owners;
+    owners.reserve(asked_of.size());
     for (const auto &asked : asked_of)
       owners.push_back(asked.first);
 

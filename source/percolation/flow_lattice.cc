@@ -113,11 +113,12 @@ namespace strait
               points.push_back(k);
             add_fine({0, a, b});
           }
-    for (std::size_t i = 0; i < in_windows.size(); ++i) // it grows meanwhile
+    std::size_t n_added = 0;
+    while (n_added < in_windows.size())
       {
-        const Place place = in_windows[i];
+        const Place place = in_windows[n_added++];
         points.push_back(number_of(place));
-        add_fine(place);
+        add_fine(place); // to those in windows
       }
     return points;
   }

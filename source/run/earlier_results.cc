@@ -119,12 +119,13 @@ namespace strait
       {
         const auto found = before.find(name);
         if (found == before.end() || found->second != value)
-          return name + " = " + (found == before.end() ? "(none)" : found->second) +
+          return join({name, found == before.end() ? "(none)" : found->second}, " = ") +
                  " where the scene now has " + value;
       }
     for (const auto &[name, value] : before)
       if (after.find(name) == after.end())
-        return name + " = " + value + ", which this version of strait does not know";
+        return join({name, value}, " = ") +
+               ", which this version of strait does not know";
     return "";
   }
 
@@ -145,10 +146,12 @@ namespace strait
               : "whose parameters.prm is missing beside " + name;
           if (difference.empty())
             return;
-          throw InputError("The folder '" + folder +
-                           "' holds the results of another scene, " + difference +
-                           "; choose another folder with --output, or overwrite them "
-                           "with --force.");
+          throw InputError(
+            join({"The folder '" + folder + "' holds the results of another scene",
+                  difference},
+                 ", ") +
+            "; choose another folder with --output, or overwrite them "
+            "with --force.");
         }
     });
   }

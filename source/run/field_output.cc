@@ -135,10 +135,11 @@ namespace strait
                                           layout.position(w, 0, 0),
                                           layout.spacing(w)});
         }
-      const std::string base = "fields-" + std::to_string(step.number);
+      const std::string base  = "fields-" + std::to_string(step.number);
+      const std::string begin = directory + "/" + base + "-level-";
       run_on_root(layout.communicator(), [&]() {
         for (const auto &[level, of_level] : pieces)
-          write_text(directory + "/" + base + "-level-" + std::to_string(level) + ".xmf",
+          write_text(begin + std::to_string(level) + ".xmf",
                      grid_description(base + ".h5", of_level, datasets));
       });
     }

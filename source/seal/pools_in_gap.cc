@@ -46,6 +46,7 @@ namespace strait
       if (labels[k] >= 0)
         mine[{labels[k], static_cast<int>(known.owner[k])}] += cell * gap[k];
     std::vector<Share> list;
+    list.reserve(mine.size());
     for (const auto &[whose, volume] : mine)
       list.push_back({whose.first, whose.second, volume});
     for (const Share &share : gather_all(gap.layout().communicator(), list))

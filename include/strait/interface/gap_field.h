@@ -60,7 +60,7 @@ namespace strait
       molecular_resistivity
     };
 
-    GapField(SlabLayoutPtr layout, const FluidParameters &fluid);
+    GapField(const SlabLayoutPtr &layout, const FluidParameters &fluid);
 
     /** What flows in the gaps from the next update() on; null: it is viscous. */
     void
