@@ -93,8 +93,6 @@ namespace strait
                    state.contact_area,
                    state.contact_area_corrected,
                    state.residual,
-                   state.iterations,
-                   state.fft_pairs,
                    state.converged);
     state.approach.transfer(archive, state.pressure.layout());
     if (transfer_presence(archive, state.plasticity))

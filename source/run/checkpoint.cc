@@ -17,7 +17,7 @@ namespace strait
   namespace
   {
     /** The first bytes. The number is another one whenever the items have changed. */
-    const std::string signature = "strait checkpoint 14\n";
+    const std::string signature = "strait checkpoint 15\n";
 
     std::uint32_t
     continued_checksum(const std::uint32_t checksum,
@@ -207,16 +207,18 @@ namespace strait
             rank == layout.rank()
               ? static_cast<char *>(local) + (row - layout.first_row_of(rank)) * row_size
               : passed_on.data();
-          if (!on_root && rank == layout.rank() && !is_reading())
-            MPI_Send(own, n_bytes, MPI_BYTE, 0, 0, comm);
-          if (on_root && rank > 0 && !is_reading())
-            MPI_Recv(own, n_bytes, MPI_BYTE, rank, 0, comm, MPI_STATUS_IGNORE);
           if (on_root)
-            is_complete = pass(own, row_size) && is_complete;
-          if (on_root && rank > 0 && is_reading())
-            MPI_Send(own, n_bytes, MPI_BYTE, rank, 0, comm);
-          if (!on_root && rank == layout.rank() && is_reading())
+            {
+              if (rank > 0 && !is_reading())
+                MPI_Recv(own, n_bytes, MPI_BYTE, rank, 0, comm, MPI_STATUS_IGNORE);
+              is_complete = pass(own, row_size) && is_complete;
+              if (rank > 0 && is_reading())
+                MPI_Send(own, n_bytes, MPI_BYTE, rank, 0, comm);
+            }
+          else if (rank == layout.rank() && is_reading())
             MPI_Recv(own, n_bytes, MPI_BYTE, 0, 0, comm, MPI_STATUS_IGNORE);
+          else if (rank == layout.rank())
+            MPI_Send(own, n_bytes, MPI_BYTE, 0, 0, comm);
         }
     run_on_root(comm, [&]() {
       if (!is_complete)

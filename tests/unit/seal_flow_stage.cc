@@ -26,11 +26,8 @@ namespace strait
       Log                 log(MPI_COMM_WORLD, said, Log::Screen::silent);
       Timers              timers;
       const SlabLayoutPtr layout = make_layout({32, 32, 1., 1.}, MPI_COMM_WORLD);
-      SlabField           gap(layout);
-      for (int row = 0; row < layout->n_rows(); ++row)
-        for (int ix = 0; ix < 32; ++ix)
-          gap(ix, row) = gap_at(ix / 32., (layout->first_row() + row) / 32.);
-      FluidParameters fluid;
+      const SlabField     gap    = sample(layout, gap_at);
+      FluidParameters     fluid;
       fluid.target_accuracy = .002;
       fluid.interpolation   = interpolation;
       FlowStage      flow(fluid, layout, log, timers);
