@@ -24,9 +24,9 @@ SHARED_HEADERS = ("base/scene.h",
                   "surface/readers/height_map.h", "surface/map_processing.h",
                   "contact/gap_optimisation.h", "contact/optimisers.h",
                   "contact/two_scale_operator.h",
-                  "percolation/clusters.h", "flow/seal_mesh.h", "run/checkpoint.h",
+                  "flow/seal_mesh.h",
                   "run/field_output.h", "run/load_sweep.h", "run/result_tables.h",
-                  "run/simulation.h", "run/validity.h")
+                  "run/validity.h")
 LICENCE = "// SPDX-License-Identifier: GPL-2.0-or-later"
 INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>")
 

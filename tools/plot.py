@@ -11,11 +11,10 @@ else can be drawn is drawn.
 """
 import argparse
 import pathlib
-import re
 import sys
 
 try:
-    from plot_common import read_units, use_style
+    from plot_common import numbered, read_units, use_style
     from plot_ensemble import draw_ensemble
     from plot_gaps import draw_gaps
     from plot_leakage import draw_leakage
@@ -29,8 +28,7 @@ except ImportError as missing:
 
 def find_results(folder, only, steps):
     """What to draw: (function, path) pairs; says which of the wanted files are missing."""
-    names = (re.fullmatch(r"picture-(\d+)\.h5", path.name) for path in folder.glob("*.h5"))
-    pictures = {int(name[1]): folder / name[0] for name in names if name}
+    pictures = numbered(folder, "picture-*.h5")
     table, ensemble = folder / "leakage.csv", folder / "ensemble.csv"
     if not (table.exists() or ensemble.exists() or pictures):
         sys.exit(f"plot.py: {folder} holds no results (leakage.csv, ensemble.csv or "
@@ -46,7 +44,7 @@ def find_results(folder, only, steps):
         wanted.append((draw_spectrum, spectrum))
     if only != "leakage":
         wanted += [(draw_picture, pictures.get(step, folder / f"picture-{step}.h5"))
-                   for step in steps or sorted(pictures)]
+                   for step in steps or pictures]
     for _, path in wanted:
         if not path.exists():
             print(f"plot.py: {path} is missing.", file=sys.stderr)

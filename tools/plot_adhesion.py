@@ -14,7 +14,7 @@ import h5py
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import BLUE, COLOURS, UNCERTAIN, VERMILLION, use_style
+from plot_common import BLUE, COLOURS, UNCERTAIN, VERMILLION, numbered, use_style
 from plot_leakage import error_bars
 from strait_results import read_table
 
@@ -56,8 +56,7 @@ def draw_contact(runs):
     """Contact (dark) of the last fields of each run."""
     figure = Figure(figsize=(3.4 * len(runs), 3.8), layout="constrained")
     for axes, (label, folder) in zip(figure.subplots(1, len(runs), squeeze=False)[0], runs):
-        name = max(folder.glob("fields-*.h5"), key=lambda path: int(path.stem.split("-")[1]))
-        with h5py.File(name) as file:
+        with h5py.File(list(numbered(folder, "fields-*.h5").values())[-1]) as file:
             gap = file["gap"][()]
             size = (0, file.attrs["lx"], 0, file.attrs["ly"])
         axes.imshow(gap > 0, cmap="gray", origin="lower", extent=size, vmin=-0.2)

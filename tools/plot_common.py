@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What the pictures of a run have in common: style, numbers and units."""
 import json
+import re
 
 import matplotlib
 import numpy as np
@@ -9,7 +10,8 @@ from strait_results import Run
 
 STYLE = {"font.size": 10, "xtick.labelsize": 9, "ytick.labelsize": 9, "legend.fontsize": 9,
          "legend.frameon": False, "lines.linewidth": 1.4, "lines.markersize": 5, "savefig.dpi": 150,
-         "axes.formatter.use_mathtext": True, "axes.formatter.limits": (-3, 4)}
+         "grid.color": "0.9", "grid.linewidth": 0.6, "axes.formatter.use_mathtext": True,
+         "axes.formatter.limits": (-3, 4)}
 BLUE, VERMILLION, GREEN = "#0072b2", "#d55e00", "#009e73"  # Okabe and Ito
 RED = "#cc0000"  # theory, as in the paper
 COLOURS = (BLUE, GREEN, "#cc79a7", "#e69f00", "#56b4e9", "#000000")
@@ -70,17 +72,23 @@ def with_best_unit(value, unit):
     return f"{scientific(value / factor)} {unit}".rstrip()
 
 
+def leak_rates(columns):
+    """The names of the columns of leak rates: the scene's units, then those asked for."""
+    return [name for name in columns if name == "leak_rate" or
+            (name.startswith("leak_rate_") and
+             name not in ("leak_rate_lower", "leak_rate_upper", "leak_rate_error"))]
+
+
 def wanted_leak_rate(folder, units):
     """The first unit of Output/Leak rate units: what the scene's leak rate is to be multiplied
     with, and all units with that in place of the scene's; 1, and these, if none is asked for."""
     try:
         run = Run(folder)
-        column = next(name for name in run.table if name.startswith("leak_rate_") and name not in
-                      ("leak_rate_lower", "leak_rate_upper", "leak_rate_error"))
+        column = leak_rates(run.table)[1]
         leaks = np.flatnonzero(np.isfinite(run.table["leak_rate"]) & (run.table["leak_rate"] != 0))
         factor = run.table[column][leaks[0]] / run.table["leak_rate"][leaks[0]]
         return factor, {**units, "leak_rate": run.record["column_units"][column]}
-    except (OSError, ValueError, KeyError, IndexError, AttributeError, StopIteration):
+    except (OSError, ValueError, KeyError, IndexError, AttributeError):
         return 1, units
 
 
@@ -88,6 +96,21 @@ def scientific(value):
     """A number to three digits, with a power of ten where that is shorter."""
     mantissa, _, exponent = f"{value:.3g}".partition("e")
     return rf"${mantissa}\times10^{{{int(exponent)}}}$" if exponent else mantissa
+
+
+def numbered(folder, pattern):
+    """The paths in a folder by the number that stands for the * of a pattern, in that order."""
+    form, found = re.escape(pattern).replace(r"\*", r"(\d+)"), {}
+    for path in folder.glob(pattern):
+        name = re.fullmatch(form, path.relative_to(folder).as_posix())
+        if name:
+            found[int(name[1])] = path
+    return dict(sorted(found.items()))
+
+
+def scene_in(folder):
+    """The text of the scene whose results a folder holds."""
+    return (folder / "parameters.prm").read_text(encoding="utf-8")
 
 
 def read_parameters(scene):

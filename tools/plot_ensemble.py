@@ -9,7 +9,7 @@ import sys
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, readable,
+from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, numbered, readable,
                          with_unit)
 from strait_results import read_table
 
@@ -35,16 +35,16 @@ def read_curve(path):
 def read_curves(folder):
     """The curves of all realisations that have at least two points, by their number."""
     curves, of_a_seal = {}, (folder / "seal.csv").exists()
-    for path in folder.glob("realisation-*/leakage.csv"):
+    for number, path in numbered(folder, "realisation-*/leakage.csv").items():
         try:
             if of_a_seal and "reduced_load" not in read_table(path):
                 continue  # patches, of which no threshold was sought
             curve = read_curve(path)
             if len(curve[0]) > 1:
-                curves[int(path.parent.name.split("-")[1])] = curve
+                curves[number] = curve
         except (OSError, KeyError, ValueError, IndexError):
             print(f"plot.py: {path} could not be used.", file=sys.stderr)
-    return dict(sorted(curves.items()))
+    return curves
 
 
 def common_range(curves):
@@ -82,7 +82,7 @@ def draw_curves(axes, curves, units):
     if any(hollow.any() for _, _, hollow in curves.values()):
         axes.plot([], [], "o", color="0.4", markerfacecolor="white", label="hollow: unresolved")
     axes.legend()
-    axes.grid(color="0.9", linewidth=0.6)
+    axes.grid(True)
 
 
 def samples(table, name):

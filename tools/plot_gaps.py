@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """gaps.png: distributions of the simulated gaps beside those of Persson's theory."""
-import re
-
 import h5py
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import COLOURS, RED, scientific, with_unit
+from plot_common import COLOURS, RED, numbered, scientific, with_unit
 
 MOST_STEPS = 4
 
@@ -14,15 +12,13 @@ MOST_STEPS = 4
 def fields_with_gaps(folder):
     """The files fields-STEP.h5 that hold distributions, in the order of the steps."""
     files = []
-    for path in folder.glob("fields-*.h5"):
-        name = re.fullmatch(r"fields-(\d+)\.h5", path.name)
+    for path in numbered(folder, "fields-*.h5").values():
         try:
             with h5py.File(path) as file:
-                if name and "gap_distribution" in file:
-                    files.append((int(name[1]), path))
+                files += [path] * ("gap_distribution" in file)
         except OSError:
             continue
-    return [path for _, path in sorted(files)]
+    return files
 
 
 def draw_step(axes, path, colour, labels):
@@ -65,6 +61,6 @@ def draw_gaps(folder, units):
         axes.set_xlim(max(seen.min(), 1e-5 * largest), largest)
         low, high = axes.get_ylim()
         axes.set_ylim(max(low, 1e-7 * high), high)
-    axes.grid(color="0.9", linewidth=0.6)
+    axes.grid(True)
     axes.legend()
     return figure.savefig(folder / "gaps.png")

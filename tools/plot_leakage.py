@@ -211,7 +211,7 @@ def draw_leakage(path, units):
         draw(axes, table, units, fits)
         if draw is draw_leak_rate:
             draw_critical_loads(axes, path.with_name("threshold.csv"))
-        axes.grid(color="0.9", linewidth=0.6)
+        axes.grid(True)
         if axes.get_legend_handles_labels()[0]:
             axes.legend()
     return figure.savefig(path.with_suffix(".png"))

@@ -58,6 +58,6 @@ def draw_seal(path, units):
                table["pressure"].max(initial=0))
     axes.set(ylabel="Leak rate of the whole seal (" +
                     ("scene units" if unit in ("", "nan") else unit) + ")")
-    axes.grid(color="0.9", linewidth=0.6)
+    axes.grid(True)
     axes.legend()
     return figure.savefig(path.with_suffix(".png"))

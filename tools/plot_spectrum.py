@@ -24,6 +24,6 @@ def draw_spectrum(path, units):
     axes.set(xlabel=f"Wave number $q$ (1/{length})" if length else "Wave number $q$",
              ylabel=f"Power spectral density $C(q)$ ({length}⁴)" if length
              else "Power spectral density $C(q)$")
-    axes.grid(color="0.9", linewidth=0.6)
+    axes.grid(True)
     axes.legend()
     figure.savefig(path.with_suffix(".png"))

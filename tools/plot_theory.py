@@ -7,15 +7,15 @@ against the load over that which seals it, normalised by the flow through a gap 
 cut-off wavelength everywhere, as the paper's figure 2b.
 """
 import argparse
-import math
 import pathlib
-import re
 import sys
+from statistics import NormalDist
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import COLOURS, RED, scientific, use_style
+from plot_common import COLOURS, RED, read_parameters, scene_in, scientific, use_style
+from seal_scene import box_of
 from strait_results import read_table
 
 
@@ -34,38 +34,24 @@ def draw_theory(axes, table, x, name="theory_leak_rate", label="theory"):
                   linewidth=1.1, label=label if i == 0 else None, zorder=1)
 
 
-def parameters_of(folder):
-    """The resolved scene of a run: values by name, the last where sections share one."""
-    text = (folder / "parameters.prm").read_text(encoding="utf-8")
-    return dict(re.findall(r"^\s*set (.+?)\s*= *(.*?)\s*(?:#.*)?$", text, re.MULTILINE))
-
-
-def inverse_erf(value):
-    """By bisection; a handful of values is wanted."""
-    low, high = 0.0, 6.0
-    for _ in range(100):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if math.erf(middle) < value else (low, middle)
-    return low
-
-
 def normalised(folder):
     """(load over the critical one, leak rate over that of a gap λs everywhere, λr/λs)."""
-    table, scene = read_table(folder / "leakage.csv"), parameters_of(folder)
-    cut_off = float(scene["Short cut-off wavelength"])
-    if scene["Dimension parameter"] not in ("bruggeman", "critical fraction"):
+    table, scene = read_table(folder / "leakage.csv"), read_parameters(scene_in(folder))
+    cut_off = float(scene["Surface/Short cut-off wavelength"])
+    dimension = scene["Theory/Dimension parameter"]
+    if dimension not in ("bruggeman", "critical fraction"):
         raise ValueError("Theory/Dimension parameter must be bruggeman or critical fraction")
-    sealing = 0.5 if scene["Dimension parameter"] == "bruggeman" \
-        else float(scene["Critical contact fraction"])
+    sealing = 0.5 if dimension == "bruggeman" else float(scene["Theory/Critical contact fraction"])
     first = np.argmin(table["pressure"])
-    critical = table["pressure"][first] * inverse_erf(sealing) / \
-        inverse_erf(table["theory_contact_area"][first])
-    size = [float(side) for side in scene["Size"].split(",")]
-    aspect = (size[-1] / size[0])**(1 if scene["Direction"] == "x" else -1)
-    flow = cut_off**3 / (12 * float(scene["Viscosity"])) * aspect * \
-        (float(scene["Inlet pressure"]) - float(scene["Outlet pressure"]))
+    # The contact area is an error function of the load.
+    scale = [NormalDist().inv_cdf((1 + area) / 2)
+             for area in (sealing, table["theory_contact_area"][first])]
+    critical = table["pressure"][first] * scale[0] / scale[1]
+    length, breadth = box_of(scene)
+    flow = cut_off**3 / (12 * float(scene["Fluid/Viscosity"])) * breadth / length * \
+        (float(scene["Fluid/Inlet pressure"]) - float(scene["Fluid/Outlet pressure"]))
     return (table["pressure"] / critical, table["theory_leak_rate"] / flow,
-            cut_off / float(scene["Roll-off wavelength"]))
+            cut_off / float(scene["Surface/Roll-off wavelength"]))
 
 
 def draw_folders(folders, picture):
@@ -85,7 +71,7 @@ def draw_folders(folders, picture):
     right.set(xscale="log", xlabel=r"Distance from threshold, $1 - L/L_c$")
     left.legend()
     for axes in (left, right):
-        axes.grid(color="0.9", linewidth=0.6)
+        axes.grid(True)
     figure.savefig(picture)
 
 

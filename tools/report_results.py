@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from plot_common import read_parameters
+from plot_common import numbered, read_parameters, scene_in
 from strait_results import Run
 
 
@@ -13,13 +13,13 @@ class Results:
 
     def __init__(self, folder):
         self.folder = folder
-        folders = sorted(folder.glob("realisation-*/leakage.csv"),
-                         key=lambda path: int(path.parent.name.split("-")[1]))
         self.is_ensemble = (folder / "ensemble.csv").exists()
-        self.runs = [Run(path.parent) for path in folders] if self.is_ensemble else [Run(folder)]
+        self.runs = [Run(path.parent) for path in
+                     numbered(folder, "realisation-*/leakage.csv").values()] \
+            if self.is_ensemble else [Run(folder)]
         if not self.runs:
             raise FileNotFoundError(f"{folder} holds no realisation that has begun")
-        self.scene = (folder / "parameters.prm").read_text(encoding="utf-8")
+        self.scene = scene_in(folder)
         self.parameters = read_parameters(self.scene)
         log = folder / "log.txt"
         self.log = log.read_text(encoding="utf-8", errors="replace") if log.exists() else ""
@@ -42,8 +42,3 @@ def relative_errors(columns):
         bracket = 0.5 * (columns["leak_rate_upper"] - columns["leak_rate_lower"]) / rate
     known = columns.get("leak_rate_error", np.full(len(rate), np.nan))
     return np.where(np.isfinite(known), known, bracket)
-
-
-def step_of(path):
-    """The number in picture-STEP.png."""
-    return int(path.stem.split("-")[1])

@@ -9,11 +9,6 @@ import numpy as np
 from plot_common import read_parameters
 
 
-def scene_in(folder):
-    """The text of the scene whose results a folder holds."""
-    return (folder / "parameters.prm").read_text(encoding="utf-8")
-
-
 def box_of(values):
     """Sides of the box of a scene, along the flow and across."""
     sizes = [float(size) for size in values["Surface/Size"].split(",")]

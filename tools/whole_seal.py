@@ -14,10 +14,10 @@ import sys
 try:
     import numpy as np
 
-    from plot_common import is_trusted, read_parameters
+    from plot_common import is_trusted, leak_rates, numbered, read_parameters, scene_in
     from report_results import relative_errors
     from seal_network import Band, at_loads
-    from seal_scene import Seal, box_of, scene_in
+    from seal_scene import Seal, box_of
     from strait_results import Run
 except ImportError as missing:
     sys.exit(f"whole_seal.py: the Python module {missing.name} is missing; "
@@ -50,8 +50,7 @@ class Patches:
         self.along, self.across, self.ends = [], [], []
         self.errors, self.dropped, self.in_rows = [], [], True
         self.factor, self.unit, self.load_unit, solution_sources = 1., "", "", set()
-        paths = sorted(folder.glob("realisation-*"), key=lambda path: int(path.name[12:]))
-        for path in paths:
+        for path in numbered(folder, "realisation-*").values():
             try:
                 run, values = Run(path), read_parameters(scene_in(path))
                 alone, in_a_row, errors = self._of_loads(run, box_of(values), seal)
@@ -101,8 +100,8 @@ class Patches:
         self.load_unit = f" {run.unit('pressure')}".rstrip()  # as it follows a number
         if not seal.unit:
             return
-        column = "leak_rate_" + seal.unit.replace("/", "_per_").replace(" ", "_")
-        leaks = np.flatnonzero(run.table["leak_rate"] != 0)
+        column = leak_rates(run.table)[1]
+        leaks = np.flatnonzero(np.nan_to_num(run.table["leak_rate"]))  # a failed row has none
         if leaks.size:
             self.factor = run.table[column][leaks[0]] / run.table["leak_rate"][leaks[0]]
         self.unit = seal.unit

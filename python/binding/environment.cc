@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "environment.h"
 
+#include <strait/base/collective.h>
 #include <strait/base/signals.h>
 
 #include <deal.II/base/mpi.h>
@@ -57,9 +58,8 @@ namespace strait::python
     bool
     leaves_others_behind()
     {
-      int n_ranks = 1;
-      MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
-      return n_ranks > 1 && py::hasattr(py::module_::import("sys"), "last_type");
+      return n_ranks_in(MPI_COMM_WORLD) > 1 &&
+             py::hasattr(py::module_::import("sys"), "last_type");
     }
 
     /** Ten times a second, for Python's other threads must stand still for it. */

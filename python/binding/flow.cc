@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/reynolds_solver.h>
 #include <strait/flow/solution_on_grid.h>
+#include <strait/percolation/bottleneck.h>
 
 #include <cmath>
 
@@ -44,12 +45,11 @@ namespace strait::python
         static_cast<std::uint8_t>(flow.channel.clusters.states[k]));
     if (!flow.channel.paths.empty())
       {
-        const FlowPath  &path = flow.channel.paths.front();
-        const GridPoint &at   = path.bottleneck;
-        const auto [x, y]     = points.position(at.window, at.ix, at.iy);
-        result->x             = x;
-        result->y             = y;
-        result->gap           = path.bottleneck_gap;
+        const FlowPath &path = flow.channel.paths.front();
+        const auto [x, y]    = position_of(points, path.bottleneck);
+        result->x            = x;
+        result->y            = y;
+        result->gap          = path.bottleneck_gap;
       }
     return result;
   }

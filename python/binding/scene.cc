@@ -144,10 +144,7 @@ namespace strait::python
     rank()
     {
       start();
-      std::pair<int, int> result{0, 1};
-      MPI_Comm_rank(MPI_COMM_WORLD, &result.first);
-      MPI_Comm_size(MPI_COMM_WORLD, &result.second);
-      return result;
+      return {rank_in(MPI_COMM_WORLD), n_ranks_in(MPI_COMM_WORLD)};
     }
   } // namespace
 
@@ -173,15 +170,15 @@ namespace strait::python
       .def_property_readonly(
         "shape",
         [](const SceneSource &source) {
-          const PeriodicGrid grid = grid_of(source.scene);
-          return py::make_tuple(grid.ny, grid.nx);
+          const auto &[nx, ny] = source.scene.contact.grid_points;
+          return py::make_tuple(ny, nx);
         },
         "(ny, nx) of the grid, as of arrays.")
       .def_property_readonly(
         "size",
         [](const SceneSource &source) {
-          const PeriodicGrid grid = grid_of(source.scene);
-          return py::make_tuple(grid.lx, grid.ly);
+          const auto &[lx, ly] = source.scene.surface.size;
+          return py::make_tuple(lx, ly);
         },
         "(Lx, Ly) of the box.")
       .def("unit",

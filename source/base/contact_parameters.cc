@@ -74,8 +74,8 @@ namespace strait
       "Press an elastic half-space onto the surface. false: the surface is the gap "
       "itself, closed where it is not positive; a pure flow problem, for which Control "
       "and Load programme/Pressures are ignored.";
-    // 65535: the product must fit into the 32-bit indices of deal.II's vectors.
-    section.add("Grid points", grid_points, any_number.at_least(4).at_most(65535))
+    section
+      .add("Grid points", grid_points, any_number.at_least(4).at_most(most_grid_points))
       .meaning =
       "Nx, Ny: grid points of the periodic box in x and y [1]; one number: both. "
       "Products of small primes are fastest. Surface/Kind = file: if empty, the map's "

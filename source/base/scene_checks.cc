@@ -59,9 +59,6 @@ namespace strait
         throw InputError(
           "Theory/Enabled without Contact and Fluid takes Load programme/"
           "Pressures as loads; set Contact/Control = load.");
-      if (scene.programme.pressures.empty())
-        throw InputError(
-          "Load programme/Pressures is empty; list at least one load for the theory.");
       for (const double pressure : scene.programme.pressures)
         if (!(pressure > 0.))
           throw InputError("Load programme/Pressures contains " + to_text(pressure) +
@@ -136,7 +133,8 @@ namespace strait
           "yet; switch Fluid/Wall feedback off.");
       const std::vector<double> &pressures = scene.programme.pressures;
       if (scene.programme.find_threshold && scene.programme.path == LoadPath::unloading &&
-          pressures.front() != *std::max_element(pressures.begin(), pressures.end()))
+          (pressures.empty() ||
+           pressures.front() != *std::max_element(pressures.begin(), pressures.end())))
         refuse(
           "opens the later the larger the load was before: where Load programme/Path = "
           "unloading, a search for the threshold begins with the first of "

@@ -11,10 +11,10 @@ namespace strait
 {
   namespace
   {
-    using Table = std::map<std::string, double>;
+    using Factors = std::map<std::string, double>;
 
     std::optional<double>
-    look_up(const Table &table, const std::string &unit)
+    look_up(const Factors &table, const std::string &unit)
     {
       const auto found = table.find(unit);
       if (found == table.end())
@@ -49,40 +49,40 @@ namespace strait
   std::optional<double>
   metres_in(const std::string &unit)
   {
-    static const Table table = {{"m", 1.},
-                                {"cm", 1e-2},
-                                {"mm", 1e-3},
-                                {"um", 1e-6},
-                                {"micron", 1e-6},
-                                {"microns", 1e-6},
-                                {"nm", 1e-9},
-                                {"pm", 1e-12},
-                                {"angstrom", 1e-10},
-                                {"\xc3\x85", 1e-10},     // A with ring, UTF-8
-                                {"\xe2\x84\xab", 1e-10}, // angstrom sign, UTF-8
-                                {"\xc5", 1e-10},         // A with ring, Latin-1
-                                {"in", 2.54e-2},
-                                {"inch", 2.54e-2}};
+    static const Factors table = {{"m", 1.},
+                                  {"cm", 1e-2},
+                                  {"mm", 1e-3},
+                                  {"um", 1e-6},
+                                  {"micron", 1e-6},
+                                  {"microns", 1e-6},
+                                  {"nm", 1e-9},
+                                  {"pm", 1e-12},
+                                  {"angstrom", 1e-10},
+                                  {"\xc3\x85", 1e-10},     // A with ring, UTF-8
+                                  {"\xe2\x84\xab", 1e-10}, // angstrom sign, UTF-8
+                                  {"\xc5", 1e-10},         // A with ring, Latin-1
+                                  {"in", 2.54e-2},
+                                  {"inch", 2.54e-2}};
     return look_up(table, with_plain_micro(unit));
   }
 
   std::optional<double>
   pascals_in(const std::string &unit)
   {
-    static const Table table = {{"Pa", 1.},
-                                {"kPa", 1e3},
-                                {"MPa", 1e6},
-                                {"GPa", 1e9},
-                                {"mbar", 1e2},
-                                {"bar", 1e5},
-                                {"N/mm2", 1e6}};
+    static const Factors table = {{"Pa", 1.},
+                                  {"kPa", 1e3},
+                                  {"MPa", 1e6},
+                                  {"GPa", 1e9},
+                                  {"mbar", 1e2},
+                                  {"bar", 1e5},
+                                  {"N/mm2", 1e6}};
     return look_up(table, unit);
   }
 
   std::optional<double>
   seconds_in(const std::string &unit)
   {
-    static const Table table = {{"s", 1.}, {"ms", 1e-3}, {"min", 60.}, {"h", 3600.}};
+    static const Factors table = {{"s", 1.}, {"ms", 1e-3}, {"min", 60.}, {"h", 3600.}};
     return look_up(table, unit);
   }
 
@@ -102,10 +102,10 @@ namespace strait
   }
 
   const LeakRateUnit *
-  find_leak_rate_unit(const std::string &name_or_column)
+  find_leak_rate_unit(const std::string &name)
   {
     for (const LeakRateUnit &unit : leak_rate_units)
-      if (unit.name == name_or_column || unit.column == name_or_column)
+      if (unit.name == name)
         return &unit;
     return nullptr;
   }

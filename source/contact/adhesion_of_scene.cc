@@ -8,11 +8,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace strait
 {
   namespace
   {
+    // Smallest resolution without an error. At half of it runs pass whose contact lines
+    // stick to the grid, at double of it runs are refused that are coarse but usable.
+    constexpr double unresolved_adhesion = .8;
+
     // Of the contact area, relative. Half and double of it cost or save about one contact
     // problem of the search, and change the surface energy by as little as that.
     constexpr double area_tolerance = 1e-3;
@@ -24,9 +29,9 @@ namespace strait
 
     /** γ0 at which the contact area doubles, see adhesion_of_scene(). */
     double
-    matched_surface_energy(const ContactParameters &scene,
-                           const AdhesionScale     &scale,
-                           const SlabField         &heights)
+    matched_surface_energy(const ContactParameters                  &scene,
+                           const std::function<AdhesionLaw(double)> &law_of,
+                           const SlabField                          &heights)
     {
       ContactParameters parameters         = scene;
       parameters.control                   = ContactControl::load;
@@ -43,8 +48,8 @@ namespace strait
 
       const auto excess = [&](const double surface_energy) {
         AdhesiveContactSolver solver(parameters,
-                                     scale.law(surface_energy),
-                                     AdhesiveStart::without_adhesion,
+                                     law_of(surface_energy),
+                                     LoadPath::loading,
                                      heights);
         return solver.solve(pressure, &without).contact_area / wanted - 1;
       };
@@ -73,52 +78,31 @@ namespace strait
     }
   } // namespace
 
-  AdhesionScale::AdhesionScale(const ContactParameters &parameters,
-                               const SlabField         &heights)
-    : adhesion(parameters.adhesion)
-    , modulus(parameters.effective_modulus)
-    , curvature_radius(statistics(heights).curvature_radius)
-    , spacing(std::max(heights.grid().dx(), heights.grid().dy()))
+  SceneAdhesion
+  adhesion_of_scene(const ContactParameters &parameters, const SlabField &heights)
   {
+    const AdhesionParameters &adhesion         = parameters.adhesion;
+    const double              modulus          = parameters.effective_modulus;
+    const double              curvature_radius = statistics(heights).curvature_radius;
     if (adhesion.tabor_number > 0 && !std::isfinite(curvature_radius))
       throw InputError(
         "Contact/Adhesion/Tabor number says nothing about a flat surface; give Range.");
-  }
-
-  AdhesionLaw
-  AdhesionScale::law(const double surface_energy) const
-  {
-    return {surface_energy,
-            adhesion.range > 0
-              ? adhesion.range
-              : std::cbrt(curvature_radius * std::pow(surface_energy / modulus, 2)) /
-                  adhesion.tabor_number,
-            adhesion.shape};
-  }
-
-  double
-  AdhesionScale::tabor_number(const AdhesionLaw &law) const
-  {
-    return std::cbrt(curvature_radius * std::pow(law.surface_energy / modulus, 2)) /
-           law.range;
-  }
-
-  double
-  AdhesionScale::resolution(const AdhesionLaw &law) const
-  {
-    return -modulus / (law.at(0).curvature * spacing);
-  }
-
-  AdhesionLaw
-  adhesion_of_scene(const ContactParameters &parameters, const SlabField &heights)
-  {
-    const AdhesionScale scale(parameters, heights);
-    const AdhesionLaw   law =
-      scale.law(parameters.adhesion.matched_pressure > 0
-                  ? matched_surface_energy(parameters, scale, heights)
-                  : parameters.adhesion.surface_energy);
-    const double resolution = scale.resolution(law);
-    if (resolution < unresolved_adhesion && !parameters.adhesion.accept_unresolved)
+    // The range of the Tabor number 1.
+    const auto unit_range = [=](const double surface_energy) {
+      return std::cbrt(curvature_radius * std::pow(surface_energy / modulus, 2));
+    };
+    const auto law_of = [&](const double surface_energy) -> AdhesionLaw {
+      return {surface_energy,
+              adhesion.range > 0 ? adhesion.range
+                                 : unit_range(surface_energy) / adhesion.tabor_number,
+              adhesion.shape};
+    };
+    const AdhesionLaw law        = law_of(adhesion.matched_pressure > 0
+                                     ? matched_surface_energy(parameters, law_of, heights)
+                                     : adhesion.surface_energy);
+    const double      spacing    = std::max(heights.grid().dx(), heights.grid().dy());
+    const double      resolution = -modulus / (law.at(0).curvature * spacing);
+    if (resolution < unresolved_adhesion && !adhesion.accept_unresolved)
       throw InputError(format(
         "The range of the adhesion, z0 = %.4g, is too short for the grid: E*/(k a) "
         "with the slope k of the attraction is %.3g and should be 3, at least 0.8; "
@@ -127,6 +111,6 @@ namespace strait
         law.range,
         resolution,
         resolved_adhesion / resolution));
-    return law;
+    return {law, unit_range(law.surface_energy) / law.range, resolution};
   }
 } // namespace strait

@@ -24,20 +24,20 @@ namespace strait
 
     /** The rms of K h, E* times the rms slope over 2. */
     double
-    flattening_traction(HalfSpaceGapProblem &problem, const SlabLayoutPtr &layout)
+    flattening_traction(GapProblem &problem, const SlabLayoutPtr &layout)
     {
       SlabField traction(layout);
-      problem.apply(problem.heights(), traction.data(), no_pass);
+      problem.apply(problem.heights, traction.data(), no_pass);
       return rms(traction);
     }
   } // namespace
 
   AdhesiveContactSolver::AdhesiveContactSolver(const ContactParameters &parameters_,
                                                const AdhesionLaw       &law,
-                                               const AdhesiveStart      start_,
+                                               const LoadPath           path,
                                                SlabField                heights_)
     : parameters(parameters_)
-    , start(start_)
+    , unloads(path == LoadPath::unloading)
     , wall(std::move(heights_), parameters.effective_modulus)
     , problem(wall.heights(), parameters.effective_modulus, law)
     , traction_scale(flattening_traction(problem, wall.layout()))
@@ -119,7 +119,7 @@ namespace strait
     if (!std::isfinite(target) || (!parameters.loads() && !(target > 0)))
       throw InputError("Load programme/Pressures contains " + to_text(target) +
                        " but a mean gap must be positive.");
-    if (from == nullptr && start == AdhesiveStart::without_adhesion && !(target > 0))
+    if (from == nullptr && !unloads && !(target > 0))
       throw InputError("Load programme/Pressures begins with " + to_text(target) +
                        " but with adhesion it must begin with a positive load that "
                        "makes contact, from which tension can pull.");
@@ -132,7 +132,7 @@ namespace strait
                                    const ContactState *from,
                                    const bool          is_dry) const
   {
-    if (from == nullptr && start == AdhesiveStart::full_contact)
+    if (from == nullptr && unloads)
       return SlabField(wall.layout());
     if (from == nullptr)
       {
@@ -156,7 +156,7 @@ namespace strait
     double largest            = 0;
     for (const double value : v)
       largest = std::max(largest, std::abs(value));
-    largest = problem.largest_over_ranks(largest);
+    largest = maximum(problem.communicator, largest);
     // A mean of zero but for rounding must give the same sign everywhere.
     const bool   inwards = mean > 1e-9 * std::sqrt(square);
     const double factor  = (inwards ? -push : push) * problem.adhesion.range / largest;

@@ -28,7 +28,7 @@ namespace strait
       // other way round; the result is the same within the tolerance.
       constexpr double small_step = 0.12;
       const double     before     = from.approach.target();
-      return before > 0 && std::abs(target - before) <= small_step * before;
+      return std::abs(target - before) <= small_step * before;
     }
 
     /** The pressure at @p target, foretold from states near to it. */
@@ -260,11 +260,12 @@ namespace strait
       parameters.loads()
         ? ContactConstraint::mean_pressure(target, limit)
         : ContactConstraint::rigid_displacement(target + wall.mean_height());
-    return make_dual_optimiser(parameters.method,
-                               on_grid,
-                               constraint,
-                               {residual, length, parameters.maximum_iterations})
-      ->solve(grid_pressure.data(), grid_gap.data());
+    return find_pressure(parameters.method,
+                         on_grid,
+                         constraint,
+                         {residual, length, parameters.maximum_iterations},
+                         grid_pressure.data(),
+                         grid_gap.data());
   }
 
   ContactState

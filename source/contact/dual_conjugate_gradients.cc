@@ -8,11 +8,9 @@
 namespace strait
 {
   ContactSolution
-  DualConjugateGradients::solve(double *pressures, double *gaps)
+  DualConjugateGradients::solve()
   {
-    pressure = pressures;
-    gap      = gaps;
-    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+    for (std::size_t i = 0, n = problem.size; i < n; ++i)
       in_contact[i] = pressure[i] != 0;
 
     ContactSolution solution;
@@ -60,7 +58,7 @@ namespace strait
         solution.iterations += followed ? 1 : 0;
       }
 
-    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+    for (std::size_t i = 0, n = problem.size; i < n; ++i)
       gap[i] -= shift;
     return solution;
   }
@@ -70,7 +68,7 @@ namespace strait
   DualConjugateGradients::find_gap()
   {
     double            *p = pressure, *g = gap;
-    const double      *h     = problem.heights();
+    const double      *h     = problem.heights;
     const WithinLimits limit = within_limits(problem, constraint, in_contact, p);
     const auto [mean, p_h]   = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
       p[i]          = limit(p[i], in_contact[i] != 0);
@@ -121,7 +119,7 @@ namespace strait
       problem.scratch(),
       [&](const Block &range) { worst = std::max(worst, choose_contact(range)); },
       [&](const Block &range) { measure(range); });
-    return problem.largest_over_ranks(worst) / tolerance.unit;
+    return maximum(problem.communicator, worst) / tolerance.unit;
   }
 
   /**
@@ -194,12 +192,12 @@ namespace strait
     // Every pressure is at a limit: between the gaps that let points leave either.
     double least_open   = std::numeric_limits<double>::infinity();
     double most_pressed = -least_open;
-    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+    for (std::size_t i = 0, n = problem.size; i < n; ++i)
       if (pressure[i] == 0)
         least_open = std::min(least_open, gap[i]);
       else
         most_pressed = std::max(most_pressed, gap[i]);
-    shift = .5 * (problem.largest_over_ranks(most_pressed) -
-                  problem.largest_over_ranks(-least_open));
+    shift = .5 * (maximum(problem.communicator, most_pressed) -
+                  maximum(problem.communicator, -least_open));
   }
 } // namespace strait

@@ -34,13 +34,13 @@ namespace strait
     // The mean grows with the shift, from that without these points to that with the
     // limit at all of them.
     double lower = 0., upper = limit;
-    for (std::size_t i = 0; i < problem.size(); ++i)
+    for (std::size_t i = 0; i < problem.size; ++i)
       {
         lower = std::min(lower, -pressure[i]);
         upper = std::max(upper, limit - pressure[i]);
       }
-    lower = -problem.largest_over_ranks(-lower);
-    upper = problem.largest_over_ranks(upper);
+    lower = -maximum(problem.communicator, -lower);
+    upper = maximum(problem.communicator, upper);
     while (true)
       {
         const auto [mean, free] =

@@ -202,7 +202,7 @@ namespace strait
     std::uint8_t *c   = in_contact.data();
     float        *d   = problem.scratch(); // z, the direction, the step, its response
     const double  far = .5 * tolerance.unit * length, unit = 1. / tolerance.unit;
-    for (const Block &range : problem.blocks())
+    for (const Block &range : problem.blocks)
       if (length > 0)
         {
           form_direction(range, d);

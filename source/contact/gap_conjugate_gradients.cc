@@ -95,15 +95,13 @@ namespace strait
       t[i] = -t[i] + beta * d[i];
       sums[0] += t[i] * curvature[i] * t[i];
     });
-    slope              = -z_r + beta * d_r;
+    const double slope = -z_r + beta * d_r;
     free_work          = z_r;
     fixed_work         = beta * (beta * d_q - 2 * z_q);
-    local_work         = local;
     // Not less than a tenth of that of the free points, or the step would be wild.
-    foretold_work = std::max(stiffness * free_work + fixed_work, .1 * free_work);
-    const double whole_work = foretold_work + local_work;
-    return -reach * slope /
-           (whole_work > least_curvature * foretold_work ? whole_work : foretold_work);
+    const double foretold = std::max(stiffness * free_work + fixed_work, .1 * free_work);
+    const double whole    = foretold + local;
+    return -reach * slope / (whole > least_curvature * foretold ? whole : foretold);
   }
 
   /** Follow the projected direction as far as the energy falls well. Return whether
@@ -130,12 +128,12 @@ namespace strait
     double       *d = step.data();
     const double *g = gap, *t = trial.data();
     double        closing = 0;
-    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+    for (std::size_t i = 0, n = problem.size; i < n; ++i)
       {
         d[i]    = g[i] + length * t[i];
         closing = d[i] < 0 ? 1. : closing;
       }
-    truncated = problem.largest_over_ranks(closing) > 0;
+    truncated = maximum(problem.communicator, closing) > 0;
     make_admissible(d);
     const double work =
       problem.apply(d, response.data(), [=](const ContactProblem::Block &range) {
@@ -165,7 +163,7 @@ namespace strait
       if (d[i] < 0)
         furthest = std::min(furthest, -g[i] / d[i]);
     });
-    furthest                = -problem.largest_over_ranks(-furthest);
+    furthest                = -maximum(problem.communicator, -furthest);
     if (!(d_r < 0))
       return false;
     const bool   is_convex = work + local > least_curvature * work;

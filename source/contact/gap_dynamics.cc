@@ -36,7 +36,7 @@ namespace strait
       a = -a;
     project_on_free(velocity.data());
     steer();
-    for (std::size_t i = 0; i < problem.size(); ++i)
+    for (std::size_t i = 0; i < problem.size; ++i)
       {
         velocity[i] += step_length * acceleration[i];
         gap[i] += step_length * velocity[i];
@@ -61,7 +61,7 @@ namespace strait
     if (power > 0)
       {
         const double pull = a_a > 0 ? mixing * std::sqrt(v_v / a_a) : 0.;
-        for (std::size_t i = 0; i < problem.size(); ++i)
+        for (std::size_t i = 0; i < problem.size; ++i)
           velocity[i] = (1 - mixing) * velocity[i] + pull * acceleration[i];
         if (++steps_forward > steps_until_faster)
           {

@@ -39,7 +39,7 @@ namespace strait
           return;
         const double beta = k == 0 ? 0. : now / last;
         last              = now;
-        for (std::size_t i = 0; i < problem.size(); ++i)
+        for (std::size_t i = 0; i < problem.size; ++i)
           direction[i] = -z[i] + beta * direction[i];
         const double work  = problem.apply(direction.data(), response.data(), no_pass);
         const auto [local] = weighted_sums<1>(problem, [this](const auto i, auto &sums) {
@@ -51,7 +51,7 @@ namespace strait
         const double length = is_concave ? 1. : now / (work + local);
         if (is_concave && k > 0)
           return;
-        for (std::size_t i = 0; i < problem.size(); ++i)
+        for (std::size_t i = 0; i < problem.size; ++i)
           {
             step[i] += length * direction[i];
             if (is_free(i))
@@ -72,10 +72,10 @@ namespace strait
       {
         double       *d = direction.data();
         const double *g = gap;
-        for (std::size_t i = 0; i < problem.size(); ++i)
+        for (std::size_t i = 0; i < problem.size; ++i)
           d[i] = g[i] + length * step[i];
         make_admissible(d);
-        for (std::size_t i = 0; i < problem.size(); ++i)
+        for (std::size_t i = 0; i < problem.size; ++i)
           d[i] -= g[i];
         const double work  = problem.apply(d, response.data(), no_pass);
         const auto [slope] = weighted_sums<1>(problem, [&](const auto i, auto &sums) {

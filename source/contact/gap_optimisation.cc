@@ -29,7 +29,7 @@ namespace strait
       return;
     // A factor keeps closed points closed.
     const double factor = sum > 0 ? constraint.value / sum : 0.;
-    for (std::size_t i = 0; i < problem.size(); ++i)
+    for (std::size_t i = 0; i < problem.size; ++i)
       values[i] = sum > 0 ? values[i] * factor : constraint.value;
   }
 
@@ -56,7 +56,7 @@ namespace strait
   void
   GapOptimiser::refresh()
   {
-    const double   *h = problem.heights();
+    const double   *h = problem.heights;
     double         *g = gap, *w = derivative.data();
     WeightedSums<1> mean;
     const double    work =
@@ -100,7 +100,7 @@ namespace strait
     double         *r     = derivative.data();
     double          least = std::numeric_limits<double>::infinity();
     WeightedSums<3> sums; // the energy; of open points, the force and how many they are
-    for (const ContactProblem::Block &block : problem.blocks())
+    for (const ContactProblem::Block &block : problem.blocks)
       {
         const std::size_t     begin = block.begin, n = block.end - begin;
         std::array<double, 3> of_block{};
@@ -121,14 +121,14 @@ namespace strait
       pressure = open_area > 0 ? -open_force / open_area : 0.;
     const double p0    = pressure;
     double       worst = 0;
-    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+    for (std::size_t i = 0, n = problem.size; i < n; ++i)
       {
         r[i] += p0;
         if (const double here = g[i] > 0 ? std::abs(r[i]) : -r[i]; !(here <= worst))
           worst = std::isnan(here) ? std::numeric_limits<double>::infinity() : here;
       }
-    largest_violation = problem.largest_over_ranks(worst);
-    smallest_gap      = -problem.largest_over_ranks(-least);
+    largest_violation = maximum(problem.communicator, worst);
+    smallest_gap      = -maximum(problem.communicator, -least);
   }
 
   /** No contact, and the load pulls at least twice as strongly as any point. */

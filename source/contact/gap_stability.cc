@@ -126,7 +126,7 @@ namespace strait
                 sums[0] += vectors[0][i];
               });
             const double uniform = problem.mean_stiffness() * mean;
-            for (std::size_t i = 0; i < problem.size(); ++i)
+            for (std::size_t i = 0; i < problem.size; ++i)
               vectors[1][i] = (1 - quotient) * responses[0][i] +
                               curvature[i] * vectors[0][i] - quotient * uniform;
             mask(vectors[1]);
@@ -196,7 +196,7 @@ namespace strait
 
         // The new v and its change, and K of both.
         for (std::vector<double> *fields : {vectors.data(), responses.data()})
-          for (std::size_t i = 0; i < problem.size(); ++i)
+          for (std::size_t i = 0; i < problem.size; ++i)
             {
               double change = 0;
               for (int k = 1; k < n; ++k)
@@ -212,7 +212,7 @@ namespace strait
   GapOptimiser::smallest_curvature(std::vector<double> &direction) const
   {
     // A rank without points has none in either case.
-    const bool is_known = problem.largest_over_ranks(direction.empty() ? 0. : 1.) > 0;
+    const bool is_known = maximum(problem.communicator, direction.empty() ? 0. : 1.) > 0;
     QuotientDescent descent{problem,
                             constraint.fixes_mean_gap,
                             gap,

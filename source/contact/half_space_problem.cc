@@ -47,17 +47,14 @@ namespace strait
     }
   } // namespace
 
-  ContactProblem::Points
+  ContactProblem
   points_of(const SlabField &heights)
   {
-    const auto             n_points = static_cast<double>(heights.grid().n_points());
-    ContactProblem::Points points{heights.layout().communicator(),
-                                  heights.size(),
-                                  heights.data(),
-                                  {}};
+    const auto n_points = static_cast<double>(heights.grid().n_points());
+    std::vector<ContactProblem::Block> blocks;
     for (const SlabLayout::Range &range : heights.layout().ranges())
-      points.blocks.push_back({range.begin, range.end, range.area / n_points});
-    return points;
+      blocks.push_back({range.begin, range.end, range.area / n_points});
+    return {heights.layout().communicator(), heights.size(), heights.data(), blocks};
   }
 
   HalfSpaceProblem::HalfSpaceProblem(const SlabField &heights,
@@ -110,10 +107,11 @@ namespace strait
                     by_rows(of_steps.layout(), after));
   }
 
-  HalfSpaceGapProblem::HalfSpaceGapProblem(const SlabField   &heights,
-                                           const double       contact_modulus,
-                                           const AdhesionLaw &adhesion)
-    : GapProblem(points_of(heights), adhesion)
+  GapProblem::GapProblem(const SlabField   &heights,
+                         const double       contact_modulus,
+                         const AdhesionLaw &adhesion_)
+    : ContactProblem(points_of(heights))
+    , adhesion(adhesion_)
     , modulus(contact_modulus)
     , transform(heights.layout_pointer())
   {
@@ -124,16 +122,14 @@ namespace strait
   }
 
   double
-  HalfSpaceGapProblem::mean_stiffness() const
+  GapProblem::mean_stiffness() const
   {
     const auto stiffness = wave_stiffness(transform.layout().grid(), modulus);
     return std::min(stiffness(1, 0), stiffness(0, 1));
   }
 
   double
-  HalfSpaceGapProblem::apply(const double *displacement,
-                             double       *traction,
-                             const Pass   &before)
+  GapProblem::apply(const double *displacement, double *traction, const Pass &before)
   {
     return multiply(transform,
                     displacement,
@@ -144,7 +140,7 @@ namespace strait
   }
 
   void
-  HalfSpaceGapProblem::precondition(double *values, const Pass &before)
+  GapProblem::precondition(double *values, const Pass &before)
   {
     const auto before_row = by_rows(transform.layout(), before);
     if (compliance)
@@ -163,12 +159,12 @@ namespace strait
   }
 
   void
-  HalfSpaceGapProblem::fill_with_noise(double *values) const
+  GapProblem::fill_with_noise(double *values) const
   {
     const SlabLayout &slabs = transform.layout();
     const auto        nx    = static_cast<std::uint64_t>(slabs.grid().nx),
                first        = nx * slabs.first_row();
-    for (std::uint64_t i = 0; i < size(); ++i)
+    for (std::uint64_t i = 0; i < size; ++i)
       {
         // The finaliser of splitmix64, a hash of the global index.
         std::uint64_t z = (first + i + 1) * 0x9e3779b97f4a7c15ULL;

@@ -3,15 +3,17 @@
 
 namespace strait
 {
-  std::unique_ptr<DualOptimiser>
-  make_dual_optimiser(const ContactMethod      method,
-                      DualProblem             &problem,
-                      const ContactConstraint &constraint,
-                      const ContactTolerance  &tolerance)
+  ContactSolution
+  find_pressure(const ContactMethod      method,
+                DualProblem             &problem,
+                const ContactConstraint &constraint,
+                const ContactTolerance  &tolerance,
+                double                  *pressure,
+                double                  *gap)
   {
     if (method == ContactMethod::polonsky_keer)
-      return std::make_unique<PolonskyKeer>(problem, constraint, tolerance);
-    return std::make_unique<DualConjugateGradients>(problem, constraint, tolerance);
+      return PolonskyKeer(problem, constraint, tolerance, pressure, gap).solve();
+    return DualConjugateGradients(problem, constraint, tolerance, pressure, gap).solve();
   }
 
   std::unique_ptr<GapOptimiser>

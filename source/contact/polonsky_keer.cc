@@ -7,13 +7,9 @@
 namespace strait
 {
   ContactSolution
-  PolonskyKeer::solve(double *pressure, double *gap)
+  PolonskyKeer::solve()
   {
-    p        = pressure;
-    g        = gap;
-    restarts = true;
     start();
-
     ContactSolution solution;
     while (true)
       {
@@ -22,7 +18,7 @@ namespace strait
         if (solution.converged || solution.iterations >= tolerance.max_iterations)
           break;
         const double beta = restarts ? 0. : gap_squared / last_gap_squared;
-        for (std::size_t i = 0; i < problem.size(); ++i)
+        for (std::size_t i = 0; i < problem.size; ++i)
           t[i] = p[i] > 0 ? g[i] + beta * t[i] : 0.;
         if (!step())
           break;
@@ -35,13 +31,13 @@ namespace strait
   void
   PolonskyKeer::start()
   {
-    const double                   *h = problem.heights();
-    const std::vector<std::uint8_t> all(problem.size(), 1);
+    const double                   *h = problem.heights;
+    const std::vector<std::uint8_t> all(problem.size, 1);
     const WithinLimits              limit = within_limits(problem, constraint, all, p);
-    for (std::size_t i = 0; i < problem.size(); ++i)
+    for (std::size_t i = 0; i < problem.size; ++i)
       p[i] = limit(p[i], true);
     problem.apply(p, g, no_pass);
-    for (std::size_t i = 0; i < problem.size(); ++i)
+    for (std::size_t i = 0; i < problem.size; ++i)
       g[i] += constraint.displacement() - h[i];
   }
 
@@ -49,22 +45,19 @@ namespace strait
   double
   PolonskyKeer::centre_gap()
   {
-    const auto [gap, area] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
+    const auto [sum_g, area] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
       sums[0] += p[i] > 0 ? g[i] : 0.;
       sums[1] += p[i] > 0 ? 1. : 0.;
     });
-    const double shift     = constraint.excess(gap, area);
-    double       worst     = 0;
-    for (std::size_t i = 0; i < problem.size(); ++i)
-      {
-        g[i] -= shift;
-        worst = std::max(worst, p[i] > 0 ? std::abs(g[i]) : -g[i]);
-      }
-    last_gap_squared = gap_squared;
-    gap_squared      = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
+    const double shift       = constraint.excess(sum_g, area);
+    double       worst       = 0;
+    last_gap_squared         = gap_squared;
+    gap_squared              = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
+      g[i] -= shift;
+      worst = std::max(worst, p[i] > 0 ? std::abs(g[i]) : -g[i]);
       sums[0] += p[i] > 0 ? g[i] * g[i] : 0.;
     })[0];
-    return problem.largest_over_ranks(worst) / tolerance.unit;
+    return maximum(problem.communicator, worst) / tolerance.unit;
   }
 
   /** Follow the direction; false if it leads nowhere. */
@@ -100,13 +93,13 @@ namespace strait
       });
     restarts            = added > 0;
     const double factor = constraint.rescale(mean);
-    const double u0 = constraint.displacement(), *h = problem.heights();
+    const double u0 = constraint.displacement(), *h = problem.heights;
     const bool   same_contact = truncated == 0 && added == 0;
     if (!same_contact)
       problem.apply(p, g, no_pass);
     // A step within one contact set is linear: no second application is needed.
     // (Any constant in g drops out with centre_gap(), or is kept by factor = 1.)
-    for (std::size_t i = 0; i < problem.size(); ++i)
+    for (std::size_t i = 0; i < problem.size; ++i)
       {
         p[i] *= factor;
         g[i] = same_contact ? factor * (g[i] - u0 + h[i] - length * r[i]) + u0 - h[i]

@@ -50,8 +50,7 @@ namespace strait
 
   template <class Number>
   void
-  WindowTransfer<Number>::interpolate(const std::vector<Number> &patch,
-                                      std::vector<Number>       &window)
+  WindowTransfer<Number>::interpolate(const std::vector<Number> &patch, Number *window)
   {
     const int n_columns = patch_columns(), n_fine = 3 * nx;
     std::fill(between.begin(), between.end(), Number(0));
@@ -63,11 +62,11 @@ namespace strait
                       for (int ix = 0; ix < n_columns; ++ix)
                         to[ix] += weight * from[ix];
                     });
-    std::fill(window.begin(), window.end(), Number(0));
+    std::fill_n(window, static_cast<std::size_t>(3) * ny * n_fine, Number(0));
     for (int iy = 0; iy < 3 * ny; ++iy)
       {
         const Number *from = between.data() + iy * n_columns;
-        Number       *to   = window.data() + iy * n_fine;
+        Number       *to   = window + iy * n_fine;
         for_each_weight(nx,
                         weights,
                         [=](const int fine, const int coarse, const Number weight) {
@@ -78,14 +77,13 @@ namespace strait
 
   template <class Number>
   void
-  WindowTransfer<Number>::deposit(const std::vector<Number> &window,
-                                  std::vector<Number>       &patch)
+  WindowTransfer<Number>::deposit(const Number *window, std::vector<Number> &patch)
   {
     const int n_columns = patch_columns(), n_fine = 3 * nx;
     std::fill(between.begin(), between.end(), Number(0));
     for (int iy = 0; iy < 3 * ny; ++iy)
       {
-        const Number *from = window.data() + iy * n_fine;
+        const Number *from = window + iy * n_fine;
         Number       *to   = between.data() + iy * n_columns;
         for_each_weight(nx,
                         weights,

@@ -23,48 +23,48 @@ namespace strait
       const int nx = window.nx + 2 * padding, ny = window.ny + 2 * padding;
       return {refined * nx, refined * ny, nx * dx, ny * dy};
     }
-
-    /** A periodic box with an array in its middle. */
-    template <class Number>
-    class Box
-    {
-    public:
-      /** With @p rim_ points around the array. */
-      Box(const PeriodicGrid &grid, const int rim_)
-        : transform(make_layout(grid, MPI_COMM_SELF))
-        , rim(rim_)
-        , values(grid.n_points())
-      {
-      }
-
-      /** Hold what multiply(transform, values) makes of @p array and zeros around it. */
-      template <class Multiply>
-      void
-      take(const std::vector<Number> &array, const Multiply &multiply)
-      {
-        std::fill(values.begin(), values.end(), Number(0));
-        for_each([&](const std::size_t k, Number &value) { value = array[k]; });
-        multiply(transform, values.data());
-      }
-
-      /** Call visit(k, value) with the values that are at the points k of the array. */
-      template <class Visit>
-      void
-      for_each(const Visit &visit)
-      {
-        const PeriodicGrid &grid = transform.layout().grid();
-        std::size_t         k    = 0;
-        for (int iy = rim; iy < grid.ny - rim; ++iy)
-          for (int ix = rim; ix < grid.nx - rim; ++ix)
-            visit(k++, values[static_cast<std::size_t>(iy) * grid.nx + ix]);
-      }
-
-    private:
-      BasicFourierTransform<Number> transform;
-      const int                     rim;
-      std::vector<Number>           values;
-    };
   } // namespace
+
+  /** A periodic box with an array in its middle. */
+  template <class Number>
+  class WindowBox
+  {
+  public:
+    /** With @p rim_ points around the array. */
+    WindowBox(const PeriodicGrid &grid, const int rim_)
+      : transform(make_layout(grid, MPI_COMM_SELF))
+      , rim(rim_)
+      , values(grid.n_points())
+    {
+    }
+
+    /** Hold what multiply(transform, values) makes of @p array and zeros around it. */
+    template <class Multiply>
+    void
+    take(const Number *array, const Multiply &multiply)
+    {
+      std::fill(values.begin(), values.end(), Number(0));
+      for_each([&](const std::size_t k, Number &value) { value = array[k]; });
+      multiply(transform, values.data());
+    }
+
+    /** Call visit(k, value) with the values that are at the points k of the array. */
+    template <class Visit>
+    void
+    for_each(const Visit &visit)
+    {
+      const PeriodicGrid &grid = transform.layout().grid();
+      std::size_t         k    = 0;
+      for (int iy = rim; iy < grid.ny - rim; ++iy)
+        for (int ix = rim; ix < grid.nx - rim; ++ix)
+          visit(k++, values[static_cast<std::size_t>(iy) * grid.nx + ix]);
+    }
+
+  private:
+    BasicFourierTransform<Number> transform;
+    const int                     rim;
+    std::vector<Number>           values;
+  };
 
   /** One window's share of the operator. */
   template <class Number>
@@ -79,7 +79,6 @@ namespace strait
       , coarse_box(box_grid(layout, place, 1), padding - ZoomWindow::margin)
       , fine_box(box_grid(layout, place, 3), 3 * padding)
       , patch(static_cast<std::size_t>(transfer.patch_columns()) * transfer.patch_rows())
-      , own(static_cast<std::size_t>(place.n_columns()) * place.n_rows())
     {
     }
 
@@ -102,8 +101,8 @@ namespace strait
     const ZoomWindow       place;
     const SlabLayout      &layout;
     WindowTransfer<Number> transfer;
-    Box<Number>            coarse_box, fine_box;
-    std::vector<Number>    patch, own; // of the parent; of the window
+    WindowBox<Number>      coarse_box, fine_box;
+    std::vector<Number>    patch; // of the parent
   };
 
   template <class Number>
@@ -176,10 +175,9 @@ namespace strait
   {
     for (std::size_t w = windows.size(); w-- > 0;)
       {
-        Window       &window = *windows[w];
-        const Number *begin  = values + layout().start_of_window(window.number);
-        std::copy_n(begin, window.own.size(), window.own.begin());
-        window.transfer.deposit(window.own, window.patch);
+        Window &window = *windows[w];
+        window.transfer.deposit(values + layout().start_of_window(window.number),
+                                window.patch);
         window.for_each_of_patch([&](const std::size_t k, const std::size_t at) {
           values[at] += window.patch[k];
         });
@@ -195,7 +193,7 @@ namespace strait
     for (const auto &each : windows)
       {
         Window &window = *each;
-        window.coarse_box.take(window.patch, multiply);
+        window.coarse_box.take(window.patch.data(), multiply);
         std::fill(window.patch.begin(), window.patch.end(), Number(0));
         window.for_each_of_patch([&](const std::size_t k, const std::size_t at) {
           window.patch[k] = values[at];
@@ -206,12 +204,11 @@ namespace strait
                        static_cast<int>(window.patch.size()));
         window.coarse_box.for_each(
           [&](const std::size_t k, const Number value) { window.patch[k] -= value; });
-        window.fine_box.take(window.own, multiply);
-        Number *result = values + layout().start_of_window(window.number);
-        window.transfer.interpolate(window.patch, window.own);
-        window.fine_box.for_each([&](const std::size_t k, const Number value) {
-          result[k] = window.own[k] + value;
-        });
+        Number *own = values + layout().start_of_window(window.number);
+        window.fine_box.take(own, multiply);
+        window.transfer.interpolate(window.patch, own);
+        window.fine_box.for_each(
+          [&](const std::size_t k, const Number value) { own[k] += value; });
       }
   }
 
@@ -224,8 +221,8 @@ namespace strait
     , of_steps(heights.layout_pointer(), contact_modulus)
     , grid_stiffness(
         TwoScaleOperator::stiffness(heights.layout_pointer(), contact_modulus))
-    , room(size())
-    , pressed(size())
+    , room(size)
+    , pressed(size)
   {
   }
 
@@ -248,7 +245,7 @@ namespace strait
                          const WorkPass &after)
   {
     // The response may take the place of the step.
-    for (const Block &block : blocks())
+    for (const Block &block : blocks)
       {
         before(block);
         std::copy(step + block.begin, step + block.end, pressed.begin() + block.begin);
@@ -264,12 +261,12 @@ namespace strait
                      const WorkPass         &after)
   {
     interruption_point();
-    std::copy(pressure, pressure + size(), displacement);
+    std::copy(pressure, pressure + size, displacement);
     compliance.apply(displacement);
     const auto [work] = weighted_sums<1>(*this, [=](const std::size_t i, auto &sums) {
       sums[0] += static_cast<double>(pressure[i]) * displacement[i];
     });
-    for (const Block &block : blocks())
+    for (const Block &block : blocks)
       after(block, work);
     return work;
   }
@@ -277,10 +274,10 @@ namespace strait
   void
   ZoomedProblem::precondition(float *values, const Pass &before, const Pass &after)
   {
-    for (const Block &block : blocks())
+    for (const Block &block : blocks)
       before(block);
     of_steps.precondition(values, grid_stiffness);
-    for (const Block &block : blocks())
+    for (const Block &block : blocks)
       after(block);
   }
 } // namespace strait

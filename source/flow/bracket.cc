@@ -1,18 +1,142 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/flow/bracket.h>
+#include <strait/flow/element_matrix.h>
+
+#include <deal.II/distributed/grid_refinement.h>
+#include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace strait
 {
+  namespace
+  {
+    using Cell = dealii::CellAccessor<2>;
+
+    /** Tells cells on a path, or beside it by no more than their own size. */
+    class PathOnMesh
+    {
+    public:
+      PathOnMesh(const Channel &channel, const FlowMesh &mesh)
+      {
+        if (channel.paths.empty())
+          return;
+        const SlabLayout    &layout = channel.gap.layout();
+        const PeriodicGrid  &grid   = layout.grid();
+        dealii::Tensor<1, 2> period;
+        period[1 - mesh.axis_along()] = mesh.axis_along() == 0 ? grid.ly : grid.lx;
+        // In a window the path may be one period away from the box, and beside it two.
+        const int reach = mesh.seal() == nullptr ? 2 : 0;
+        for (const GridPoint &on_path : channel.paths.front().points)
+          {
+            const auto [x, y] = layout.position(on_path.window, on_path.ix, on_path.iy);
+            for (int n = -reach; n <= reach; ++n)
+              points.insert(dealii::Point<2>(x, y) + static_cast<double>(n) * period);
+          }
+      }
+
+      bool
+      touches(const Cell &cell) const
+      {
+        // Steps of the path that are longer than the cell must leave no gap, nor may
+        // cells touch at a corner alone: the box counts with one more on each side.
+        const auto                   box    = cell.bounding_box();
+        const auto                  &ends   = box.get_boundary_points();
+        const dealii::Tensor<1, 2>   margin = ends.second - ends.first;
+        const dealii::BoundingBox<2> around({ends.first - margin, ends.second + margin});
+        return points.qbegin(boost::geometry::index::intersects(around)) != points.qend();
+      }
+
+    private:
+      dealii::RTree<dealii::Point<2>> points;
+    };
+
+    /** The flow through @p cell on which both disagree. */
+    double
+    disagreement(const Cell                &cell,
+                 const std::vector<double> &p,
+                 const double               conductivity,
+                 const std::vector<double> &psi,
+                 const double               leak)
+    {
+      const auto change_along_x = [](const std::vector<double> &corners) {
+        return .5 * (corners[1] - corners[0] + corners[3] - corners[2]);
+      };
+      const auto change_along_y = [](const std::vector<double> &corners) {
+        return .5 * (corners[2] - corners[0] + corners[3] - corners[1]);
+      };
+      const double shape = cell.extent_in_direction(1) / cell.extent_in_direction(0);
+      return std::hypot(conductivity * shape * change_along_x(p) +
+                          leak * change_along_y(psi),
+                        conductivity / shape * change_along_y(p) -
+                          leak * change_along_x(psi));
+    }
+
+    /**
+     * Of each active cell: the flow through it on which pressure and stream function
+     * disagree, over the whole one, times the part of the pressure drop that the stream
+     * function would take to let it pass, at most one.
+     *
+     * A coarse cell lets the pressure leak through a barrier, or bars the stream
+     * function's way, and costs them nothing: what that changes is at other throats,
+     * where Bracket::contributions show it and refinement does not help. These flows show
+     * the cell itself. In the wide parts of a channel, where the pressure on coarse cells
+     * spreads the flow over many of them, those on the first path of @p channel, if it
+     * has one, and beside it count as if all passed there, or what passes a throat as
+     * wide as long.
+     *
+     * The flows are those of uniform coefficients, the means of the cell.
+     */
+    dealii::Vector<float>
+    hidden_flows(const FlowMesh         &mesh,
+                 const GapField         &gap,
+                 const Bracket          &bracket,
+                 const PotentialProblem &pressure,
+                 const PotentialProblem &stream_function,
+                 const Channel          &channel)
+    {
+      const PathOnMesh path(channel, mesh);
+      const double     width = 1. - bracket.lower / bracket.upper;
+      const double     through_path =
+        channel.paths.empty()
+              ? 0.
+              : std::min(bracket.upper - bracket.lower,
+                     gap.conductivity_of(channel.paths.front().bottleneck_gap));
+      dealii::Vector<float> result(mesh.triangulation().n_active_cells());
+      std::vector<double>   p, psi;
+      for (std::size_t c = 0; c < pressure.cells().size(); ++c)
+        {
+          const auto &cell = pressure.cells()[c];
+          pressure.cell_values(c, p);
+          stream_function.cell_values(c, psi);
+          const double conductivity = pressure.mean_coefficient(c);
+          const double resistivity  = stream_function.mean_coefficient(c);
+          // Where the gap is wide, rounding alone makes currents larger than the leak.
+          const double flow =
+            std::min(disagreement(*cell, p, conductivity, psi, bracket.lower),
+                     bracket.upper - bracket.lower);
+          double hidden = flow / bracket.upper * std::min(flow * resistivity, 1.);
+          // A cell without contact takes as much of the drop however small it is.
+          const double excess  = resistivity - 1. / conductivity;
+          const double on_path = width * std::min(through_path * excess, 1.);
+          if (on_path > hidden && path.touches(*cell))
+            hidden = on_path;
+          result(cell->active_cell_index()) = static_cast<float>(hidden);
+        }
+      return result;
+    }
+  } // namespace
+
   Bracket
   plain_bracket(const PotentialProblem &pressure, const PotentialProblem &stream_function)
   {
-    Bracket bracket;
+    const auto         &dofs = pressure.dof_handler();
+    const ElementMatrix element(MomentSet(dofs.get_fe().degree));
+    Bracket             bracket;
     bracket.upper = pressure.energy();
     bracket.lower = 1. / stream_function.energy();
-    bracket.contributions.reinit(
-      pressure.dof_handler().get_triangulation().n_active_cells());
+    bracket.contributions.reinit(dofs.get_triangulation().n_active_cells());
     std::vector<double> p, psi;
     for (std::size_t c = 0; c < pressure.cells().size(); ++c)
       {
@@ -21,13 +145,88 @@ namespace strait
         const bool   open            = pressure.is_active(c);
         const double pressure_energy = open ? pressure.cell_energy(c, p) : 0.;
         const double stream_energy   = stream_function.cell_energy(c, psi);
-        const double mixed =
-          open ? pressure.element_matrix().gradient_times_curl(p, psi) : 0.;
+        const double mixed           = open ? element.gradient_times_curl(p, psi) : 0.;
         const double contribution =
           pressure_energy + bracket.lower * (bracket.lower * stream_energy + 2. * mixed);
         bracket.contributions(pressure.cells()[c]->active_cell_index()) =
           static_cast<float>(std::max(contribution / bracket.upper, 0.));
       }
     return bracket;
+  }
+
+  bool
+  mark(FlowMesh               &mesh,
+       const GapField         &gap,
+       const Bracket          &bracket,
+       const PotentialProblem &pressure,
+       const PotentialProblem &stream_function,
+       const Channel          &channel,
+       const double            excess,
+       const double            affordable)
+  {
+    // A cell is refined if it contributes more to the width of the bracket than this
+    // fraction of the mean. Half of it refines more cells on each mesh and ends with
+    // more unknowns than it takes; double of it takes more meshes.
+    constexpr double marking_level = .7;
+    // … but no more than hold this many times the excess, and a little. Refined cells
+    // keep a quarter of what they contribute: half of it takes a mesh more nearly each
+    // time, with double of it the last mesh is finer than was asked.
+    constexpr double excess_factor = 1.6, least_share = .1;
+    // By how much the level rises at a time: its root and its square find alike.
+    constexpr double rise = 1.25;
+    using dealii::Utilities::MPI::sum;
+    auto        &tria              = mesh.triangulation();
+    MPI_Comm     comm              = tria.get_communicator();
+    const auto   n_cells           = static_cast<double>(tria.n_global_active_cells());
+    const double width             = sum(bracket.contributions.l1_norm(), comm);
+    const auto   held_by_more_than = [&](const double contribution) {
+      double local = 0.;
+      for (const float each : bracket.contributions)
+        local += each > contribution ? each : 0.;
+      return sum(local, comm);
+    };
+    double contribution = marking_level * width / n_cells;
+    while (held_by_more_than(rise * contribution) >
+           (excess_factor * excess + least_share) * width)
+      contribution *= rise;
+    // Another channel is about as long as the first one, and coarse cells may bar it, or
+    // let the pressure leak through a barrier, in as many places as that has
+    // constrictions, so that none of them takes much of the drop.
+    double n_places = 1.;
+    if (!channel.paths.empty())
+      n_places =
+        static_cast<double>(divide_into_constrictions(channel.paths.front().gaps).size());
+    const double hidden_flow = 1. / n_places * (1. - bracket.lower / bracket.upper);
+    const dealii::Vector<float> hidden =
+      hidden_flows(mesh, gap, bracket, pressure, stream_function, channel);
+    unsigned long long n_marked = 0;
+    for (const auto &cell : tria.active_cell_iterators())
+      if (cell->is_locally_owned() &&
+          (bracket.contributions(cell->active_cell_index()) > contribution ||
+           hidden(cell->active_cell_index()) > hidden_flow))
+        {
+          cell->set_refine_flag();
+          ++n_marked;
+        }
+    n_marked = sum(n_marked, comm);
+    if (n_marked == 0 || 3. * affordable < 1. - progress)
+      return false;
+    // Where most cells matter alike, adaptivity saves nothing and costs hanging nodes
+    // and meshes.
+    if (2. * n_marked > n_cells && affordable > 1.)
+      tria.set_all_refine_flags();
+    else if (n_marked > affordable * n_cells)
+      {
+        for (const auto &cell : tria.active_cell_iterators())
+          cell->clear_refine_flag();
+        dealii::parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
+          tria, bracket.contributions, affordable, 0.);
+        // Of cells that contribute alike it may mark none.
+        n_marked = 0;
+        for (const auto &cell : tria.active_cell_iterators())
+          n_marked += cell->is_locally_owned() && cell->refine_flag_set() ? 1 : 0;
+        return sum(n_marked, comm) > 0;
+      }
+    return true;
   }
 } // namespace strait

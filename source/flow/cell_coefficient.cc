@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -43,31 +44,40 @@ namespace strait
         , element(set)
         , coefficient(coefficient_)
         , of_children(of_children_)
-        , set_size(set.size())
       {
       }
 
       void
       update(const GapField &gap) override
       {
-        std::vector<GridCell> wanted;
-        wanted.reserve((of_children ? 4 : 1) *
-                       mesh.triangulation().n_locally_owned_active_cells());
-        for (const auto &cell : mesh.triangulation().active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              const GridCell here = mesh.grid_cell(*cell);
-              if (!of_children)
-                wanted.push_back(here);
-              for (int child = 0; of_children && child < 4; ++child)
-                wanted.push_back(
-                  {here.exponent - 1, 2 * here.i + child % 2, 2 * here.j + child / 2});
-            }
-        if (gap.revision() != revision)
-          cells.clear();
+        const auto hash = [](const GridCell &cell) {
+          return boost::hash_value(std::make_tuple(cell.exponent, cell.i, cell.j));
+        };
+        // What is known of the same gap from the mesh before is not asked again: most of
+        // its cells are still there.
+        std::unordered_map<GridCell, std::size_t, decltype(hash)> known(cells.size(),
+                                                                        hash);
+        if (gap.revision() == revision)
+          for (std::size_t c = 0; c < cells.size(); ++c)
+            known.emplace(cells[c], c);
         revision = gap.revision();
-        ask(gap, wanted);
-        cells = std::move(wanted);
+        find_cells();
+        std::vector<GridCell> others;
+        for (const GridCell &cell : cells)
+          if (known.count(cell) == 0)
+            others.push_back(cell);
+        const int         n_moments = gap.moment_set().size();
+        const CellAnswers found     = gap.ask(coefficient, others);
+        CellAnswers       all(cells.size(), n_moments);
+        std::size_t       n_others = 0;
+        for (std::size_t c = 0; c < cells.size(); ++c)
+          {
+            const auto    before = known.find(cells[c]);
+            const double *answer =
+              before == known.end() ? &found(n_others++, 0) : &answers(before->second, 0);
+            std::copy_n(answer, n_moments, &all(c, 0));
+          }
+        answers = std::move(all);
       }
 
       double
@@ -103,53 +113,35 @@ namespace strait
       }
 
     private:
-      /** Make the answers those on the @p wanted cells. What is known from the mesh
-       * before is not asked again: most of its cells are still there. */
       void
-      ask(const GapField &gap, const std::vector<GridCell> &wanted)
+      find_cells()
       {
-        const auto hash = [](const GridCell &cell) {
-          std::size_t seed = 0;
-          for (const int part : {cell.exponent, cell.i, cell.j})
-            boost::hash_combine(seed, part);
-          return seed;
-        };
-        std::unordered_map<GridCell, std::size_t, decltype(hash)> known(cells.size(),
-                                                                        hash);
-        for (std::size_t c = 0; c < cells.size(); ++c)
-          known.emplace(cells[c], c);
-        std::vector<GridCell> others;
-        for (const GridCell &cell : wanted)
-          if (known.count(cell) == 0)
-            others.push_back(cell);
-        const CellAnswers found = gap.ask(coefficient, others);
-        CellAnswers       all(wanted.size(), set_size);
-        std::size_t       n_others = 0;
-        for (std::size_t c = 0; c < wanted.size(); ++c)
-          {
-            const auto    before = known.find(wanted[c]);
-            const double *answer =
-              before == known.end() ? &found(n_others++, 0) : &answers(before->second, 0);
-            std::copy_n(answer, set_size, &all(c, 0));
-          }
-        answers = std::move(all);
+        cells.clear();
+        for (const auto &cell : mesh.triangulation().active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              const GridCell here = mesh.grid_cell(*cell);
+              if (!of_children)
+                cells.push_back(here);
+              for (int child = 0; of_children && child < 4; ++child)
+                cells.push_back(
+                  {here.exponent - 1, 2 * here.i + child % 2, 2 * here.j + child / 2});
+            }
       }
 
       const FlowMesh       &mesh;
       ElementMatrix         element;
       GapField::Coefficient coefficient;
       bool                  of_children;
-      int                   set_size;
-      std::vector<GridCell> cells;
-      CellAnswers           answers;      // of children four after four
+      std::vector<GridCell> cells; // or their children, four after four
+      CellAnswers           answers;
       unsigned int          revision = 0; // of the gap that they are of
     };
 
     /**
      * On the cells of a seal mesh, by Gauss quadrature of the gap in parts of at most one
      * grid spacing, and in cells that are smaller than four in quarters of one, enlarged
-     * by what twice as large parts find otherwise. Along an edge there are at least
-     * @p fewest_parts, a power of two, on each of which a potential has @p degree.
+     * by what twice as large parts find otherwise.
      */
     class MappedCoefficient : public CellCoefficient
     {
@@ -157,13 +149,12 @@ namespace strait
       MappedCoefficient(const FlowMesh             &mesh_,
                         const FiniteElement<2>     &fe_,
                         const GapField::Coefficient coefficient_,
-                        const unsigned int          degree_,
-                        const int                   fewest_parts_)
+                        const unsigned int          degree_)
         : mesh(mesh_)
         , fe(fe_)
         , coefficient(coefficient_)
         , degree(degree_)
-        , fewest_parts(fewest_parts_)
+        , fewest_parts(static_cast<int>(fe.degree / degree))
         , n(fe.n_dofs_per_cell())
       {
       }
@@ -280,9 +271,9 @@ namespace strait
       const MappingQ<2>       bilinear{1};
       const FiniteElement<2> &fe;
       GapField::Coefficient   coefficient;
-      unsigned int            degree;
-      int                     fewest_parts;
-      unsigned int            n; // unknowns of a cell
+      unsigned int            degree;       // of a potential on each of these parts
+      int                     fewest_parts; // of a cell along an edge, a power of two
+      unsigned int            n;            // unknowns of a cell
       std::map<std::pair<int, bool>, std::unique_ptr<FEValues<2>>>
                           values; // by number of parts, and for curved cells
       std::vector<double> means;
@@ -296,10 +287,9 @@ namespace strait
                    const FiniteElement<2>     &fe,
                    const GapField::Coefficient coefficient)
   {
-    const unsigned int n_parts = fe.degree / set.degree(); // of a cell, along an edge
-    if (mesh.seal() == nullptr)
-      return std::make_unique<GridCoefficient>(mesh, set, coefficient, n_parts > 1);
-    return std::make_unique<MappedCoefficient>(
-      mesh, fe, coefficient, set.degree(), n_parts);
+    if (mesh.seal() != nullptr)
+      return std::make_unique<MappedCoefficient>(mesh, fe, coefficient, set.degree());
+    const bool of_children = fe.degree > set.degree();
+    return std::make_unique<GridCoefficient>(mesh, set, coefficient, of_children);
   }
 } // namespace strait

@@ -70,9 +70,8 @@ namespace strait
     const FlowPath    &path   = channel.paths.front();
     const SlabLayout  &layout = channel.gap.layout();
     ConstrictionReport report;
-    report.throat       = channel.throat;
     const auto [dx, dy] = layout.spacing(path.bottleneck.window);
-    report.points_along = report.throat.length / std::max(dx, dy);
+    report.points_along = channel.throat.length / std::max(dx, dy);
 
     const std::vector<double> pressure = pressure_along(solver, layout, path);
     std::vector<double>       drops;

@@ -19,14 +19,12 @@ namespace strait
     // more of that to refinement, double of it costs time at every point.
     constexpr unsigned int degree_of_arcs = 4;
 
-    /** The exponent of cells, at most @p largest, of which there are at least @p fewest
+    /** The exponent of the largest cells of the box of which there are at least @p fewest
      *  along and across, unless those of one spacing are fewer. */
     int
-    exponent_of_coarse_cells(const PeriodicGrid &grid,
-                             const int           largest,
-                             const int           fewest)
+    exponent_of_coarse_cells(const PeriodicGrid &grid, const int fewest)
     {
-      int e = largest;
+      int e = grid.n_halvings();
       while (e > 0 && std::min(grid.nx, grid.ny) >> e < fewest)
         --e;
       return e;
@@ -40,7 +38,7 @@ namespace strait
     , flow_direction(direction)
     , seal_mesh(seal)
     // Periodicity in deal.II wants two coarse cells across.
-    , root_exponent(exponent_of_coarse_cells(periodic_grid, gap.n_halvings(), 2))
+    , root_exponent(exponent_of_coarse_cells(periodic_grid, 2))
     , cell_mapping(seal != nullptr && !seal->circles.empty() ? degree_of_arcs : 1)
     , tria(gap.layout().communicator())
   {
@@ -140,13 +138,12 @@ namespace strait
   bool
   FlowMesh::can_be_refined() const
   {
-    // p4est has 30 levels. The children of the cells are counted as well.
-    constexpr int most_levels = 28, most_bits = 29;
+    // p4est has 30 levels, an int 31 bits. The children of the cells are counted as well.
+    constexpr int most  = 29;
     const int     level = static_cast<int>(tria.n_global_levels()) - 1;
-    return level < most_levels &&
-           (seal_mesh != nullptr ||
-            std::ldexp(std::max(periodic_grid.nx, periodic_grid.ny),
-                       level - root_exponent) < std::ldexp(1., most_bits));
+    return level + 1 < most && (seal_mesh != nullptr ||
+                                std::ldexp(std::max(periodic_grid.nx, periodic_grid.ny),
+                                           level - root_exponent) < std::ldexp(1., most));
   }
 
   dealii::AffineConstraints<double>
@@ -169,8 +166,6 @@ namespace strait
     // finer ones and more of them are a burden where nothing flows.
     constexpr int largest_exponent = 6, fewest_cells = 8;
     refine_uniformly(
-      exponent_of_coarse_cells(periodic_grid,
-                               std::min(periodic_grid.n_halvings(), largest_exponent),
-                               fewest_cells));
+      std::min(exponent_of_coarse_cells(periodic_grid, fewest_cells), largest_exponent));
   }
 } // namespace strait

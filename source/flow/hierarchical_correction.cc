@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/flow/element_matrix.h>
 #include <strait/flow/hierarchical_correction.h>
 
 #include <deal.II/lac/diagonal_matrix.h>

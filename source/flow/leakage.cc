@@ -15,14 +15,17 @@ namespace strait
     if (fluid.rarefaction == Rarefaction::none || leakage.rate == 0.)
       return viscous;
     // A rarefied gas needs less of a gap, whose cube falls short of the other's by what
-    // its mobility is more; each round divides the error by a factor of 1.5 to 3, and
-    // after that many none is left.
+    // its mobility is more: each round comes closer from above, until rounding is left.
     const RarefiedGas gas(fluid);
-    double            gap = viscous;
-    for (int round = 0; round < 100; ++round)
-      gap =
-        viscous * std::cbrt(drop * fluid.mean_pressure() /
-                            gas.drive(gap, fluid.outlet_pressure, fluid.inlet_pressure));
+    double            gap = viscous, before = 0.;
+    do
+      {
+        before = gap;
+        gap    = viscous *
+              std::cbrt(drop * fluid.mean_pressure() /
+                        gas.drive(gap, fluid.outlet_pressure, fluid.inlet_pressure));
+      }
+    while (gap < before);
     return gap;
   }
 } // namespace strait

@@ -132,18 +132,13 @@ namespace strait
       void
       set_up_solver()
       {
-        constexpr int hmis = 10, extended_plus_i = 6, symmetric_gauss_seidel = 6;
+        constexpr int symmetric_gauss_seidel = 6;
         check(HYPRE_BoomerAMGCreate(&solver), "creating BoomerAMG");
-        HYPRE_BoomerAMGSetPrintLevel(solver, 0);
         HYPRE_BoomerAMGSetTol(solver, 0.);
         HYPRE_BoomerAMGSetMaxIter(solver, 1);
-        // Coarsening, interpolation and threshold are hypre's defaults. A larger
-        // threshold or fewer interpolation weights make coarse grids that are cheaper and
-        // worse.
-        HYPRE_BoomerAMGSetCoarsenType(solver, hmis);
-        HYPRE_BoomerAMGSetInterpType(solver, extended_plus_i);
-        HYPRE_BoomerAMGSetPMaxElmts(solver, 4);
-        HYPRE_BoomerAMGSetStrongThreshold(solver, 0.25);
+        // Coarsening, interpolation and threshold are hypre's defaults: HMIS,
+        // "extended+i" with 4 weights, 0.25. A larger threshold or fewer weights make
+        // coarse grids that are cheaper and worse.
         HYPRE_BoomerAMGSetRelaxType(solver, symmetric_gauss_seidel);
         check(HYPRE_BoomerAMGSetup(solver, parcsr, handle(right), handle(left)),
               "setting up BoomerAMG");

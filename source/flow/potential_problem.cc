@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/flow/element_matrix.h>
 #include <strait/flow/potential_problem.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -17,7 +18,6 @@ namespace strait
                                      const GapField::Coefficient coefficient_)
     : kind_of_coefficient(coefficient_)
     , mesh(mesh_)
-    , element(set)
     , fe(set.degree())
     , dofs(mesh.triangulation())
     , coefficient(make_coefficient(mesh, set, fe, coefficient_))
@@ -33,13 +33,12 @@ namespace strait
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         owned_cells.push_back(cell);
-    owned       = dofs.locally_owned_dofs();
     constraints = mesh.continuity(dofs);
-    relevant    = constraints.get_local_lines();
     constrain_boundary();
     constraints.close();
+    const IndexSet &owned = dofs.locally_owned_dofs();
     distributed.reinit(owned, dofs.get_communicator());
-    ghosted.reinit(owned, relevant, dofs.get_communicator());
+    ghosted.reinit(owned, constraints.get_local_lines(), dofs.get_communicator());
     if (transfer)
       {
         transfer->interpolate(distributed);
@@ -80,7 +79,9 @@ namespace strait
   UnknownsMatrix
   PotentialProblem::empty_matrix() const
   {
-    MPI_Comm               comm = dofs.get_communicator();
+    MPI_Comm               comm     = dofs.get_communicator();
+    const IndexSet        &owned    = dofs.locally_owned_dofs();
+    const IndexSet        &relevant = constraints.get_local_lines();
     DynamicSparsityPattern pattern(relevant);
     DoFTools::make_sparsity_pattern(dofs, pattern, constraints, false);
     SparsityTools::distribute_sparsity_pattern(pattern, owned, comm, relevant);
@@ -98,7 +99,7 @@ namespace strait
     MPI_Comm                comm     = dofs.get_communicator();
     double                  largest  = 0.;
     types::global_dof_index stiffest = numbers::invalid_dof_index;
-    for (const auto k : owned)
+    for (const auto k : dofs.locally_owned_dofs())
       if (!constraints.is_constrained(k) && matrix.diag_element(k) > largest)
         {
           largest  = matrix.diag_element(k);
@@ -178,7 +179,7 @@ namespace strait
     // Unknowns that no open cell reaches have empty rows; they are set to zero.
     std::vector<types::global_dof_index> unreached;
     types::global_dof_index              n_active = 0;
-    for (const auto k : owned)
+    for (const auto k : dofs.locally_owned_dofs())
       if (!(matrix.diag_element(k) > 0))
         unreached.push_back(k);
       else if (!constraints.is_constrained(k))
@@ -201,7 +202,7 @@ namespace strait
     // slow; twice as many take longer to say that one cannot be solved.
     constexpr unsigned int max_iterations = 500;
     UnknownsMatrix         matrix         = empty_matrix();
-    Vector                 right_hand_side(owned, dofs.get_communicator());
+    Vector right_hand_side(dofs.locally_owned_dofs(), dofs.get_communicator());
     assemble(source, matrix, right_hand_side);
     if (is_free())
       pin_one_value(matrix);

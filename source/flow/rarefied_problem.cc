@@ -28,22 +28,6 @@ namespace strait
           }
       return weights;
     }
-
-    /** Mean free path over gap of @p gas in the throat of @p path, at the pressure that
-     *  the path's resistances give. */
-    double
-    knudsen_number(const FlowPath &path, const RarefiedFlow &gas)
-    {
-      const auto bottleneck = static_cast<std::size_t>(
-        std::min_element(path.gaps.begin(), path.gaps.end()) - path.gaps.begin());
-      // In the middle of the steps of the path that meet there: at the outlet there may
-      // be vacuum.
-      const double before =
-        .5 * (path.resistances[bottleneck == 0 ? 0 : bottleneck - 1] +
-              path.resistances[std::min(bottleneck + 1, path.gaps.size() - 1)]);
-      return gas.gas.knudsen_number(path.bottleneck_gap,
-                                    gas.pressure(1. - before / path.resistance()));
-    }
   } // namespace
 
   LinearSolve
@@ -92,10 +76,12 @@ namespace strait
     const RarefiedFlow &gas   = *gap.gas();
     const double        drive = std::abs(gas.drive());
     leakage.mesh_width        = leakage.relative_width();
-    leakage.knudsen           = knudsen_number(path, gas);
-    leakage.upper             = drive * least_energy(Coefficient::largest_conductivity);
-    leakage.lower             = drive / least_energy(Coefficient::largest_resistivity);
-    leakage.bound             = "any-order";
+    leakage.knudsen =
+      gas.gas.knudsen_number(path.bottleneck_gap,
+                             gas.pressure(1. - path.part_before_throat()));
+    leakage.upper = drive * least_energy(Coefficient::largest_conductivity);
+    leakage.lower = drive / least_energy(Coefficient::largest_resistivity);
+    leakage.bound = "any-order";
     if (gas.molecular_weight)
       {
         const double least =

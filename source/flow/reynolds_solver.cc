@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/flow/marking.h>
 #include <strait/flow/reynolds_solver.h>
 
 #include <algorithm>
@@ -71,7 +70,7 @@ namespace strait
   {
     const double target = parameters.target_accuracy;
     Leakage      leakage;
-    leakage.linear_error = linear_tolerance_factor * target;
+    leakage.linear_error = accuracy().energy;
     widths.clear();
     while (true)
       {

@@ -3,7 +3,6 @@
 #include <strait/interface/gap_field.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/mpi_consensus_algorithms.h>
 
 #include <algorithm>
 #include <cmath>
@@ -256,45 +255,38 @@ namespace strait
         known.erase(known.upper_bound(Coefficient::resistivity), known.end());
         build(coefficient);
       }
-    const std::size_t                                n_moments = moment_set().size();
-    CellAnswers                                      answers(cells.size(), n_moments);
-    std::map<unsigned int, std::vector<std::size_t>> asked_of;
+    using dealii::Utilities::MPI::some_to_some;
+    const std::size_t n_moments = moment_set().size();
+    CellAnswers       answers(cells.size(), n_moments);
+    // Of the ranks that own cells: these, three numbers each, and their positions.
+    std::map<unsigned int, std::vector<int>>         questions;
+    std::map<unsigned int, std::vector<std::size_t>> positions;
     for (std::size_t c = 0; c < cells.size(); ++c)
-      if (const int owner = layout().owner_of_row(first_grid_row(cells[c]));
-          owner == layout().rank())
-        answer(coefficient, cells[c], &answers(c, 0));
-      else
-        asked_of[owner].push_back(c);
-    std::vector<unsigned int> owners;
-    owners.reserve(asked_of.size());
-    for (const auto &asked : asked_of)
-      owners.push_back(asked.first);
-
-    using Question = std::vector<int>; // three numbers a cell
-    using Reply    = std::vector<double>;
-    dealii::Utilities::MPI::ConsensusAlgorithms::selector<Question, Reply>(
-      owners,
-      [&](const unsigned int owner) {
-        Question question;
-        for (const std::size_t c : asked_of.at(owner))
-          question.insert(question.end(), {cells[c].exponent, cells[c].i, cells[c].j});
-        return question;
-      },
-      [&](const unsigned int /*asker*/, const Question &question) {
-        Reply reply(question.size() / 3 * n_moments);
+      {
+        const auto [exponent, i, j] = cells[c];
+        const int owner             = layout().owner_of_row(first_grid_row(cells[c]));
+        if (owner == layout().rank())
+          {
+            answer(coefficient, cells[c], &answers(c, 0));
+            continue;
+          }
+        std::vector<int> &question = questions[owner];
+        question.insert(question.end(), {exponent, i, j});
+        positions[owner].push_back(c);
+      }
+    std::map<unsigned int, std::vector<double>> replies;
+    for (const auto &[asker, question] : some_to_some(layout().communicator(), questions))
+      {
+        std::vector<double> &reply = replies[asker];
+        reply.resize(question.size() / 3 * n_moments);
         for (std::size_t q = 0; q < question.size() / 3; ++q)
           answer(coefficient,
                  {question[3 * q], question[3 * q + 1], question[3 * q + 2]},
                  &reply[q * n_moments]);
-        return reply;
-      },
-      [&](const unsigned int owner, const Reply &reply) {
-        for (std::size_t q = 0; q < asked_of.at(owner).size(); ++q)
-          std::copy_n(&reply[q * n_moments],
-                      n_moments,
-                      &answers(asked_of.at(owner)[q], 0));
-      },
-      layout().communicator());
+      }
+    for (const auto &[owner, reply] : some_to_some(layout().communicator(), replies))
+      for (std::size_t q = 0; q < positions[owner].size(); ++q)
+        std::copy_n(&reply[q * n_moments], n_moments, &answers(positions[owner][q], 0));
     return answers;
   }
 } // namespace strait

@@ -31,8 +31,7 @@ namespace strait
     sum_grid_cells(leaf);
     for (std::size_t k = 1; k < levels.size(); ++k)
       sum_children(levels[k - 1], levels[k]);
-    if (layout->n_ranks() > 1)
-      complete_first_rows();
+    complete_first_rows();
   }
 
   void

@@ -2,6 +2,7 @@
 #include <strait/interface/rarefied_flow.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace strait
 {
@@ -18,68 +19,68 @@ namespace strait
       return values;
     }
 
-    /** A potential Ψ for one of the bounds, as a factor of Ψ' for the reference gap that
-     *  is linear in its Ψ between nodes. */
-    class FreePotential
+    /**
+     * The best potential Ψ for one of the bounds, as a factor of Ψ' for the reference gap
+     * that is linear in its Ψ between nodes: the factors there. Nodes are where the
+     * reference's Ψ is @p potentials, from 0 to 1, and the weights of the @p parts there
+     * are @p weights[part][node].
+     */
+    std::vector<double>
+    best_factors(const std::vector<PathPart>            &parts,
+                 const std::vector<std::vector<double>> &weights,
+                 const std::vector<double>              &potentials,
+                 const bool                              is_largest)
     {
-    public:
-      /** Nodes are where the reference's Ψ is @p potentials, from 0 to 1, and the weights
-       *  of the parts there are @p weights[part][node]. */
-      FreePotential(const std::vector<PathPart>            &parts_,
-                    const std::vector<std::vector<double>> &weights_,
-                    const std::vector<double>              &potentials,
-                    const bool                              is_largest)
-        : parts(parts_)
-        , weights(weights_)
-        , sign(is_largest ? 1. : -1.)
-        , lengths(potentials.size(), 0.)
-        , trial(potentials.size(), 1.)
-        , best(trial)
-      {
-        for (std::size_t i = 1; i < lengths.size(); ++i)
-          for (const std::size_t end : {i - 1, i})
-            lengths[end] += .5 * (potentials[i] - potentials[i - 1]);
-        for (const std::vector<double> &of_part : weights)
-          log_weights.push_back(logarithms(of_part));
-        keep_if_better();
-        // Half as many rounds leave bounds that are further apart by 2·10⁻⁴ of the leak
-        // rate, twice as many gain less than 10⁻⁴ in twice the time.
-        constexpr int rounds = 20;
-        for (const double temperature : {.03, .01, .003})
-          for (int round = 0; round < rounds; ++round)
-            {
-              relax(temperature);
-              keep_if_better();
-            }
-      }
+      const double        sign = is_largest ? 1. : -1.;
+      const std::size_t   n    = potentials.size();
+      std::vector<double> lengths(n, 0.); // ΔΨ around the nodes
+      for (std::size_t i = 1; i < n; ++i)
+        for (const std::size_t end : {i - 1, i})
+          lengths[end] += .5 * (potentials[i] - potentials[i - 1]);
+      std::vector<std::vector<double>> log_weights;
+      for (const std::vector<double> &of_part : weights)
+        log_weights.push_back(logarithms(of_part));
+      std::vector<double> trial(n, 1.), best;
+      double              best_bound = sign * std::numeric_limits<double>::infinity();
 
-      /** At the nodes. */
-      const std::vector<double> &
-      factors() const
-      {
-        return best;
-      }
+      // Compare what flows through the parts in a row with the extremes of their weights.
+      const auto keep_if_better = [&]() {
+        double drive = 0., resistance = 0.;
+        for (std::size_t i = 0; i < n; ++i)
+          drive += trial[i] * lengths[i];
+        for (std::size_t k = 0; k < parts.size(); ++k)
+          {
+            double extreme = weights[k][0] / trial[0];
+            for (std::size_t i = 1; i < n; ++i)
+              if (const double here = weights[k][i] / trial[i];
+                  sign * (here - extreme) > 0.)
+                extreme = here;
+            resistance += parts[k].resistance / extreme;
+          }
+        const double bound = drive / resistance;
+        if (sign * (best_bound - bound) < 0.)
+          return;
+        best_bound = bound;
+        best       = trial;
+        for (double &factor : best)
+          factor /= drive;
+      };
 
-    private:
-      /** A part goes to where its factor over weight is extreme, within @p temperature,
-       * and raises or lowers the factor there by what it is too crowded. */
-      void
-      relax(const double temperature)
-      {
-        std::vector<double>       loads(trial.size(), 0.), places(trial.size());
+      // A part goes to where its factor over weight is extreme, within the temperature,
+      // and raises or lowers the factor there by what it is too crowded.
+      const auto relax = [&](const double temperature) {
+        std::vector<double>       loads(n, 0.), places(n);
         const std::vector<double> log_trial = logarithms(trial);
         double                    total     = 0.;
         for (std::size_t k = 0; k < parts.size(); ++k)
           {
-            const auto place = [&](const std::size_t i) {
-              return sign / temperature * (log_weights[k][i] - log_trial[i]);
-            };
-            double highest = place(0), sum = 0.;
-            for (std::size_t i = 0; i < trial.size(); ++i)
-              highest = std::max(highest, places[i] = place(i));
-            for (std::size_t i = 0; i < trial.size(); ++i)
+            for (std::size_t i = 0; i < n; ++i)
+              places[i] = sign / temperature * (log_weights[k][i] - log_trial[i]);
+            const double highest = *std::max_element(places.begin(), places.end());
+            double       sum     = 0.;
+            for (std::size_t i = 0; i < n; ++i)
               sum += places[i] = lengths[i] * std::exp(places[i] - highest);
-            for (std::size_t i = 0; i < trial.size(); ++i)
+            for (std::size_t i = 0; i < n; ++i)
               {
                 const double load = parts[k].resistance * places[i] / sum / weights[k][i];
                 loads[i] += load;
@@ -87,46 +88,23 @@ namespace strait
               }
           }
         // Where nothing is, any small load will do.
-        for (std::size_t i = 0; i < trial.size(); ++i)
+        for (std::size_t i = 0; i < n; ++i)
           trial[i] *= std::pow(std::max(loads[i] / (total * lengths[i]), temperature),
                                sign * temperature);
-      }
+      };
 
-      /** Compare what flows through the parts in a row with the extremes of their
-       * weights.
-       */
-      void
-      keep_if_better()
-      {
-        double drive = 0., resistance = 0.;
-        for (std::size_t i = 0; i < trial.size(); ++i)
-          drive += trial[i] * lengths[i];
-        for (std::size_t k = 0; k < parts.size(); ++k)
+      keep_if_better();
+      // Half as many rounds leave bounds that are further apart by 2·10⁻⁴ of the leak
+      // rate, twice as many gain less than 10⁻⁴ in twice the time.
+      constexpr int rounds = 20;
+      for (const double temperature : {.03, .01, .003})
+        for (int round = 0; round < rounds; ++round)
           {
-            double extreme = weights[k][0] / trial[0];
-            for (std::size_t i = 1; i < trial.size(); ++i)
-              if (const double here = weights[k][i] / trial[i];
-                  sign * (here - extreme) > 0.)
-                extreme = here;
-            resistance += parts[k].resistance / extreme;
+            relax(temperature);
+            keep_if_better();
           }
-        const double bound = drive / resistance;
-        if (best_bound != 0. && sign * (best_bound - bound) < 0.)
-          return;
-        best_bound = bound;
-        best       = trial;
-        for (double &factor : best)
-          factor /= drive;
-      }
-
-      const std::vector<PathPart>            &parts;
-      const std::vector<std::vector<double>> &weights;
-      std::vector<std::vector<double>>        log_weights;
-      const double        sign;    // 1: of the upper bound, −1: the lower
-      std::vector<double> lengths; // ΔΨ around the nodes
-      std::vector<double> trial, best;
-      double              best_bound = 0.;
-    };
+      return best;
+    }
 
     double
     median_gap(const std::vector<PathPart> &parts)
@@ -196,7 +174,7 @@ namespace strait
           weights.back().push_back(weight(part.gap, p));
       }
     const std::vector<double> factors =
-      FreePotential(parts, weights, potentials, is_largest).factors();
+      best_factors(parts, weights, potentials, is_largest);
     // The extremes are close to these pressures, unless the mobility varies with the
     // logarithm of the pressure, where they need others in between. With steps twice as
     // large the bounds miss 2·10⁻⁵ of the leak rate, with a thousand times the lowest

@@ -105,16 +105,6 @@ namespace strait
         }
       copy_to_covered(gap);
     }
-
-    std::size_t
-    widest_between(const std::vector<double> &gaps,
-                   const std::size_t          a,
-                   const std::size_t          b)
-    {
-      const auto first = gaps.begin() + static_cast<std::ptrdiff_t>(a);
-      const auto last  = gaps.begin() + static_cast<std::ptrdiff_t>(b) + 1;
-      return static_cast<std::size_t>(std::max_element(first, last) - gaps.begin());
-    }
   } // namespace
 
   SlabField
@@ -156,41 +146,26 @@ namespace strait
   {
     // Half of it, that is any widening at all, counts the same throat as several; double
     // of it several as one. It matters to the report only.
-    constexpr double         distinct = 1.5;
-    std::vector<std::size_t> minima;
-    for (std::size_t k = 0; k < gaps.size(); ++k)
+    constexpr double          distinct = 1.5;
+    const std::size_t         end      = gaps.size() - 1;
+    std::vector<Constriction> result   = {{0, end, 0}};
+    std::size_t               widest   = 0; // from the narrowest point on
+    for (std::size_t k = 1; k < gaps.size(); ++k)
       {
-        // Join this point to the minimum before it, unless the channel has widened.
-        if (minima.empty())
+        Constriction &here = result.back();
+        if (gaps[k] > gaps[widest])
+          widest = k;
+        if (gaps[widest] > distinct * std::max(gaps[here.narrowest], gaps[k]))
           {
-            minima.push_back(k);
-            continue;
+            here.last = widest;
+            result.push_back({widest, end, k});
+            widest = k;
           }
-        const double widest = gaps[widest_between(gaps, minima.back(), k)];
-        if (widest > distinct * std::max(gaps[minima.back()], gaps[k]))
-          minima.push_back(k);
-        else if (gaps[k] < gaps[minima.back()])
-          minima.back() = k;
-        // A narrower point may make two minima before it one.
-        while (minima.size() > 1)
+        else if (gaps[k] < gaps[here.narrowest])
           {
-            const std::size_t last = minima.back(), before = minima[minima.size() - 2];
-            if (gaps[widest_between(gaps, before, last)] >
-                distinct * std::max(gaps[before], gaps[last]))
-              break;
-            minima.pop_back();
-            minima.back() = gaps[last] < gaps[before] ? last : before;
+            here.narrowest = k;
+            widest         = k;
           }
-      }
-
-    std::vector<Constriction> result;
-    for (std::size_t m = 0; m < minima.size(); ++m)
-      {
-        const std::size_t first = m == 0 ? 0 : result.back().last;
-        const std::size_t last  = m + 1 == minima.size()
-                                    ? gaps.size() - 1
-                                    : widest_between(gaps, minima[m], minima[m + 1]);
-        result.push_back({first, last, minima[m]});
       }
     return result;
   }

@@ -2,6 +2,7 @@
 #include <strait/percolation/flow_lattice.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace strait
 {
@@ -95,31 +96,21 @@ namespace strait
   {
     const int along = levels.along_x ? p.ix : p.iy, across = levels.along_x ? p.iy : p.ix;
     const int n_across = levels[0].n_across, reach_across = std::min(reach, n_across);
-    std::vector<std::size_t> points;
-    std::vector<Place>       in_windows;
-    const auto               add_fine = [&](const Place &coarse) {
-      if (const Place fine = levels.finer(coarse); fine.level != coarse.level)
+    std::vector<std::size_t>                 points;
+    const std::function<void(const Place &)> add = [&](const Place &place) {
+      if (const std::size_t k = number_of(place); k != none)
+        points.push_back(k);
+      if (const Place fine = levels.finer(place); fine.level != place.level)
         for (const int b : {-1, 0, 1})
           for (const int a : {-1, 0, 1})
-            in_windows.push_back({fine.level, fine.along + a, fine.across + b});
+            add({fine.level, fine.along + a, fine.across + b});
     };
     for (int a = std::max(along - reach, 0);
          a <= std::min(along + reach, levels[0].n_along - 1);
          ++a)
       for (int b = across - reach_across; b <= across + reach_across; ++b)
         if (region == nullptr || (b >= 0 && b < n_across))
-          {
-            if (const std::size_t k = number_of({0, a, b}); k != none)
-              points.push_back(k);
-            add_fine({0, a, b});
-          }
-    std::size_t n_added = 0;
-    while (n_added < in_windows.size())
-      {
-        const Place place = in_windows[n_added++];
-        points.push_back(number_of(place));
-        add_fine(place); // to those in windows
-      }
+          add({0, a, b});
     return points;
   }
 

@@ -212,14 +212,12 @@ namespace strait
         flags[is_inside(first) ? second : first] |= bit_of(kind);
         flags[first] |= leads_up ? up : right;
       }
-    bool has_inlet = false, has_outlet = false, confused = false;
-    for (std::size_t k = 0; k < flags.size(); ++k)
-      {
-        has_inlet  = has_inlet || is_inlet(k);
-        has_outlet = has_outlet || is_outlet(k);
-        confused   = confused || (is_inlet(k) && is_outlet(k));
-      }
-    if (confused || !has_inlet || !has_outlet)
+    const auto is_some = [this](const int bits) {
+      return std::any_of(flags.begin(), flags.end(), [bits](const std::uint8_t flag) {
+        return (flag & bits) == bits;
+      });
+    };
+    if (!is_some(at_inlet) || !is_some(at_outlet) || is_some(at_inlet | at_outlet))
       throw InputError(
         "The contact grid is too coarse for Fluid/Mesh: within one grid spacing it "
         "cannot tell inlet and outlet apart; raise Contact/Grid points.");

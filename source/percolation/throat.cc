@@ -13,8 +13,7 @@ namespace strait
 {
   namespace
   {
-    constexpr double unknown  = std::numeric_limits<double>::quiet_NaN();
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
     /** The open gap at any position, on all levels, on the grid in this rank's rows and
      *  some others alone. */
@@ -128,8 +127,8 @@ namespace strait
         std::array<double, 2> result = {{(x - x0) / dx, (y - y0) / dy}};
         if (window >= 0)
           {
-            result[0] -= std::floor((x - x0) / grid.lx + 1e-9) * grid.lx / dx;
-            result[1] -= std::floor((y - y0) / grid.ly + 1e-9) * grid.ly / dy;
+            result[0] -= std::floor((x - x0) / grid.lx) * grid.lx / dx;
+            result[1] -= std::floor((y - y0) / grid.ly) * grid.ly / dy;
           }
         for (double &index : result)
           if (std::abs(index - std::round(index)) < 1e-6)
@@ -201,7 +200,7 @@ namespace strait
       const double length =
         std::isnan(throat.doubling_length) ? throat.length : throat.doubling_length;
       if (std::isnan(length))
-        throat.points = all_open ? infinity : 0.;
+        throat.points = all_open ? std::numeric_limits<double>::infinity() : 0.;
       else
         throat.points = length / std::max(dx, dy);
       return throat;

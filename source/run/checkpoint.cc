@@ -57,12 +57,9 @@ namespace strait
                         is_reading() ? "rb" : "wb");
       if (is_reading())
         check_whole_file();
-      else if (file == nullptr)
-        error = errno;
       else
         {
-          // Rows of a field are much shorter.
-          std::setvbuf(file, nullptr, _IOFBF, 1 << 20);
+          note(file != nullptr);
           std::string begin = signature;
           pass(begin.data(), begin.size());
         }
@@ -126,9 +123,16 @@ namespace strait
         return true;
       }
     checksum = continued_checksum(checksum, data, size);
-    if (error == 0 && std::fwrite(data, 1, size, file) != size)
-      error = errno != 0 ? errno : EIO;
+    note(error != 0 || std::fwrite(data, 1, size, file) == size);
     return true;
+  }
+
+  /** Keep the first error in writing. */
+  void
+  Checkpoint::note(const bool succeeds)
+  {
+    if (error == 0 && !succeeds)
+      error = errno != 0 ? errno : EIO;
   }
 
   /** The size of the next item, @p size if it is written. For rank 0. */
@@ -232,19 +236,14 @@ namespace strait
     run_on_root(comm, [this]() {
       std::uint32_t of_all = checksum;
       pass(&of_all, sizeof of_all);
-      const auto ends_well = [this](const bool succeeds) {
-        if (error == 0 && !succeeds)
-          error = errno != 0 ? errno : EIO;
-        return error == 0;
-      };
       if (file != nullptr)
         {
-          ends_well(std::fflush(file) == 0 && fsync(fileno(file)) == 0);
-          ends_well(std::fclose(file) == 0);
+          note(std::fflush(file) == 0 && fsync(fileno(file)) == 0);
+          note(std::fclose(file) == 0);
           file = nullptr;
         }
-      if (!ends_well(error != 0 ||
-                     std::rename(name_beside(path).c_str(), path.c_str()) == 0))
+      note(error != 0 || std::rename(name_beside(path).c_str(), path.c_str()) == 0);
+      if (error != 0)
         {
           unlink(name_beside(path).c_str());
           throw ComputationError(

@@ -39,7 +39,7 @@ namespace strait
     , log(log_)
     , silent(heights.layout().communicator(), true)
   {
-    if (!scene.contact.enabled || scene.contact.has_memory() ||
+    if (!scene.fluid.enabled || (scene.contact.enabled && scene.contact.has_memory()) ||
         scene.fluid.feedback.enabled)
       return;
     const bool searches = scene.programme.find_threshold && scene.fluid.mesh_file.empty();

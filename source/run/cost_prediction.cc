@@ -2,6 +2,7 @@
 #include <strait/base/text.h>
 #include <strait/run/load_sweep.h>
 #include <strait/run/simulation.h>
+#include <strait/run/validity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +12,6 @@ namespace strait
 {
   namespace
   {
-    // Fewer points along the throat than this, and the contact grid's error exceeds a
-    // per cent: prm/quickstart.prm has 0.8 % at 3.9 points and 9 % at 2.4. Half of it
-    // would promise results that are off by more, double of it ask for grids four times
-    // as large as are needed.
-    constexpr double points_needed = 4.;
-
     /** A range of counts. */
     struct Range
     {
@@ -120,20 +115,15 @@ namespace strait
     std::optional<double>
     smallest_reduced_load(const Scene &scene, const double rms_slope)
     {
-      std::optional<double> smallest;
-      const auto            visit = [&smallest](const double reduced) {
-        if (reduced > 0 && !(smallest && *smallest < reduced))
-          smallest = reduced;
-      };
-      if (scene.programme.find_threshold)
-        for (const double reduced : scene.programme.reduced_loads)
-          visit(reduced);
-      if (smallest)
-        return smallest;
+      const std::vector<double> &asked = scene.programme.reduced_loads;
+      if (!asked.empty())
+        return *std::min_element(asked.begin(), asked.end());
       const std::optional<double> critical = critical_load(scene, rms_slope);
+      std::optional<double>       smallest;
       if (critical && scene.contact.loads())
         for (const double pressure : scene.programme.pressures)
-          visit(1. - pressure / *critical);
+          if (const double reduced = 1. - pressure / *critical; reduced > 0)
+            smallest = std::min(smallest.value_or(reduced), reduced);
       return smallest;
     }
 
@@ -174,19 +164,18 @@ namespace strait
       if (!points)
         return "largest error: not predicted for this surface and these loads; "
                "Output/Error budget tells";
-      const bool is_searched =
-        scene.programme.find_threshold && !scene.programme.reduced_loads.empty();
       const std::string throat =
         format("about %.2g grid points along the throat at a reduced load of %.2g%s, ",
                *points,
                *reduced,
-               scene.surface.kind == SurfaceKind::self_affine && !is_searched
+               scene.surface.kind == SurfaceKind::self_affine &&
+                   scene.programme.reduced_loads.empty()
                  ? " (if such a seal closes early)"
                  : "");
-      if (*points < points_needed)
+      if (*points < least_points_along_throat)
         {
           const auto enough = [&](const int n) {
-            return std::ceil(n * points_needed / *points);
+            return std::ceil(n * least_points_along_throat / *points);
           };
           return throat +
                  format(

@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -37,19 +36,14 @@ namespace strait
   }
 
   void
-  require_end(const std::string &path, const std::string &end, MPI_Comm comm)
+  require_end(const std::string &path, const std::string &end)
   {
-    run_on_root(comm, [&]() {
-      constexpr std::size_t blanks = 16;
-      std::ifstream         file(path, std::ios::binary | std::ios::ate);
-      const auto            size = file ? static_cast<std::size_t>(file.tellg()) : 0;
-      std::string           tail(std::min(size, end.size() + blanks), ' ');
-      file.seekg(static_cast<std::streamoff>(size - tail.size()));
-      file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
-      if (!file || tail.find(end) == std::string::npos)
-        throw ComputationError("The file '" + path +
-                               "' could not be written; is the disk full?");
-    });
+    const auto    n_bytes = static_cast<std::streamoff>(end.size());
+    std::string   tail(end.size(), ' ');
+    std::ifstream file(path, std::ios::binary);
+    if (!file.seekg(-n_bytes, std::ios::end).read(tail.data(), n_bytes) || tail != end)
+      throw ComputationError("The file '" + path +
+                             "' could not be written; is the disk full?");
   }
 
   void

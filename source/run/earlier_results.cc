@@ -69,7 +69,7 @@ namespace strait
 
     /** The values of a resolved scene by "Section/Parameter". */
     std::map<std::string, std::string>
-    values_of(const std::string &resolved)
+    parameters_of(const std::string &resolved)
     {
       std::map<std::string, std::string> values;
       for (const SceneEntry &entry : lex_scene(resolved, "scene", ""))
@@ -114,7 +114,7 @@ namespace strait
   std::string
   difference_of_scenes(const std::string &then, const std::string &now)
   {
-    const auto before = values_of(then), after = values_of(now);
+    const auto before = parameters_of(then), after = parameters_of(now);
     for (const auto &[name, value] : after)
       {
         const auto found = before.find(name);

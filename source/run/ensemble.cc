@@ -108,16 +108,9 @@ namespace strait
       return maximum(comm, std::filesystem::exists(path, none) ? 1. : 0.) > 0;
     }
 
-    /** What is to be told of a realisation that was run. */
-    struct Outcome
-    {
-      RunSummary  run;
-      std::string warning; // why it failed
-    };
-
-    /** Tell all ranks what @p root knows. Collective. */
+    /** Tell all ranks what @p root knows of what came of @p realisation. Collective. */
     void
-    share(Outcome &outcome, const int root)
+    share(RealisationRow &realisation, const int root)
     {
       const auto tell = [root](auto &value) {
         if constexpr (std::is_same_v<decltype(value), std::string &>)
@@ -126,58 +119,41 @@ namespace strait
           MPI_Bcast(&value, sizeof value, MPI_BYTE, root, MPI_COMM_WORLD);
       };
       std::apply([&tell](auto &...members) { (tell(members), ...); },
-                 outcome.run.members());
-      tell(outcome.warning);
+                 realisation.members());
+      tell(realisation.failure);
     }
 
-    /** Run @p scene, a realisation alone, in this rank's group. */
-    Outcome
-    run_alone(const Scene      &scene,
+    /** Run @p scene, which is @p realisation alone, in this rank's group. */
+    void
+    run_alone(RealisationRow   &realisation,
+              const Scene      &scene,
               const RankGroups &groups,
               const bool        is_quiet,
               const bool        resume)
     {
       // One group alone has the screen.
-      Log     log(groups.comm, is_quiet || groups.mine > 0);
-      Outcome outcome;
+      Log         log(groups.comm, is_quiet || groups.mine > 0);
+      RunSummary &run = realisation;
       try
         {
-          outcome.run = simulate(scene,
-                                 log,
-                                 resume && has_checkpoint(scene, groups.comm),
-                                 groups.comm);
-          if (!outcome.run.converged)
+          run = simulate(scene,
+                         log,
+                         resume && has_checkpoint(scene, groups.comm),
+                         groups.comm);
+          if (!run.converged)
             {
               std::string status = "not-converged";
-              add_words(status, outcome.run.status);
-              outcome.run.status = status;
+              add_words(status, run.status);
+              run.status = status;
             }
         }
       catch (const ComputationError &error)
         {
           // The same on all ranks of the group, so they go on together.
-          outcome.warning       = error.what();
-          outcome.run.status    = "failed";
-          outcome.run.converged = false;
+          realisation.failure = error.what();
+          run.status          = "failed";
+          run.converged       = false;
         }
-      return outcome;
-    }
-
-    /** Run each of @p scenes in a group of its own, and tell all ranks what came of it.
-     *  Collective. */
-    std::vector<Outcome>
-    run_together(const std::vector<Scene> &scenes,
-                 const RankGroups         &groups,
-                 const bool                is_quiet,
-                 const bool                resume)
-    {
-      std::vector<Outcome> outcomes(scenes.size());
-      const auto           mine = static_cast<std::size_t>(groups.mine);
-      if (mine < scenes.size())
-        outcomes[mine] = run_alone(scenes[mine], groups, is_quiet, resume);
-      for (std::size_t group = 0; group < scenes.size(); ++group)
-        share(outcomes[group], static_cast<int>(group) * groups.n_each);
-      return outcomes;
     }
 
     [[noreturn]] void
@@ -215,9 +191,9 @@ namespace strait
     Table<RealisationRow> table = ensemble_table(scene);
     run_on_root(MPI_COMM_WORLD, [&]() { table.open(folder + "/ensemble.csv"); });
 
-    bool                              all_converged = true;
-    const std::vector<RealisationRow> realisations  = list_realisations(scene);
-    std::vector<RealisationRow>       rows;
+    bool                        all_converged = true;
+    std::vector<RealisationRow> realisations  = list_realisations(scene);
+    std::vector<RealisationRow> rows; // of those that are done
     while (rows.size() < realisations.size())
       {
         // As many as there are groups, at the same time.
@@ -234,18 +210,23 @@ namespace strait
                             name_of(next.orientation).c_str()));
             scenes.push_back(scene_of(next, scene, path, overrides));
           }
-        for (const Outcome &outcome :
-             run_together(scenes, groups, log.is_quiet(), resume))
+        const std::size_t mine = first + groups.mine;
+        if (mine < end)
+          run_alone(
+            realisations[mine], scenes[groups.mine], groups, log.is_quiet(), resume);
+        for (std::size_t k = first; k < end; ++k)
+          share(realisations[k], static_cast<int>(k - first) * groups.n_each);
+        for (std::size_t k = first; k < end; ++k)
           {
-            if (outcome.run.stopped)
+            const RealisationRow &done = realisations[k];
+            if (done.stopped)
               throw_interruption(scene);
-            if (!outcome.warning.empty())
-              log.warn(outcome.warning);
-            all_converged = all_converged && outcome.run.converged;
-            rows.push_back(realisations[rows.size()]);
-            static_cast<RunSummary &>(rows.back()) = outcome.run;
+            if (!done.failure.empty())
+              log.warn(done.failure);
+            all_converged = all_converged && done.converged;
+            rows.push_back(done);
             run_on_root(MPI_COMM_WORLD, [&]() {
-              table.append(rows.back());
+              table.append(done);
               ensemble_summary_table(scene).write_rows(folder + "/ensemble_summary.csv",
                                                        scatter_of(rows, scene));
             });

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/contact/grid_transfer.h>
 #include <strait/run/error_budget.h>
 #include <strait/run/exponent_fit.h>
 
@@ -22,35 +21,6 @@ namespace strait
       return flow.solve(gap, slip_length).leakage.rate;
     }
 
-    /** The leak rates of the step on every second and every fourth point as far as there
-     * are such grids, 0 if it seals there. */
-    std::vector<double>
-    leaks_on_coarser_grids(const Step   &step,
-                           const bool    by_reduced_load,
-                           const Scene  &scene,
-                           CoarserSeals &coarser)
-    {
-      const double        slip = step.state.control.slip_length;
-      std::vector<double> leaks;
-      if (step.state.contact)
-        for (int h = 1; h <= std::min(coarser.size(), n_compared_grids(scene)); ++h)
-          {
-            const SlabField gap =
-              coarser.gap(h,
-                          step.state.control,
-                          by_reduced_load ? step.reduced_load : std::nullopt);
-            leaks.push_back(leak_rate_of(scene.fluid, gap, slip));
-          }
-      else
-        for (SlabField gap = step.state.gap();
-             leaks.size() < 2 && can_be_coarsened(gap.grid());)
-          {
-            gap = restrict_by_injection(gap);
-            leaks.push_back(leak_rate_of(scene.fluid, gap, slip));
-          }
-      return leaks;
-    }
-
     void
     add_contact_grid(const Step   &step,
                      const bool    by_reduced_load,
@@ -58,8 +28,17 @@ namespace strait
                      CoarserSeals &coarser,
                      StepErrors   &errors)
     {
-      const std::vector<double> leaks =
-        leaks_on_coarser_grids(step, by_reduced_load, scene, coarser);
+      // On every second and every fourth point as far as there are such grids, 0 if it
+      // seals there.
+      std::vector<double> leaks;
+      for (int h = 1; h <= std::min(coarser.size(), n_compared_grids(scene)); ++h)
+        {
+          const SlabField gap =
+            coarser.gap(h,
+                        step.state.control,
+                        by_reduced_load ? step.reduced_load : std::nullopt);
+          leaks.push_back(leak_rate_of(scene.fluid, gap, step.state.control.slip_length));
+        }
       if (leaks.empty())
         return;
       const double fine  = step.flow->leakage.rate;

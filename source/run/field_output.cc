@@ -143,97 +143,102 @@ namespace strait
                      grid_description(base + ".h5", of_level, datasets));
       });
     }
+
+    /** The fields of a step on the grid and in its windows. Collective. */
+    void
+    write_grid(const std::string &directory, dealii::HDF5::File &file, const Step &step)
+    {
+      const SlabLayout        &layout = step.state.gap().layout();
+      const PeriodicGrid      &grid   = layout.grid();
+      std::vector<int>         labels;
+      std::vector<GridDataset> datasets;
+      const auto write = [&](const GridDataset &dataset, const auto &values) {
+        write_rows(file,
+                   dataset.name,
+                   grid.nx,
+                   grid.ny,
+                   layout.first_row(),
+                   layout.n_rows(),
+                   values.data());
+        datasets.push_back(dataset);
+      };
+      write({"gap"}, step.state.gap());
+      if (step.state.contact)
+        {
+          write({"pressure"}, step.state.contact->pressure);
+          if (step.state.contact->plasticity)
+            write({"indentation"}, step.state.contact->plasticity->indentation);
+          file.set_attribute("nominal_pressure", step.state.contact->nominal_pressure);
+        }
+      if (step.flow)
+        {
+          for (const NodeState state : step.flow->channel.clusters.states)
+            labels.push_back(static_cast<int>(state));
+          write({"labels", true}, labels);
+          file.set_attribute("leak_rate", step.flow->leakage.rate);
+        }
+      file.set_attribute("lx", grid.lx);
+      file.set_attribute("ly", grid.ly);
+      file.set_attribute("dx", grid.dx());
+      file.set_attribute("dy", grid.dy());
+      file.set_attribute("units", std::string("those of the scene"));
+      run_on_root(layout.communicator(), [&]() {
+        const std::string base = "fields-" + std::to_string(step.number);
+        write_text(
+          directory + "/" + base + ".xmf",
+          grid_description(base + ".h5",
+                           {{"", grid.nx, grid.ny, {0., 0.}, {grid.dx(), grid.dy()}}},
+                           datasets));
+      });
+      write_windows(directory, file, step, labels, datasets);
+    }
+
+    /** The group gap_distribution. Collective. */
+    void
+    write_gap_distributions(dealii::HDF5::File &file,
+                            const TheoryResult &theory,
+                            MPI_Comm            comm)
+    {
+      const auto &persson   = theory.persson_gaps;
+      const auto &simulated = theory.simulated_gaps;
+      auto        group     = file.create_group("gap_distribution");
+      const auto  write     = [&](const char *name, const std::vector<double> &values) {
+        auto dataset = group.create_dataset<double>(name, {values.size()});
+        if (rank_in(comm) == 0) // every rank knows them
+          dataset.write_hyperslab(values, {0}, {values.size()});
+        else
+          dataset.write_none<double>();
+      };
+      write("edges", (persson ? persson : simulated)->edges);
+      if (persson)
+        {
+          write("persson", persson->shares);
+          group.set_attribute("persson_contact_area", persson->contact_area);
+        }
+      if (simulated)
+        {
+          write("simulated", simulated->shares);
+          group.set_attribute("simulated_contact_area", simulated->contact_area);
+        }
+    }
   } // namespace
 
   void
-  write_grid_fields(const std::string &directory, const Step &step)
+  write_grid_fields(const std::string &directory, const Step &step, MPI_Comm comm)
   {
-    const SlabLayout   &layout = step.state.gap().layout();
-    const PeriodicGrid &grid   = layout.grid();
     const std::string name = directory + "/fields-" + std::to_string(step.number) + ".h5";
-    require_space(name,
-                  static_cast<std::uintmax_t>(grid.n_points()) *
-                    (3 * sizeof(double) + sizeof(int)),
-                  layout.communicator());
-    dealii::HDF5::File       file(name,
-                            dealii::HDF5::File::FileAccessMode::create,
-                            layout.communicator());
-    std::vector<int>         labels;
-    std::vector<GridDataset> datasets;
-    const auto               write = [&](const GridDataset &dataset, const auto &values) {
-      write_rows(file,
-                 dataset.name,
-                 grid.nx,
-                 grid.ny,
-                 layout.first_row(),
-                 layout.n_rows(),
-                 values.data());
-      datasets.push_back(dataset);
-    };
-    write({"gap"}, step.state.gap());
-    if (step.state.contact)
-      {
-        write({"pressure"}, step.state.contact->pressure);
-        if (step.state.contact->plasticity)
-          write({"indentation"}, step.state.contact->plasticity->indentation);
-        file.set_attribute("nominal_pressure", step.state.contact->nominal_pressure);
-      }
-    if (step.flow)
-      {
-        for (const NodeState state : step.flow->channel.clusters.states)
-          labels.push_back(static_cast<int>(state));
-        write({"labels", true}, labels);
-        file.set_attribute("leak_rate", step.flow->leakage.rate);
-      }
-    file.set_attribute("lx", grid.lx);
-    file.set_attribute("ly", grid.ly);
-    file.set_attribute("dx", grid.dx());
-    file.set_attribute("dy", grid.dy());
-    file.set_attribute("units", std::string("those of the scene"));
-    run_on_root(layout.communicator(), [&]() {
-      const std::string base = "fields-" + std::to_string(step.number);
-      write_text(
-        directory + "/" + base + ".xmf",
-        grid_description(base + ".h5",
-                         {{"", grid.nx, grid.ny, {0., 0.}, {grid.dx(), grid.dy()}}},
-                         datasets));
-    });
-    write_windows(directory, file, step, labels, datasets);
-  }
-
-  void
-  write_gap_distributions(const std::string &directory, const Step &step, MPI_Comm comm)
-  {
-    if (!step.theory)
-      return;
-    using Mode                    = dealii::HDF5::File::FileAccessMode;
-    const TheoryResult &theory    = *step.theory;
-    const auto         &persson   = theory.persson_gaps;
-    const auto         &simulated = theory.simulated_gaps;
-    const bool          is_begun  = !step.state.gap().empty();
-    dealii::HDF5::File  file(directory + "/fields-" + std::to_string(step.number) + ".h5",
-                            is_begun ? Mode::open : Mode::create,
-                            comm);
-    if (!is_begun)
-      file.set_attribute("nominal_pressure", theory.pressure);
-    auto       group = file.create_group("gap_distribution");
-    const auto write = [&](const char *name, const std::vector<double> &values) {
-      auto dataset = group.create_dataset<double>(name, {values.size()});
-      if (rank_in(comm) == 0) // every rank knows them
-        dataset.write_hyperslab(values, {0}, {values.size()});
-      else
-        dataset.write_none<double>();
-    };
-    write("edges", (persson ? persson : simulated)->edges);
-    if (persson)
-      {
-        write("persson", persson->shares);
-        group.set_attribute("persson_contact_area", persson->contact_area);
-      }
-    if (simulated)
-      {
-        write("simulated", simulated->shares);
-        group.set_attribute("simulated_contact_area", simulated->contact_area);
-      }
+    const bool        is_simulated = !step.state.gap().empty();
+    if (is_simulated)
+      require_space(name,
+                    static_cast<std::uintmax_t>(step.state.gap().grid().n_points()) *
+                      (3 * sizeof(double) + sizeof(int)),
+                    comm);
+    dealii::HDF5::File file(name, dealii::HDF5::File::FileAccessMode::create, comm);
+    if (is_simulated)
+      write_grid(directory, file, step);
+    else
+      file.set_attribute("nominal_pressure", step.theory->pressure);
+    if (step.theory)
+      write_gap_distributions(file, *step.theory, comm);
   }
 } // namespace strait

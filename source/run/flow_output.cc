@@ -75,8 +75,8 @@ namespace strait
       30 * dofs.get_fe().degree * dofs.get_fe().degree;
     require_space(name + ".vtu", bytes_per_cell * tria.n_global_active_cells(), comm);
     out.write_vtu_in_parallel(name + ".vtu", comm);
-    require_end(name + ".vtu", "</VTKFile>", comm);
     run_on_root(comm, [&]() {
+      require_end(name + ".vtu", "</VTKFile>\n");
       std::ostringstream record;
       out.write_pvtu_record(record, {"flow-" + std::to_string(step.number) + ".vtu"});
       write_text(name + ".pvtu", record.str());

@@ -2,7 +2,6 @@
 #include <strait/interface/rarefied_gas.h>
 #include <strait/run/validity.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace strait
@@ -14,20 +13,20 @@ namespace strait
     const double constant    = RarefiedGas(scene.fluid).knudsen_number(1., 1.);
     const double inlet       = scene.fluid.inlet_pressure;
     const double outlet      = scene.fluid.outlet_pressure;
-    const auto   pressure_at = [&](const std::size_t k) {
-      const double fraction = path.resistances[k] / path.resistance();
-      return std::sqrt((1. - fraction) * inlet * inlet + fraction * outlet * outlet);
+    const auto   pressure_at = [inlet, outlet](const double part) { // of the resistance
+      return std::sqrt((1. - part) * inlet * inlet + part * outlet * outlet);
     };
-    const auto     narrowest = std::min_element(path.gaps.begin(), path.gaps.end());
+    const auto pressure = [&](const std::size_t k) {
+      return pressure_at(path.resistances[k] / path.resistance());
+    };
     KnudsenNumbers result;
     result.at_throat =
-      constant / (*narrowest * pressure_at(narrowest - path.gaps.begin()));
+      constant / (path.bottleneck_gap * pressure_at(path.part_before_throat()));
     // The mean of λ/g over the resistance r is Σ c/g ∫ dr/p, with dr/p = −2 dp/(p_in² −
     // p_out²).
     for (std::size_t k = 1; k < path.gaps.size(); ++k)
       result.mean += .5 * constant * (1. / path.gaps[k - 1] + 1. / path.gaps[k]) * 2. *
-                     (pressure_at(k - 1) - pressure_at(k)) /
-                     (inlet * inlet - outlet * outlet);
+                     (pressure(k - 1) - pressure(k)) / (inlet * inlet - outlet * outlet);
     return result;
   }
 } // namespace strait

@@ -21,18 +21,16 @@ namespace strait
     , layout(heights.layout_pointer())
     , surface(statistics(heights))
     , contact(complete_contact(scene, heights, surface_energy, log))
+    , coarser(scene, contact, heights, log)
   {
     if (scene.fluid.enabled)
       {
         flow = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
-        if (scene.programme.find_threshold)
-          flow->watch_constrictions();
         if (scene.has_two_boxes())
           row = std::make_unique<FlowStage>(scene.fluid,
                                             two_in_a_row(heights).layout_pointer(),
                                             log,
                                             timers);
-        coarser = std::make_unique<CoarserSeals>(scene, contact, heights, log);
       }
     if (scene.theory.enabled)
       theory = std::make_unique<TheoryPrediction>(scene, &heights);
@@ -58,8 +56,7 @@ namespace strait
   LoadSweep::end_searches()
   {
     search.reset();
-    if (coarser)
-      coarser->end_searches();
+    coarser.end_searches();
   }
 
   const std::vector<Transition> &
@@ -67,8 +64,7 @@ namespace strait
   {
     const auto scope = timers.scope("threshold");
     log.stage("critical load");
-    thresholds =
-      search->find_critical_loads(coarser->find_critical_loads(search_start()));
+    thresholds = search->find_critical_loads(coarser.find_critical_loads(search_start()));
     // A channel that a fluid has opened is not closed again before the first step, the
     // throat is seen on the points that it was lost on, and what opens again keeps its
     // indentations; a path on which contacts alone remember begins without a past.
@@ -204,6 +200,9 @@ namespace strait
     const auto scope = timers.scope("flow");
     const auto start = Timers::Clock::now();
     step.flow        = leak_through(step.state, scene, *flow);
+    if (scene.programme.find_threshold && step.flow->solution)
+      step.flow->constrictions =
+        report_constrictions(step.flow->channel, *step.flow->solution);
     if (row)
       step.two_boxes =
         row->solve(two_in_a_row(step.state.gap()), step.state.control.slip_length)
@@ -239,7 +238,7 @@ namespace strait
                                     scene,
                                     surface.rms_height,
                                     *flow,
-                                    *coarser);
+                                    coarser);
       }
     if (scene.contact.zoom.enabled && step.errors.sum() > scene.fluid.target_accuracy)
       step.doubts.emplace_back("inaccurate");
@@ -259,9 +258,10 @@ namespace strait
       search->transfer(archive);
     if (transfer_presence(archive, start))
       strait::transfer(archive, *start, layout);
-    if (coarser)
-      coarser->transfer(archive);
-    if (next_stop > 0 && scene.contact.enabled)
+    if (!scene.contact.enabled) // a gap that is given has no past
+      return;
+    coarser.transfer(archive);
+    if (next_stop > 0)
       strait::transfer(archive, step.state, layout);
   }
 } // namespace strait

@@ -131,10 +131,8 @@ namespace strait
                         (scene.output.fields == FieldOutput::last && is_last);
     if (wanted)
       {
-        if (!step.state.gap().empty())
-          write_grid_fields(path, step);
+        write_grid_fields(path, step, comm);
         write_flow_fields(path, step);
-        write_gap_distributions(path, step, comm);
       }
     if (scene.output.pictures && !step.state.gap().empty())
       write_picture_data(path, step, scene.fluid);

@@ -17,13 +17,12 @@ namespace strait
       return {"with `Load programme/Find threshold`", scene.programme.find_threshold};
     }
 
-    /** Entries of the report on a step's constrictions, and of the throat in it. */
+    /** Entries of the report on a step's constrictions, and of the throat. */
     const auto of_report = values_of([](const Step &step) -> const ConstrictionReport & {
       return *step.flow->constrictions;
     });
-    const auto of_throat = values_of([](const Step &step) -> const Throat & {
-      return step.flow->constrictions->throat;
-    });
+    const auto of_throat = values_of(
+      [](const Step &step) -> const Throat & { return step.flow->channel.throat; });
   } // namespace
 
   Table<Transition>

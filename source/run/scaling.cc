@@ -23,7 +23,7 @@ namespace strait
         sample.is_coarse = !check.holds();
     if (step.flow && step.flow->constrictions && step.converged())
       {
-        const Throat &throat         = step.flow->constrictions->throat;
+        const Throat &throat         = step.flow->channel.throat;
         sample.values[leak_rate]     = std::abs(step.flow->leakage.rate);
         sample.values[throat_gap]    = throat.gap;
         sample.values[throat_length] = throat.length;
@@ -59,14 +59,13 @@ namespace strait
     return points;
   }
 
-  std::vector<ScalingPoint>
-  Scaling::at_smallest_slip(const Quantity quantity, const Trust trust) const
+  double
+  Scaling::smallest_slip() const
   {
     double slip_length = std::nan("");
     for (const Sample &sample : samples)
-      if (sample.values[quantity] > 0)
-        slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
-    return series(quantity, slip_length, trust);
+      slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
+    return slip_length;
   }
 
   std::array<Scaling::Supply, 2>
@@ -75,9 +74,7 @@ namespace strait
     std::array<Supply, 2> result = {
       {{"exponent of leak_rate", "no-exponent", {0., largest}, Trust::doubtless},
        {"crossover load", "no-crossover", exponential_decay, Trust::resolved}}};
-    double slip_length = std::nan("");
-    for (const Sample &sample : samples)
-      slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
+    const double slip_length = smallest_slip();
     for (Supply &supply : result)
       for (const Sample &sample : samples)
         if (sample.slip_length == slip_length &&
@@ -115,17 +112,18 @@ namespace strait
   void
   Scaling::summarise(RunSummary &summary) const
   {
+    const double      slip_length = smallest_slip();
     const ExponentFit fit =
-      fit_exponent(at_smallest_slip(leak_rate, Trust::doubtless), largest);
+      fit_exponent(series(leak_rate, slip_length, Trust::doubtless), largest);
     if (fit.n_points > 1)
       {
         summary.exponent       = fit.exponent;
         summary.exponent_error = fit.error;
       }
     summary.crossover =
-      crossover_reduced_load(at_smallest_slip(leak_rate, Trust::resolved));
+      crossover_reduced_load(series(leak_rate, slip_length, Trust::resolved));
     summary.theory_crossover =
-      crossover_reduced_load(at_smallest_slip(theory_leak_rate, Trust::resolved));
+      crossover_reduced_load(series(theory_leak_rate, slip_length, Trust::resolved));
     for (const Supply &supply : supplies())
       if (supply.is_short())
         add_words(summary.status, supply.word);

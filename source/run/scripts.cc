@@ -4,6 +4,8 @@
 #include <strait/base/text.h>
 #include <strait/run/scripts.h>
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <array>
 #include <cstdio>
 
@@ -15,10 +17,7 @@ namespace strait
     std::string
     quoted(const std::string &text)
     {
-      std::string result = "'";
-      for (const char c : text)
-        result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-      return result + "'";
+      return "'" + boost::replace_all_copy(text, "'", "'\\''") + "'";
     }
 
     struct ScriptResult

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
 #include <strait/base/signals.h>
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
@@ -106,18 +107,14 @@ namespace strait
           log.line("adhesion on; its surface energy is found in the run");
           return;
         }
-      const AdhesionLaw law = adhesion_of_scene(contact, heights);
+      const SceneAdhesion adhesion = adhesion_of_scene(contact, heights);
       log.line(format("adhesion on; range %.5g, E*/(k a) = %.3g (3 or more resolves it)",
-                      law.range,
-                      AdhesionScale(contact, heights).resolution(law)));
+                      adhesion.law.range,
+                      adhesion.resolution));
     }
 
-    /** Thrown where a search is left because a signal asks for it. */
-    struct StoppedInSearch
-    {
-    };
-
-    /** The searches that come before the steps, unless they were made before. */
+    /** The searches that come before the steps, unless they were made before. Throws
+     *  Interruption where a signal asks for it. */
     void
     find_seals(const Scene     &scene,
                LoadSweep       &sweep,
@@ -131,7 +128,7 @@ namespace strait
       sweep.after_probe([&]() {
         state.save(sweep, output, log);
         if (stop_requested(comm))
-          throw StoppedInSearch();
+          throw Interruption("in a search");
       });
       if (scene.programme.find_threshold)
         output.write_table(threshold_table(scene), sweep.find_thresholds());
@@ -190,7 +187,7 @@ namespace strait
       {
         find_seals(scene, sweep, output, state, comm, log);
       }
-    catch (const StoppedInSearch &)
+    catch (const Interruption &)
       {
         summary.stopped = true;
       }

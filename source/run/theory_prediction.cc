@@ -18,6 +18,7 @@ namespace strait
     // small grids.
     constexpr int bins_shown = 10;
 
+    /** The leak rate of a cubed gap of one. */
     double
     conductance_of_box(const Scene &scene)
     {
@@ -43,18 +44,12 @@ namespace strait
     }
   } // namespace
 
-  TheoryPrediction::TheoryPrediction(const Scene &scene, const SlabField *heights)
-    : parameters(scene.theory)
-    , keeps_gaps(scene.output.fields != FieldOutput::none)
-    , hardness(scene.contact.yields() ? scene.contact.hardness : 0.)
-    , conductance(conductance_of_box(scene))
+  TheoryPrediction::TheoryPrediction(const Scene &scene_, const SlabField *heights)
+    : scene(scene_)
     , persson(spectrum_of(scene, heights),
               scene.contact.effective_modulus,
-              parameters.gamma)
-    , coarse(persson.spectrum(),
-             scene.contact.effective_modulus,
-             parameters.gamma,
-             TheoryResolution().coarser())
+              scene.theory.gamma)
+    , coarse(persson.spectrum(), scene.contact.effective_modulus, scene.theory.gamma, 2)
   {
   }
 
@@ -64,24 +59,18 @@ namespace strait
                             const SlabField  *gap,
                             const Transition *threshold) const
   {
-    GapDistribution fine, half;
-    if (gap != nullptr && parameters.gaps == TheoryGaps::simulated)
-      {
-        const double closed     = -2 * slip_length;
-        const int    per_decade = TheoryResolution().per_decade;
-        fine                    = gap_histogram(*gap, n_decades, per_decade, closed);
-        half                    = gap_histogram(*gap, n_decades, per_decade / 2, closed);
-      }
-    TheoryResult       result = evaluate(persson, pressure, slip_length, fine, threshold);
-    const TheoryResult other  = evaluate(coarse, pressure, slip_length, half, threshold);
+    TheoryResult       result = evaluate(persson, pressure, slip_length, gap, threshold);
+    const TheoryResult other  = evaluate(coarse, pressure, slip_length, gap, threshold);
     result.error              = relative_difference(result.leak_rate, other.leak_rate);
-    if (hardness > 0)
-      result.yielding = pressure > 0 ? persson.contact_areas(pressure, hardness)
-                                     : YieldingAreas{std::nan(""), std::nan("")};
+    if (scene.contact.yields())
+      result.yielding = pressure > 0
+                          ? persson.contact_areas(pressure, scene.contact.hardness)
+                          : YieldingAreas{std::nan(""), std::nan("")};
     if (pressure > 0)
       result.error =
         std::max(result.error, relative_difference(result.mean_gap, other.mean_gap));
-    if (gap != nullptr && keeps_gaps) // over the same bins where there are some
+    // Over the same bins where there are some.
+    if (gap != nullptr && scene.output.fields != FieldOutput::none)
       result.simulated_gaps = result.persson_gaps
                                 ? gap_histogram(*gap, result.persson_gaps->edges)
                                 : gap_histogram(*gap, n_decades, bins_shown);
@@ -90,11 +79,11 @@ namespace strait
 
   /** Without what compares this theory, or its gaps, with others. */
   TheoryResult
-  TheoryPrediction::evaluate(const PerssonTheory   &with,
-                             const double           pressure,
-                             const double           slip_length,
-                             const GapDistribution &simulated,
-                             const Transition      *threshold) const
+  TheoryPrediction::evaluate(const PerssonTheory &with,
+                             const double         pressure,
+                             const double         slip_length,
+                             const SlabField     *gap,
+                             const Transition    *threshold) const
   {
     TheoryResult result;
     result.pressure     = pressure;
@@ -106,17 +95,18 @@ namespace strait
         result.mean_gap          = state.mean_gap;
         result.contact_area      = state.contact_area;
         gaps                     = with.distribution(state, -2 * slip_length);
-        if (keeps_gaps)
+        if (scene.output.fields != FieldOutput::none)
           result.persson_gaps =
             merge_bins(slip_length == 0. ? gaps : with.distribution(state),
-                       TheoryResolution().per_decade / bins_shown);
+                       with.bins_per_decade() / bins_shown);
       }
-    const bool of_simulation = parameters.gaps == TheoryGaps::simulated;
+    const bool of_simulation = scene.theory.gaps == TheoryGaps::simulated;
+    if (of_simulation)
+      gaps = gap_histogram(*gap, n_decades, with.bins_per_decade(), -2 * slip_length);
     if (of_simulation || pressure > 0)
       result.leak_rate =
-        conductance * effective_cubed_gap(of_simulation ? simulated : gaps,
-                                          dimension(with, slip_length, threshold),
-                                          slip_length);
+        conductance_of_box(scene) *
+        effective_cubed_gap(gaps, dimension(with, slip_length, threshold), slip_length);
     return result;
   }
 
@@ -125,13 +115,13 @@ namespace strait
                               const double         slip_length,
                               const Transition    *threshold) const
   {
-    switch (parameters.dimension)
+    switch (scene.theory.dimension)
       {
         case TheoryDimension::critical_fraction:
-          return dimension_parameter(parameters.critical_fraction);
+          return dimension_parameter(scene.theory.critical_fraction);
         case TheoryDimension::from_threshold:
           {
-            if (parameters.gaps == TheoryGaps::simulated)
+            if (scene.theory.gaps == TheoryGaps::simulated)
               return dimension_parameter(threshold->contact_area);
             const double critical = threshold->middle();
             if (slip_length == 0.)

@@ -45,62 +45,34 @@ namespace strait
     // change by several times as much.
     constexpr double most_trapped_load = .01;
 
-    // Contact grid and interpolation change the leak rate of prm/quickstart.prm by 2 %
-    // with 2.9 points along the throat; by 10 to 27 % with 1.4 to 2.3, by 0.5 % with 6.
-    constexpr double least_points_along_throat = 3.;
-
-    /** The checks of one step, one function for each mechanism that is left out. */
-    class Verdict
+    /** Note that @p number of a step should not exceed @p limit. */
+    void
+    add(Step              &step,
+        const char        *word,
+        const double       number,
+        const double       limit,
+        const std::string &advice)
     {
-    public:
-      Verdict(const Step &step, const Scene &scene)
-        : step(step)
-        , scene(scene)
-        , nominal_pressure(step.state.contact ? step.state.contact->nominal_pressure
-                           : step.theory      ? step.theory->pressure
-                                              : std::nan(""))
-        , path(step.flow && !step.flow->channel.paths.empty()
-                 ? &step.flow->channel.paths.front()
-                 : nullptr)
-      {
-      }
+      step.checks.push_back({word, number, limit, false, advice});
+    }
 
-      void add_slope(double rms_slope);
-      void add_contact_pressure();
-      void add_fluid_pressure();
-      void add_meniscus();
-      void add_grid();
-      void add_gas();
-      void add_trapped_fluid();
+    /** What a pressure of the fluid is of the load; under tension any is too much. */
+    double
+    part_of_load(const Step &step, const double pressure)
+    {
+      const double load = std::max(step.state.contact->nominal_pressure, 0.);
+      return pressure > 0. ? pressure / load : 0.;
+    }
 
-      std::vector<ValidityCheck> checks;
-
-    private:
-      /** A check that @p number does not exceed @p limit. */
-      void
-      add(const char *word, double number, double limit, const std::string &advice)
-      {
-        checks.push_back({word, number, limit, false, advice});
-      }
-
-      /** What a pressure of the fluid is of the load; under tension any is too much. */
-      double
-      part_of_load(const double pressure) const
-      {
-        return pressure > 0. ? pressure / std::max(nominal_pressure, 0.) : 0.;
-      }
-
-      const Step     &step;
-      const Scene    &scene;
-      const double    nominal_pressure;
-      const FlowPath *path; // null where nothing leaks, or nothing limits the leak
-    };
+    // One function for each mechanism that is left out. Some are for steps with a path of
+    // least resistance.
 
     void
-    Verdict::add_slope(const double rms_slope)
+    add_slope(Step &step, const Scene &scene, const double rms_slope)
     {
       if (scene.has_physical_modulus())
-        add("steep",
+        add(step,
+            "steep",
             rms_slope,
             most_slope,
             format("the rms slope of the surface is %.3g, and small slopes are assumed",
@@ -108,7 +80,7 @@ namespace strait
     }
 
     void
-    Verdict::add_contact_pressure()
+    add_contact_pressure(Step &step, const Scene &scene)
     {
       double      in_contact = std::nan("");
       const auto &contact    = step.state.contact;
@@ -123,7 +95,8 @@ namespace strait
       const double of_hardness = in_contact / scene.contact.hardness;
       const double of_modulus  = in_contact / scene.contact.effective_modulus;
       if (scene.contact.hardness > 0.)
-        add("plastic",
+        add(step,
+            "plastic",
             of_hardness,
             most_of_hardness,
             format("the mean pressure in contact is %.3g of Contact/Hardness, so that "
@@ -131,7 +104,8 @@ namespace strait
                    "elastic contact that is computed; switch on Contact/Yielding",
                    of_hardness));
       else if (scene.has_physical_modulus())
-        add("large-strain",
+        add(step,
+            "large-strain",
             of_modulus,
             most_of_modulus,
             format("the mean pressure in contact is %.3g of the effective modulus, where "
@@ -141,14 +115,15 @@ namespace strait
     }
 
     void
-    Verdict::add_fluid_pressure()
+    add_fluid_pressure(Step &step, const Scene &scene)
     {
       const FluidParameters &fluid = scene.fluid;
       const bool is_meant = scene.has_physical_modulus() || fluid.excess_pressure() != 1.;
       if (!step.flow || !step.state.contact || fluid.feedback.enabled || !is_meant)
         return;
-      const double number = part_of_load(fluid.excess_pressure());
-      add("fluid-pressure",
+      const double number = part_of_load(step, fluid.excess_pressure());
+      add(step,
+          "fluid-pressure",
           number,
           most_fluid_pressure,
           format("the fluid's pressure is %.3g of the nominal pressure and presses the "
@@ -157,14 +132,16 @@ namespace strait
     }
 
     void
-    Verdict::add_meniscus()
+    add_meniscus(Step &step, const Scene &scene)
     {
       const FluidParameters &fluid = scene.fluid;
-      if (path == nullptr || fluid.surface_tension == 0. || fluid.is_gas)
+      if (fluid.surface_tension == 0. || fluid.is_gas)
         return;
-      const double number = 2. * fluid.surface_tension / path->bottleneck_gap /
+      const double throat = step.flow->channel.paths.front().bottleneck_gap;
+      const double number = 2. * fluid.surface_tension / throat /
                             std::abs(fluid.inlet_pressure - fluid.outlet_pressure);
-      add("capillary",
+      add(step,
+          "capillary",
           number,
           most_laplace_pressure,
           format("the pressure across a meniscus in the throat is %.3g of the one that "
@@ -174,12 +151,12 @@ namespace strait
     }
 
     void
-    Verdict::add_grid()
+    add_grid(Step &step, const Scene &scene)
     {
-      if (path == nullptr || !scene.contact.enabled)
+      if (!scene.contact.enabled)
         return;
       const double points = step.flow->channel.throat.points;
-      checks.push_back(
+      step.checks.push_back(
         {"coarse-throat",
          points,
          least_points_along_throat,
@@ -191,10 +168,10 @@ namespace strait
     }
 
     void
-    Verdict::add_gas()
+    add_gas(Step &step, const Scene &scene)
     {
       const bool slips = scene.fluid.rarefaction == Rarefaction::slip;
-      if (path == nullptr || !scene.fluid.is_gas || scene.fluid.molar_mass == 0. ||
+      if (!scene.fluid.is_gas || scene.fluid.molar_mass == 0. ||
           scene.fluid.rarefaction == Rarefaction::transitional)
         return;
       const auto advice = [slips](const char *place, const double number) {
@@ -212,17 +189,23 @@ namespace strait
           number,
           1. + 6. * number);
       };
-      const KnudsenNumbers knudsen = knudsen_numbers(*path, scene);
-      const double         most    = slips ? most_knudsen_with_slip : most_knudsen;
-      add("rarefied", knudsen.mean, most, advice("of the mean resistance", knudsen.mean));
-      add("rarefied-throat",
+      const KnudsenNumbers knudsen =
+        knudsen_numbers(step.flow->channel.paths.front(), scene);
+      const double most = slips ? most_knudsen_with_slip : most_knudsen;
+      add(step,
+          "rarefied",
+          knudsen.mean,
+          most,
+          advice("of the mean resistance", knudsen.mean));
+      add(step,
+          "rarefied-throat",
           knudsen.at_throat,
           most,
           advice("in the throat", knudsen.at_throat));
     }
 
     void
-    Verdict::add_trapped_fluid()
+    add_trapped_fluid(Step &step, const Scene &scene)
     {
       if (!step.flow || !step.state.fluid || step.state.fluid->lifted_off)
         return;
@@ -237,9 +220,10 @@ namespace strait
                       static_cast<double>(
                         std::count(states.begin(), states.end(), NodeState::trapped))) /
                     layout.grid().n_points();
-      const double guessed = part_of_load(area * scene.fluid.excess_pressure());
-      const double by_step = trapped ? part_of_load(trapped->uncertainty) : 0.;
-      add("trapped-fluid",
+      const double guessed = part_of_load(step, area * scene.fluid.excess_pressure());
+      const double by_step = trapped ? part_of_load(step, trapped->uncertainty) : 0.;
+      add(step,
+          "trapped-fluid",
           std::max(guessed, by_step),
           most_trapped_load,
           guessed < by_step
@@ -258,15 +242,18 @@ namespace strait
   void
   judge_validity(Step &step, const Scene &scene, const double rms_slope, Log &log)
   {
-    Verdict verdict(step, scene);
-    verdict.add_fluid_pressure();
-    verdict.add_contact_pressure();
-    verdict.add_slope(rms_slope);
-    verdict.add_gas();
-    verdict.add_meniscus();
-    verdict.add_grid();
-    verdict.add_trapped_fluid();
-    step.checks = verdict.checks;
+    step.checks.clear();
+    add_fluid_pressure(step, scene);
+    add_contact_pressure(step, scene);
+    add_slope(step, scene, rms_slope);
+    // There is none where nothing leaks, or nothing limits the leak.
+    if (step.flow && !step.flow->channel.paths.empty())
+      {
+        add_gas(step, scene);
+        add_meniscus(step, scene);
+        add_grid(step, scene);
+      }
+    add_trapped_fluid(step, scene);
     for (const ValidityCheck &check : step.checks)
       {
         // Numbers differ from step to step; the first one is told.

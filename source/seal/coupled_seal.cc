@@ -16,12 +16,6 @@ namespace strait
 {
   namespace
   {
-    // How closely contact and flow agree while the mesh is being found, and for a
-    // verdict, of the accuracy that is asked for. Half of it takes more rounds on meshes
-    // that are left again; with double of it what the rounds leave over is taken for an
-    // error of the mesh.
-    constexpr double looseness = .1;
-
     // How much smaller than the target accuracy the width of the bracket is on the first
     // mesh, and how much on each mesh than on the one before: the gap amplifies the
     // errors of the fluid's pressure, the more so the closer it is to the threshold. Half
@@ -244,13 +238,12 @@ namespace strait
   {
     if (on_wall.is_limited_by_load() && mean(assumed) >= control.target)
       throw LiftedOff();
-    const auto   start = Timers::Clock::now();
-    ContactState next  = seal.contact->solve(control.target, near, &assumed);
-    if (next.adhesion && next.adhesion->detached)
+    const auto start = Timers::Clock::now();
+    state.contact    = seal.contact->solve(control.target, near, &assumed);
+    near             = &*state.contact;
+    if (near->adhesion && near->adhesion->detached)
       throw LiftedOff();
-    state.contact  = std::move(next);
-    near           = &*state.contact;
-    state.mean_gap = state.contact->mean_gap;
+    state.mean_gap = near->mean_gap;
     state.costs += {state.contact->iterations,
                     state.contact->fft_pairs,
                     1,

@@ -44,7 +44,7 @@ namespace strait
   void
   FixedPoint::relax_towards(double *x, const double *image, const std::size_t n)
   {
-    const bool has_before = has_last && history > 0;
+    const bool has_before = has_last; // never without history
     remember(x, image, n);
     if (has_before)
       {
@@ -53,7 +53,7 @@ namespace strait
         damping = now < change ? std::max(.5 * damping, least_damping * most_damping)
                                : 2. * damping;
       }
-    else if (history == 0)
+    else
       damping = most_damping;
     damping           = std::min(damping, most_damping);
     const double part = damping * share;
@@ -114,15 +114,16 @@ namespace strait
   }
 
   void
-  FixedPoint::restart()
+  FixedPoint::restart(const double relaxation)
   {
     differences.clear();
-    move_on();
+    move_on(relaxation);
   }
 
   void
-  FixedPoint::move_on()
+  FixedPoint::move_on(const double relaxation)
   {
+    share = relaxation;
     last_residual.clear();
     last_x.clear();
     has_last = false;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/collective.h>
 #include <strait/base/text.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/seal/flow_stage.h>
@@ -29,17 +28,6 @@ namespace strait
     // new mesh each time. Double of it takes the pressure around a new throat from cells
     // that are too coarse for it, and keeps more cells that no longer matter.
     constexpr double another_gap = 2.;
-
-    /** Collective. */
-    double
-    value_at(const SlabField &field, const GridPoint &point)
-    {
-      const SlabLayout &layout = field.layout();
-      const int         row    = point.iy % field.grid().ny - layout.first_row();
-      const bool        is_own = row >= 0 && row < layout.n_rows();
-      return sum(layout.communicator(),
-                 is_own ? field(point.ix % field.grid().nx, row) : 0.);
-    }
   } // namespace
 
   FlowStage::FlowStage(const FluidParameters &fluid,
@@ -131,13 +119,16 @@ namespace strait
     const Channel &channel = flow.channel;
     if (channel.paths.empty())
       {
-        flow.constrictions.reset();
         flow.leakage = Leakage();
         flow.solution.reset();
         return;
       }
-    if (!flow.solution || value_at(channel.gap, meshed_bottleneck) >=
-                            another_gap * channel.paths.front().bottleneck_gap)
+    const auto is_still_narrow = [&]() {
+      const int    ix    = meshed_bottleneck.ix % gap.grid().nx;
+      const double there = fetch_rows(channel.gap, {meshed_bottleneck.iy})[ix];
+      return there < another_gap * channel.paths.front().bottleneck_gap;
+    };
+    if (!flow.solution || !is_still_narrow())
       {
         // Refined as for a bracket: on the first mesh the pressure is too coarse.
         mesh_and_bracket(flow, tolerance_factor, most_on_the_way);
@@ -215,8 +206,6 @@ namespace strait
       tolerance_factor,
       most_unknowns);
     flow.leakage.aspect = aspect;
-    if (watches_constrictions)
-      flow.constrictions = report_constrictions(flow.channel, *flow.solution);
   }
 
   void

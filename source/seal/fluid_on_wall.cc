@@ -11,19 +11,18 @@ namespace strait
   void
   UnsettledPools::note(const std::vector<NodeState> &now)
   {
-    const bool is_first = was_pool.empty();
     before.resize(now.size(), NodeState::closed);
-    was_pool.resize(now.size());
-    n_changes.resize(now.size());
+    is_pool.resize(now.size());
+    has_ceased.resize(now.size());
     for (std::size_t k = 0; k < now.size(); ++k)
-      {
-        const std::uint8_t is_pool = now[k] == NodeState::trapped ? 1 : 0;
-        if (!is_first && is_pool != was_pool[k] && n_changes[k] <= changes_allowed)
-          ++n_changes[k];
-        was_pool[k] = is_pool;
-        if (is_pool == 0)
-          before[k] = now[k];
-      }
+      if (now[k] == NodeState::trapped)
+        is_pool[k] = true;
+      else
+        {
+          has_ceased[k] = has_ceased[k] || is_pool[k];
+          is_pool[k]    = false;
+          before[k]     = now[k];
+        }
   }
 
   FluidOnWall::FluidOnWall(const Scene       &scene_,
@@ -42,7 +41,10 @@ namespace strait
     if (scene.fluid.feedback.trapped_fluid == TrappedFluidLaw::drained)
       return;
     if (past != nullptr)
-      known = *past->fluid->trapped;
+      {
+        known             = *past->fluid->trapped;
+        known.uncertainty = 0.;
+      }
     else
       known.owner.assign(n_local_points, TrappedFluid::reservoirs);
     found = known;
@@ -210,12 +212,9 @@ namespace strait
                                                scene.contact.effective_modulus,
                                                before ? &*before : nullptr);
     found                       = std::move(settled.fluid);
-    found->uncertainty += uncertainty;
+    found->uncertainty += known.uncertainty;
     if (settled.has_changed)
-      {
-        known       = *found;
-        uncertainty = found->uncertainty;
-      }
+      known = *found;
     return settled.has_changed;
   }
 } // namespace strait

@@ -16,11 +16,6 @@ namespace strait
 {
   namespace
   {
-    // How much of the load may hang on when in a step fluid was cut off, of the target
-    // accuracy. Half of it halves more steps, double of it lets the step decide about as
-    // much more of what trapped fluid carries.
-    constexpr double trapped_share = .1;
-
     /** The gap is given, and nothing changes it. */
     class GivenGap : public SealModel
     {
@@ -60,8 +55,9 @@ namespace strait
     class DrySeal : public SealModel
     {
     public:
-      explicit DrySeal(std::unique_ptr<ContactModel> contact_)
+      DrySeal(std::unique_ptr<ContactModel> contact_, const bool has_memory_)
         : contact(std::move(contact_))
+        , has_memory(has_memory_)
       {
       }
 
@@ -86,11 +82,12 @@ namespace strait
       bool
       depends_on_path() const override
       {
-        return contact->depends_on_path();
+        return has_memory;
       }
 
     private:
       std::unique_ptr<ContactModel> contact;
+      const bool                    has_memory;
     };
 
     /** Find the law and tell of it. Returns its surface energy. */
@@ -101,15 +98,13 @@ namespace strait
     {
       if (parameters.adhesion.matched_pressure > 0)
         log.line("adhesion: a surface energy is sought that doubles the contact area");
-      const AdhesionScale scale(parameters, heights);
-      const AdhesionLaw   law        = adhesion_of_scene(parameters, heights);
-      const double        resolution = scale.resolution(law);
+      const auto [law, tabor_number, resolution] = adhesion_of_scene(parameters, heights);
       log.line(
         format("adhesion: surface energy %.5g, range %.5g, Tabor number %.4g, E*/(k a) = "
                "%.3g",
                law.surface_energy,
                law.range,
-               scale.tabor_number(law),
+               tabor_number,
                resolution));
       if (resolution < resolved_adhesion)
         log.warn(
@@ -126,13 +121,10 @@ namespace strait
     {
       if (!contact.adhesion.enabled)
         return std::make_unique<ContactSolver>(contact, std::move(heights));
-      const AdhesionLaw   law   = adhesion_of_scene(contact, heights);
-      const AdhesiveStart start = scene.programme.path == LoadPath::unloading
-                                    ? AdhesiveStart::full_contact
-                                    : AdhesiveStart::without_adhesion;
+      const AdhesionLaw law = adhesion_of_scene(contact, heights).law;
       return std::make_unique<AdhesiveContactSolver>(contact,
                                                      law,
-                                                     start,
+                                                     scene.programme.path,
                                                      std::move(heights));
     }
   } // namespace
@@ -174,7 +166,7 @@ namespace strait
       make_contact(scene, contact, std::move(heights));
     if (!scene.fluid.feedback.enabled)
       {
-        auto dry = std::make_unique<DrySeal>(std::move(model));
+        auto dry = std::make_unique<DrySeal>(std::move(model), contact.has_memory());
         if (!contact.zoom.enabled)
           return dry;
         return std::make_unique<ZoomedSeal>(std::move(dry),
@@ -193,6 +185,6 @@ namespace strait
       largest = std::max(largest, std::abs(target));
     return {scene.contact.control,
             scene.programme.jump_tolerance * largest,
-            trapped_share * scene.fluid.target_accuracy};
+            looseness * scene.fluid.target_accuracy};
   }
 } // namespace strait

@@ -10,13 +10,6 @@
 
 namespace strait
 {
-  namespace
-  {
-    // Of a usual pressure: what leaks with so little leaks by itself. Half and double of
-    // it judge alike, as neither bends the walls.
-    constexpr double negligible = 1e-6;
-  } // namespace
-
   void
   transfer(StateArchive &archive, std::vector<Transition> &transitions)
   {
@@ -160,7 +153,7 @@ namespace strait
 
     BlowOut result;
     result.load               = load;
-    const double least        = negligible * load;
+    const double least        = TransitionSearch::negligible * load;
     const bool   leaks_anyway = leaks(search.ask_at(least));
     if (!leaks_anyway)
       {
@@ -225,9 +218,7 @@ namespace strait
     if (next == answers.size())
       {
         answers.push_back(probe(control, path_comes_from));
-        ++next;
         look_up();
-        return answers.back();
       }
     return answers[next++];
   }

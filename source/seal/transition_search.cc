@@ -15,11 +15,7 @@ namespace strait
 {
   namespace
   {
-    // Of values around the first: a contact that neither seals nor leaks within it has no
-    // transition that a scene could mean. Half of it is as good, double of it says so
-    // later.
-    constexpr double widest_range = 1e6;
-    constexpr double unknown      = std::numeric_limits<double>::quiet_NaN();
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
     /** A value, and the openness there above the level. */
     struct Point
@@ -224,7 +220,7 @@ namespace strait
         const bool   ends =
           known.sealed.empty() && !known.open.empty() && known.open.back().value == value;
         if (ends ||
-            !(value < widest_range * first.value && value * widest_range > first.value))
+            !(negligible * value < first.value && value > negligible * first.value))
           throw ComputationError(
             std::string("The threshold was not found: the contact ") +
             (known.sealed.empty() ? "still leaks" : "is still sealed") +
@@ -310,7 +306,7 @@ namespace strait
           for (double step = relative_step * at.before;
                !is_lost(std::max(at.before + step, .5 * at.before));
                step *= 2)
-            if (at.before > widest_range * typical || widest_range * at.before < typical)
+            if (negligible * at.before > typical || at.before < negligible * typical)
               return {};
         while (!is_near(at.before))
           is_lost(.5 * (at.before + at.beyond));

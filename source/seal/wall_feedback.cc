@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace strait
@@ -95,22 +96,21 @@ namespace strait
                       const double        largest_pressure,
                       const FeedbackGoal &goal)
   {
-    FeedbackResult result;
-    int            changes_of_verdict = 0;
-    bool           is_first = true, percolated = false; // in the round before
+    FeedbackResult      result;
+    int                 changes_of_verdict = 0;
+    std::optional<bool> percolated; // in the round before, if the verdict may flip
     if (goal.goes_on && !last_image.empty())
       {
         propose(last_image, 0, goal);
-        fixed_point.move_on();
+        fixed_point.move_on(parameters.relaxation);
       }
     else
       {
-        fixed_point.restart();
+        fixed_point.restart(parameters.relaxation);
         last_leak_rate = 0;
       }
     last_image = SlabField();
     walk       = Walk();
-    fixed_point.relax(parameters.relaxation);
     while (result.iterations < parameters.maximum_iterations)
       {
         FeedbackRound now = round(assumed);
@@ -120,23 +120,20 @@ namespace strait
         result.change = size(difference(now.fluid_pressure, assumed));
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
-        const bool flips  = !is_first && percolated != now.percolates;
+        const bool flips  = percolated && *percolated != now.percolates;
         const bool agrees = result.agrees_within(goal);
         if (agrees || (!flips && stays_in_place(now, goal, result)))
           {
             result.converged = true;
             last_image       = agrees ? std::move(now.fluid_pressure) : assumed;
-            walk             = Walk();
             return result;
           }
         if (flips)
           {
-            fixed_point.restart();
-            fixed_point.relax(.5 * fixed_point.relaxation());
+            fixed_point.restart(.5 * fixed_point.relaxation());
             walk = Walk();
             ++changes_of_verdict;
           }
-        is_first                                   = false;
         percolated                                 = now.percolates;
         last_leak_rate                             = now.leak_rate;
         (now.percolates ? open_side : closed_side) = assumed;
@@ -147,10 +144,9 @@ namespace strait
         else
           {
             changes_of_verdict = 0;
-            is_first           = true;
-            walk               = Walk();
-            fixed_point.restart();
-            fixed_point.relax(parameters.relaxation);
+            percolated.reset();
+            walk = Walk();
+            fixed_point.restart(parameters.relaxation);
           }
       }
     return result;
@@ -168,7 +164,7 @@ namespace strait
     if (mean(assumed) >= goal.largest_mean)
       {
         assumed = image;
-        fixed_point.restart();
+        fixed_point.restart(fixed_point.relaxation());
       }
   }
 

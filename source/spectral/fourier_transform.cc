@@ -4,7 +4,6 @@
 #include <fftw3.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <vector>
 
 namespace strait
@@ -106,15 +105,14 @@ namespace strait
                        n_half});
     }
 
-    /** move(place in modes, place in of_rows) for all modes of a block, @p n_at_once rows
-     *  at a time, column by column. */
+    /** move(place in modes, place in of_rows) for all modes of a block. */
     template <class Move>
     void
-    for_each_mode_of_rows(const int         block,
-                          const std::size_t n_at_once,
-                          const Move       &move) const
+    for_each_mode_of_rows(const int block, const Move &move) const
     {
-      const std::size_t n_rows = n_modes / n_in_row;
+      // Rows at a time, column by column: a line of the cache of each.
+      constexpr std::size_t n_at_once = 64 / sizeof(Complex);
+      const std::size_t     n_rows    = n_modes / n_in_row;
       for (int rank = 0; rank < n_ranks; ++rank)
         {
           const std::size_t first = first_column(rank, block),
@@ -152,11 +150,9 @@ namespace strait
     void
     fetch_columns(const int block)
     {
-      const auto send = [&](const std::size_t i, const std::size_t place) {
+      for_each_mode_of_rows(block, [&](const std::size_t i, const std::size_t place) {
         of_rows[place] = modes[i];
-      };
-      // Whole lines of the cache are written, here and on the way back.
-      for_each_mode_of_rows(block, 64 / sizeof(Complex), send);
+      });
       exchange(of_rows, of_columns);
     }
 
@@ -165,10 +161,9 @@ namespace strait
     return_columns(const int block)
     {
       exchange(of_columns, of_rows);
-      const auto receive = [&](const std::size_t i, const std::size_t place) {
+      for_each_mode_of_rows(block, [&](const std::size_t i, const std::size_t place) {
         modes[i] = of_rows[place];
-      };
-      for_each_mode_of_rows(block, 1, receive);
+      });
     }
 
     /** Find the ny modes of column @p k of the block. */
@@ -265,19 +260,11 @@ namespace strait
   void
   BasicFourierTransform<Number>::store_row(Number *out, const int row)
   {
-    const std::size_t nx    = parts->row.size();
-    Number           *to    = out + row * nx;
-    const auto        at    = reinterpret_cast<std::uintptr_t>(to);
-    const auto        begin = reinterpret_cast<std::uintptr_t>(parts->modes.data());
-    // Where a row is aligned as the plan wants it, and apart from the modes.
-    const bool direct =
-      at % 16 == 0 && (at < begin || at >= begin + parts->modes.size() * sizeof(Complex));
-    Number *result = direct ? to : parts->row.data();
+    const std::size_t nx = parts->row.size();
     Fftw<Number>::execute_row_backward(parts->row_backward.get(),
                                        as_fftw(parts->modes_of_row(row)),
-                                       result);
-    if (!direct)
-      std::copy_n(result, nx, to);
+                                       parts->row.data());
+    std::copy_n(parts->row.data(), nx, out + row * nx);
   }
 
   template <class Number>

@@ -154,26 +154,14 @@ namespace strait
   SlabField
   scatter_from_root(const SlabLayoutPtr &layout, const std::vector<double> &whole)
   {
-    SlabField        field(layout);
-    std::vector<int> counts(layout->n_ranks()), starts(layout->n_ranks());
-    for (int r = 0; r < layout->n_ranks(); ++r)
-      {
-        starts[r] = layout->first_row_of(r);
-        counts[r] = layout->first_row_of(r + 1) - starts[r];
-      }
-    MPI_Datatype row_type;
-    MPI_Type_contiguous(layout->grid().nx, MPI_DOUBLE, &row_type);
-    MPI_Type_commit(&row_type);
-    MPI_Scatterv(whole.data(),
-                 counts.data(),
-                 starts.data(),
-                 row_type,
-                 field.data(),
-                 layout->n_rows(),
-                 row_type,
-                 0,
-                 layout->communicator());
-    MPI_Type_free(&row_type);
+    std::vector<int> n_rows(layout->n_ranks());
+    if (layout->rank() == 0)
+      for (int rank = 0; rank < layout->n_ranks(); ++rank)
+        n_rows[rank] = layout->first_row_of(rank + 1) - layout->first_row_of(rank);
+    const std::vector<double> rows =
+      exchange(layout->communicator(), whole, n_rows, layout->grid().nx).items;
+    SlabField field(layout);
+    std::copy(rows.begin(), rows.end(), field.begin());
     return field;
   }
 } // namespace strait

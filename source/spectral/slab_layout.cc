@@ -2,7 +2,6 @@
 #include <strait/base/collective.h>
 #include <strait/spectral/slab_layout.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace strait
@@ -13,13 +12,10 @@ namespace strait
     : periodic_grid(grid)
     , comm(communicator)
     , my_rank(rank_in(communicator))
+    , number_of_ranks(n_ranks_in(communicator))
+    , n_rows_most((grid.ny + number_of_ranks - 1) / number_of_ranks)
     , zoom_windows(std::move(windows))
   {
-    const int n_ranks = n_ranks_in(comm);
-    const int n_most  = (grid.ny + n_ranks - 1) / n_ranks;
-    for (int r = 0; r <= n_ranks; ++r)
-      row_starts.push_back(std::min(r * n_most, grid.ny));
-
     starts_of_windows.push_back(n_local_points());
     if (zoom_windows.empty())
       own_ranges.push_back({0, n_local_points(), 1.});
@@ -33,7 +29,7 @@ namespace strait
       {
         const ZoomWindow &window = zoom_windows[w];
         const std::size_t begin  = starts_of_windows.back();
-        const double      area   = std::pow(9., -window.level) / n_ranks;
+        const double      area   = std::pow(9., -window.level) / number_of_ranks;
         for (int row = 0; row < window.n_rows(); ++row)
           add_ranges_of_row(static_cast<int>(w),
                             row,
@@ -120,13 +116,6 @@ namespace strait
     const ZoomWindow &window = zoom_windows[w];
     const auto [x, y]        = position(window.parent, window.x, window.y);
     return {x + (ix - 1) * dx, y + (iy - 1) * dy};
-  }
-
-  int
-  SlabLayout::owner_of_row(const int row) const
-  {
-    const auto next = std::upper_bound(row_starts.begin(), row_starts.end(), row);
-    return static_cast<int>(next - row_starts.begin()) - 1;
   }
 
   SlabLayoutPtr

@@ -114,12 +114,11 @@ namespace strait
                    const double               shortest,
                    const double               longest)
   {
-    const double two_pi = 2 * std::acos(-1.);
     // So that a wave of the very length that was asked for is kept. Half and double of it
     // keep the same waves.
     constexpr double rounding = 1e-9;
-    const double q_most  = shortest > 0 ? two_pi / shortest * (1 + rounding) : HUGE_VAL;
-    const double q_least = longest > 0 ? two_pi / longest * (1 - rounding) : 0.;
+    const double q_most  = shortest > 0 ? 2 * M_PI / shortest * (1 + rounding) : HUGE_VAL;
+    const double q_least = longest > 0 ? 2 * M_PI / longest * (1 - rounding) : 0.;
 
     const Spectrum   spectrum(values, source);
     FourierTransform transform(make_layout(target, MPI_COMM_SELF));
@@ -128,7 +127,7 @@ namespace strait
     transform.synthesize(result.values.data(),
                          [&](const int kx, const int ky) -> Complex {
                            const double q =
-                             two_pi * std::hypot(kx / source.lx, ky / source.ly);
+                             2 * M_PI * std::hypot(kx / source.lx, ky / source.ly);
                            // A wave at the end of a coarser grid would be one of two
                            // folded together.
                            const bool is_folded =

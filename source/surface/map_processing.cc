@@ -76,10 +76,9 @@ namespace strait
     double
     window(const int i, const int n, const double width)
     {
-      const double pi       = std::acos(-1.);
       const double position = (i + 0.5) / n;
       const double distance = std::min(position, 1 - position) / width;
-      return distance >= 1 ? 1. : 0.5 * (1 - std::cos(pi * distance));
+      return distance >= 1 ? 1. : 0.5 * (1 - std::cos(M_PI * distance));
     }
 
     void

@@ -2,6 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/surface/map_writer.h>
+#include <strait/surface/readers/height_map.h>
 
 #include <cstdint>
 #include <cstring>
@@ -11,10 +12,9 @@ namespace strait
 {
   namespace
   {
-    // What the classic format calls its lists and types of numbers.
+    // What the classic format calls its lists.
     constexpr std::uint64_t list_of_dimensions = 10, list_of_variables = 11,
                             list_of_attributes = 12;
-    constexpr std::uint64_t type_char = 2, type_int = 4, type_double = 6;
 
     void
     append(std::string &to, const std::uint64_t value, const int n_bytes)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/contact_parameters.h>
 #include <strait/base/exceptions.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/self_affine_surface.h>
@@ -14,10 +15,8 @@ namespace strait
 {
   namespace
   {
-    const double two_pi = 2 * std::acos(-1.);
-
-    /** No grid that the flow mesh can number (65535 points) resolves more. */
-    constexpr double most_waves_in_a_box = 32767;
+    /** No grid resolves more. */
+    constexpr int most_waves_in_a_box = most_grid_points / 2;
 
     double
     square(const double value)
@@ -56,9 +55,10 @@ namespace strait
     , cut_off((1 - 1e-12) / parameters.short_cut_off_wavelength)
   {
     if (std::max(parameters.size[0], parameters.size[1]) * cut_off > most_waves_in_a_box)
-      throw InputError(
-        "Surface/Short cut-off wavelength is less than 1/32767 of the box, "
-        "which no grid resolves: make it longer or the box smaller.");
+      throw InputError("Surface/Short cut-off wavelength is less than 1/" +
+                       std::to_string(most_waves_in_a_box) +
+                       " of the box, which no grid resolves: make it longer or the box "
+                       "smaller.");
     const double sum = band_sum(communicator);
     if (!(sum > 0))
       throw InputError(
@@ -93,7 +93,7 @@ namespace strait
       for (int ky = 0; ky <= largest_ky; ++ky)
         {
           const double q_squared =
-            square(two_pi) * (square(kx / size[0]) + square(ky / size[1]));
+            square(2 * M_PI) * (square(kx / size[0]) + square(ky / size[1]));
           const double weight = (kx > 0 ? 2. : 1.) * (ky > 0 ? 2. : 1.);
           lines[kx] +=
             weight * spectrum(kx, ky) *
@@ -133,7 +133,7 @@ namespace strait
     const std::uint64_t state =
       absorb(absorb(mix(parameters.seed), static_cast<std::uint64_t>(kx)),
              static_cast<std::uint64_t>(ky));
-    const double phase   = two_pi * uniform(absorb(state, 1));
+    const double phase   = 2 * M_PI * uniform(absorb(state, 1));
     double       modulus = std::sqrt(variance);
     // Box and Muller's transform, scaled to a mean square of one.
     if (parameters.amplitudes == Amplitudes::gaussian)

@@ -18,7 +18,7 @@ namespace strait
     {
       double a       = 0.;
       double b       = 0.;
-      double chi2    = std::numeric_limits<double>::infinity();
+      double chi2    = 0.;
       double b_error = 0.;
     };
 
@@ -42,19 +42,15 @@ namespace strait
         }
       const double determinant = s * sxx - sx * sx;
       Line         line;
-      if (!(determinant > 1e-12 * s * sxx))
-        return line;
-      line.b    = (s * sxy - sx * sy) / determinant;
-      line.a    = (sy - line.b * sx) / s;
-      line.chi2 = 0;
+      line.b = (s * sxy - sx * sy) / determinant;
+      line.a = (sy - line.b * sx) / s;
       for (const Sample &sample : samples)
         line.chi2 +=
           sample.weight * std::pow(sample.log_c - line.a -
                                      line.b * std::max(0., sample.log_q - log_roll_off),
                                    2);
-      const double freedom =
-        std::max<double>(1., static_cast<double>(samples.size()) - 3);
-      line.b_error = std::sqrt(line.chi2 / freedom * s / determinant);
+      const double freedom = static_cast<double>(samples.size()) - 3;
+      line.b_error         = std::sqrt(line.chi2 / freedom * s / determinant);
       return line;
     }
 
@@ -91,13 +87,13 @@ namespace strait
   } // namespace
 
   std::vector<SpectrumBin>
-  radial_spectrum(const SlabField &heights, const int bins_per_octave)
+  radial_spectrum(const SlabField &heights)
   {
-    const PeriodicGrid &grid    = heights.grid();
-    const double        two_pi  = 2 * std::acos(-1.);
-    const double        q_least = two_pi / std::max(grid.lx, grid.ly);
-    const double        q_most  = two_pi / 2 * std::min(1 / grid.dx(), 1 / grid.dy());
-    const auto          bin_of  = [&](const double q) {
+    constexpr int       bins_per_octave = 4;
+    const PeriodicGrid &grid            = heights.grid();
+    const double        q_least         = 2 * M_PI / std::max(grid.lx, grid.ly);
+    const double        q_most          = M_PI * std::min(1 / grid.dx(), 1 / grid.dy());
+    const auto          bin_of          = [&](const double q) {
       return static_cast<int>(std::floor(bins_per_octave * std::log2(q / q_least) + 0.5));
     };
     const int           n_bins = bin_of(q_most) + 1;
@@ -109,7 +105,8 @@ namespace strait
                           const int                   ky,
                           const std::complex<double> &mode,
                           const double                weight) {
-                        const double q = two_pi * std::hypot(kx / grid.lx, ky / grid.ly);
+                        const double q =
+                          2 * M_PI * std::hypot(kx / grid.lx, ky / grid.ly);
                         if (q == 0. || q > q_most)
                           return;
                         const int bin = bin_of(q);
@@ -121,7 +118,7 @@ namespace strait
                  static_cast<int>(sums.size()));
 
     std::vector<SpectrumBin> spectrum;
-    const double             area = grid.lx * grid.ly / (two_pi * two_pi);
+    const double             area = grid.lx * grid.ly / (4 * M_PI * M_PI);
     for (int bin = 0; bin < n_bins; ++bin)
       if (sums[2 * bin] > 0)
         spectrum.push_back(

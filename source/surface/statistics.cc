@@ -11,8 +11,7 @@ namespace strait
   SurfaceStatistics
   statistics(const SlabField &height)
   {
-    const PeriodicGrid &grid   = height.grid();
-    const double        two_pi = 2 * std::acos(-1.);
+    const PeriodicGrid &grid = height.grid();
 
     std::array<double, 2> sums{}; // of q² |h~|² and (qx⁴ + qy⁴) |h~|²
     FourierTransform      transform(height.layout_pointer());
@@ -21,8 +20,8 @@ namespace strait
                           const int                   ky,
                           const std::complex<double> &mode,
                           const double                weight) {
-                        const double qx_squared = std::pow(two_pi * kx / grid.lx, 2);
-                        const double qy_squared = std::pow(two_pi * ky / grid.ly, 2);
+                        const double qx_squared = std::pow(2 * M_PI * kx / grid.lx, 2);
+                        const double qy_squared = std::pow(2 * M_PI * ky / grid.ly, 2);
                         const double power      = weight * std::norm(mode);
                         sums[0] += power * (qx_squared + qy_squared);
                         sums[1] +=

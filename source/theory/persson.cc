@@ -42,15 +42,15 @@ namespace strait
     }
   } // namespace
 
-  PerssonTheory::PerssonTheory(RadialSpectrum          spectrum,
-                               const double            effective_modulus,
-                               const double            gamma_,
-                               const TheoryResolution &resolution_)
+  PerssonTheory::PerssonTheory(RadialSpectrum spectrum,
+                               const double   effective_modulus,
+                               const double   gamma_,
+                               const int      fineness_)
     : waves(std::move(spectrum))
     , modulus(effective_modulus)
     , gamma(gamma_)
     , saturated(saturated_part, 0., largest_compression)
-    , resolution(resolution_)
+    , fineness(fineness_)
   {
   }
 
@@ -125,7 +125,7 @@ namespace strait
     for (std::size_t k = 1; k < breaks.size(); ++k)
       {
         const double length = breaks[k] - breaks[k - 1];
-        const auto   n = static_cast<int>(std::ceil(length / resolution.panel_width));
+        const auto   n      = static_cast<int>(std::ceil(length * fineness / 2));
         for (int panel = 0; panel < n; ++panel)
           sum += boost::math::quadrature::gauss<double, 8>::integrate(
             integrand,
@@ -142,7 +142,7 @@ namespace strait
     // is complete to rounding.
     const double        last   = waves.slope_square();
     std::vector<double> slopes = {last};
-    const int           n      = resolution.layers / 2;
+    const int           n      = 128 * fineness;
     const double        first  = smoothed * smoothed / vanishing;
     for (int k = 0; k < n && first < last; ++k)
       slopes.push_back(first * std::pow(last / first, static_cast<double>(k) / n));
@@ -207,7 +207,7 @@ namespace strait
     result.contact_area = state.contact_area;
     result.edges        = gap_bins(1e-6 * shortest,
                             1e3 * std::sqrt(waves.height_square()),
-                            resolution.per_decade,
+                            bins_per_decade(),
                             closed);
     const std::size_t n = result.edges.size() - 1;
     result.shares.assign(n, 0.);
@@ -226,8 +226,8 @@ namespace strait
       }
     result.gaps.push_back(.5 * result.edges[1]);
     for (std::size_t k = 1; k < n; ++k)
-      result.gaps.push_back(closed + std::sqrt(std::max(result.edges[k] - closed, 0.) *
-                                               (result.edges[k + 1] - closed)));
+      result.gaps.push_back(
+        closed + std::sqrt((result.edges[k] - closed) * (result.edges[k + 1] - closed)));
     return result;
   }
 } // namespace strait

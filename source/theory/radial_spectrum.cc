@@ -16,16 +16,15 @@ namespace strait
     double
     growth(const double power, const double x)
     {
-      return std::abs(power * x) < 1e-14 ? x : std::expm1(power * x) / power;
+      return power == 0. ? x : std::expm1(power * x) / power;
     }
 
     /** The x at which growth() reaches @p share of its value at @p end. */
     double
     inverse_growth(const double power, const double share, const double end)
     {
-      return std::abs(power * end) < 1e-14
-               ? share * end
-               : std::log1p(share * std::expm1(power * end)) / power;
+      return power == 0. ? share * end
+                         : std::log1p(share * std::expm1(power * end)) / power;
     }
 
     /** That which @p q lies in, if it is within the band. */
@@ -199,8 +198,6 @@ namespace strait
           sections.push_back({from, edges[k + 1], 0., sums[2 * k], sums[2 * k + 1]});
           from = edges[k + 1];
         }
-    if (sections.empty())
-      sections.push_back({edges[0], edges[1], 0., 0., 0.});
     return RadialSpectrum(std::move(sections));
   }
 } // namespace strait

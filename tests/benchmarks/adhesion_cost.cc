@@ -73,8 +73,8 @@ namespace
     contact.adhesion.tabor_number      = tabor;
     contact.adhesion.accept_unresolved = true;
     AdhesiveContactSolver     solver(contact,
-                                 adhesion_of_scene(contact, heights),
-                                 AdhesiveStart::without_adhesion,
+                                 adhesion_of_scene(contact, heights).law,
+                                 LoadPath::loading,
                                  heights);
     const std::vector<double> loads =
       is_rough ? there_and_back(.05, .01, 9) : there_and_back(.9, .02, 10);

@@ -69,13 +69,14 @@ namespace
        const double        tolerance)
   {
     HalfSpaceProblem problem(heights, 1.);
-    const auto       solver = make_dual_optimiser(method,
-                                            problem,
-                                            ContactConstraint::mean_pressure(load),
-                                            {tolerance, rms(heights), 5000});
     SlabField        p(heights.layout_pointer(), load), g(heights.layout_pointer());
     const double     start    = seconds();
-    const auto       solution = solver->solve(p.data(), g.data());
+    const auto       solution = find_pressure(method,
+                                        problem,
+                                        ContactConstraint::mean_pressure(load),
+                                        {tolerance, rms(heights), 5000},
+                                        p.data(),
+                                        g.data());
     if (!solution.converged)
       std::printf("not converged: %g\n", solution.residual);
     return {problem.n_applications(), seconds() - start};

@@ -7,7 +7,6 @@ namespace strait::reference
 {
   namespace
   {
-    const double pi = std::acos(-1.);
   }
 
   double
@@ -27,7 +26,7 @@ namespace strait::reference
   Hertz::largest_pressure() const
   {
     const double a = contact_radius();
-    return 3 * force / (2 * pi * a * a);
+    return 3 * force / (2 * M_PI * a * a);
   }
 
   double

@@ -7,26 +7,25 @@ namespace strait::reference::manufactured_flow
 {
   namespace
   {
-    const double pi = std::acos(-1.);
 
     std::array<double, 2>
     gap_gradient(const double x, const double y)
     {
-      return {{-pi * std::sin(2 * pi * x) * std::cos(2 * pi * y),
-               -pi * std::cos(2 * pi * x) * std::sin(2 * pi * y)}};
+      return {{-M_PI * std::sin(2 * M_PI * x) * std::cos(2 * M_PI * y),
+               -M_PI * std::cos(2 * M_PI * x) * std::sin(2 * M_PI * y)}};
     }
 
     double
     pressure_laplacian(const double x, const double y)
     {
-      return -0.5 * pi * pi * std::sin(pi * x) * std::cos(2 * pi * y);
+      return -0.5 * M_PI * M_PI * std::sin(M_PI * x) * std::cos(2 * M_PI * y);
     }
   } // namespace
 
   double
   gap(const double x, const double y)
   {
-    return 1 + 0.5 * std::cos(2 * pi * x) * std::cos(2 * pi * y);
+    return 1 + 0.5 * std::cos(2 * M_PI * x) * std::cos(2 * M_PI * y);
   }
 
   double
@@ -38,14 +37,14 @@ namespace strait::reference::manufactured_flow
   double
   pressure(const double x, const double y)
   {
-    return 1 - x + 0.1 * std::sin(pi * x) * std::cos(2 * pi * y);
+    return 1 - x + 0.1 * std::sin(M_PI * x) * std::cos(2 * M_PI * y);
   }
 
   std::array<double, 2>
   pressure_gradient(const double x, const double y)
   {
-    return {{-1 + 0.1 * pi * std::cos(pi * x) * std::cos(2 * pi * y),
-             -0.2 * pi * std::sin(pi * x) * std::sin(2 * pi * y)}};
+    return {{-1 + 0.1 * M_PI * std::cos(M_PI * x) * std::cos(2 * M_PI * y),
+             -0.2 * M_PI * std::sin(M_PI * x) * std::sin(2 * M_PI * y)}};
   }
 
   double

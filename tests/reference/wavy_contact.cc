@@ -8,7 +8,6 @@ namespace strait::reference
 {
   namespace
   {
-    const double pi = std::acos(-1.);
 
     /** P = p0/p*, at most 1, where contact is complete. */
     double
@@ -21,19 +20,19 @@ namespace strait::reference
   double
   Westergaard::full_pressure() const
   {
-    return pi * modulus * amplitude / wavelength;
+    return M_PI * modulus * amplitude / wavelength;
   }
 
   double
   Westergaard::contact_half_width() const
   {
-    return wavelength / pi * std::asin(std::sqrt(relative_load(*this)));
+    return wavelength / M_PI * std::asin(std::sqrt(relative_load(*this)));
   }
 
   double
   Westergaard::pressure(const double x) const
   {
-    const double psi     = pi * x / wavelength;
+    const double psi     = M_PI * x / wavelength;
     const double load    = relative_load(*this);
     const double surplus = std::max(nominal_pressure - full_pressure(), 0.);
     const double inside  = load - std::sin(psi) * std::sin(psi);
@@ -47,7 +46,7 @@ namespace strait::reference
   Westergaard::gap(const double x) const
   {
     const double load     = relative_load(*this);
-    const double distance = std::abs(std::sin(pi * x / wavelength));
+    const double distance = std::abs(std::sin(M_PI * x / wavelength));
     const double outside  = distance * distance - load;
     if (outside <= 0)
       return 0.;
@@ -68,19 +67,19 @@ namespace strait::reference
     double
     full_pressure(const double amplitude, const double wavelength, const double modulus)
     {
-      return std::sqrt(2.) * pi * modulus * amplitude / wavelength;
+      return std::sqrt(2.) * M_PI * modulus * amplitude / wavelength;
     }
 
     double
     contact_fraction_at_low_load(const double load)
     {
-      return pi * std::pow(3 * load / (8 * pi), 2. / 3.);
+      return M_PI * std::pow(3 * load / (8 * M_PI), 2. / 3.);
     }
 
     double
     contact_fraction_at_high_load(const double load)
     {
-      return 1 - 3 * (1 - load) / (2 * pi);
+      return 1 - 3 * (1 - load) / (2 * M_PI);
     }
   } // namespace product_wave
 
@@ -89,13 +88,13 @@ namespace strait::reference
     double
     full_pressure(const double amplitude, const double wavelength, const double modulus)
     {
-      return 2 * pi * modulus * amplitude / wavelength;
+      return 2 * M_PI * modulus * amplitude / wavelength;
     }
 
     double
     curvature_radius(const double amplitude, const double wavelength)
     {
-      return wavelength * wavelength / (2 * std::sqrt(2.) * pi * pi * amplitude);
+      return wavelength * wavelength / (2 * std::sqrt(2.) * M_PI * M_PI * amplitude);
     }
   } // namespace square_saddle
 } // namespace strait::reference

@@ -69,7 +69,7 @@ TEST(SceneText, EntriesWithSectionAndLine)
 namespace
 {
   std::string
-  error_of(const std::string &text)
+  parse_error(const std::string &text)
   {
     try
       {
@@ -85,12 +85,14 @@ namespace
 
 TEST(SceneText, BrokenStructureNamesTheLine)
 {
-  EXPECT_EQ(error_of("\nend\n"), "f.prm:2: this 'end' closes no subsection.");
-  EXPECT_NE(error_of("subsection A\n").find("f.prm:1: the subsection 'A' is not closed"),
-            std::string::npos);
-  EXPECT_NE(error_of("subsection A\n x = 1\nend\n").find("f.prm:2: cannot read 'x = 1'"),
-            std::string::npos);
-  EXPECT_NE(error_of("set x\n").find("f.prm:1: cannot read"), std::string::npos);
+  EXPECT_EQ(parse_error("\nend\n"), "f.prm:2: this 'end' closes no subsection.");
+  EXPECT_NE(
+    parse_error("subsection A\n").find("f.prm:1: the subsection 'A' is not closed"),
+    std::string::npos);
+  EXPECT_NE(
+    parse_error("subsection A\n x = 1\nend\n").find("f.prm:2: cannot read 'x = 1'"),
+    std::string::npos);
+  EXPECT_NE(parse_error("set x\n").find("f.prm:1: cannot read"), std::string::npos);
 }
 
 TEST(SceneText, Overrides)

@@ -26,10 +26,7 @@ namespace
                 const int                n     = 64,
                 const AdhesionShape      shape = AdhesionShape::exponential)
   {
-    return {parameters,
-            saddle_law(tabor, shape),
-            AdhesiveStart::without_adhesion,
-            saddle_heights(n)};
+    return {parameters, saddle_law(tabor, shape), LoadPath::loading, saddle_heights(n)};
   }
 
   TEST(Adhesion, TheTaborNumberSetsTheRange)
@@ -38,17 +35,16 @@ namespace
     parameters.adhesion.surface_energy = .1;
     parameters.adhesion.tabor_number   = .5;
     const SlabField     heights        = saddle_heights(64);
-    const AdhesionScale scale(parameters, heights);
-    const AdhesionLaw   law = adhesion_of_scene(parameters, heights);
-    EXPECT_NEAR(law.range, saddle_law(.5).range, 1e-5 * law.range);
-    EXPECT_NEAR(scale.tabor_number(law), .5, 1e-12);
-    EXPECT_NEAR(scale.resolution(law), 64 * law.range * law.range / .1, 1e-9);
+    const SceneAdhesion adhesion       = adhesion_of_scene(parameters, heights);
+    const double        range          = adhesion.law.range;
+    EXPECT_NEAR(range, saddle_law(.5).range, 1e-5 * range);
+    EXPECT_NEAR(adhesion.tabor_number, .5, 1e-12);
+    EXPECT_NEAR(adhesion.resolution, 64 * range * range / .1, 1e-9);
 
     parameters.adhesion.shape  = AdhesionShape::van_der_waals;
-    const AdhesionLaw   longer = adhesion_of_scene(parameters, heights);
-    const AdhesionScale of_longer(parameters, heights);
-    EXPECT_EQ(longer.range, law.range);
-    EXPECT_NEAR(of_longer.resolution(longer), scale.resolution(law) / 6, 1e-9);
+    const SceneAdhesion longer = adhesion_of_scene(parameters, heights);
+    EXPECT_EQ(longer.law.range, range);
+    EXPECT_NEAR(longer.resolution, adhesion.resolution / 6, 1e-9);
   }
 
   TEST(Adhesion, RefusesARangeThatTheGridDoesNotResolve)
@@ -59,7 +55,7 @@ namespace
     const SlabField heights            = saddle_heights(64);
     EXPECT_THROW(adhesion_of_scene(parameters, heights), InputError);
     parameters.adhesion.accept_unresolved = true;
-    EXPECT_GT(adhesion_of_scene(parameters, heights).range, 0);
+    EXPECT_GT(adhesion_of_scene(parameters, heights).law.range, 0);
   }
 
   TEST(Adhesion, MatchesTheContactArea)
@@ -68,14 +64,11 @@ namespace
     parameters.adhesion.matched_pressure = .02;
     parameters.adhesion.tabor_number     = .5;
     const SlabField       heights        = rough_heights({128, 128, 1., 1.}, 8);
-    const AdhesionLaw     law            = adhesion_of_scene(parameters, heights);
-    AdhesiveContactSolver solver(parameters,
-                                 law,
-                                 AdhesiveStart::without_adhesion,
-                                 heights);
+    const SceneAdhesion   adhesion       = adhesion_of_scene(parameters, heights);
+    AdhesiveContactSolver solver(parameters, adhesion.law, LoadPath::loading, heights);
     const double without = ContactSolver(parameters, heights).solve(.02).contact_area;
     EXPECT_NEAR(solver.solve(.02).contact_area / without, 2, .005);
-    EXPECT_NEAR(AdhesionScale(parameters, heights).tabor_number(law), .5, 1e-12);
+    EXPECT_NEAR(adhesion.tabor_number, .5, 1e-12);
 
     parameters.adhesion.matched_pressure = 2.; // all but in full contact already
     EXPECT_THROW(adhesion_of_scene(parameters, heights), InputError);
@@ -116,7 +109,7 @@ namespace
       {
         AdhesiveContactSolver solver(adhesive_parameters(1e-8, method),
                                      {0., 1.},
-                                     AdhesiveStart::full_contact,
+                                     LoadPath::unloading,
                                      heights);
         const ContactState    state = solver.solve(.02);
         EXPECT_TRUE(state.converged);

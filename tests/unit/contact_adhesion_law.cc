@@ -91,7 +91,7 @@ namespace
                                                              method,
                                                              ContactControl::mean_gap),
                                          {energy, range, form.shape},
-                                         AdhesiveStart::without_adhesion,
+                                         LoadPath::loading,
                                          heights);
             const ContactState    state = solver.solve(mean_gap);
             EXPECT_TRUE(state.converged);
@@ -121,7 +121,7 @@ namespace
                                                            AdhesionMethod::nonlinear_cg,
                                                            ContactControl::mean_gap),
                                        {factor * critical, range, form.shape},
-                                       AdhesiveStart::without_adhesion,
+                                       LoadPath::loading,
                                        flat);
           const ContactState    state  = solver.solve(mean_gap);
           const double          spread = max_value(state.gap) - min_value(state.gap);
@@ -157,7 +157,7 @@ namespace
         {
           AdhesiveContactSolver solver(parameters,
                                        {energy, range, form.shape},
-                                       AdhesiveStart::without_adhesion,
+                                       LoadPath::loading,
                                        sphere);
           const ContactState    state = solver.solve(distance - mean(sphere));
           EXPECT_TRUE(state.converged);

@@ -123,7 +123,7 @@ namespace
                 work,
                 1e-6 * work);
     const double most = max_value(u);
-    for (const ContactProblem::Block &block : problem.blocks())
+    for (const ContactProblem::Block &block : problem.blocks)
       for (std::size_t i = block.begin; i < block.end; ++i)
         EXPECT_NEAR(step[i], u[i], 1e-6 * most) << i;
   }
@@ -202,5 +202,22 @@ namespace
     const ContactState out = solver.solve(load);
     EXPECT_TRUE(out.gap.layout().windows().empty());
     EXPECT_EQ(saddle(out.gap), saddle(on_grid.gap));
+  }
+
+  TEST(Zoom, TheTextbookMethodKnowsWindowsAsWell)
+  {
+    const SlabField heights = saddle_heights(64);
+    ContactSolver   solver(contact_parameters(1e-8), heights);
+    ContactSolver   textbook(contact_parameters(1e-8,
+                                              ContactControl::load,
+                                              ContactMethod::polonsky_keer),
+                           heights);
+    const double    load  = 1.4;
+    ContactState    start = solver.solve(load);
+    start.pressure        = zoom_in(start.pressure, {window_at(-1, 1, 12, -20, 40, 40)});
+    const ContactState expected = solver.solve(load, &start);
+    const ContactState found    = textbook.solve(load, &start);
+    EXPECT_TRUE(found.converged);
+    EXPECT_LT(largest_difference(found.gap, expected.gap), 1e-6);
   }
 } // namespace

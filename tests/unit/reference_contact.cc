@@ -11,7 +11,6 @@ namespace
 {
   using namespace strait::reference;
 
-  const double pi = std::acos(-1.);
 
   /** ∫ f from @p a to @p b, with square-root ends mapped to smooth ones. */
   template <class Function>
@@ -23,8 +22,8 @@ namespace
       return half * std::cos(t) * f(middle + half * std::sin(t));
     };
     return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(mapped,
-                                                                         -pi / 2,
-                                                                         pi / 2);
+                                                                         -M_PI / 2,
+                                                                         M_PI / 2);
   }
 
   TEST(Hertz, KnownNumbers)
@@ -39,7 +38,7 @@ namespace
   {
     const Hertz  hertz{3.7, 2.5, 11.};
     const double force =
-      integral([&](const double r) { return 2 * pi * r * hertz.pressure(r); },
+      integral([&](const double r) { return 2 * M_PI * r * hertz.pressure(r); },
                0.,
                hertz.contact_radius());
     EXPECT_NEAR(force, 3.7, 1e-12);
@@ -54,7 +53,7 @@ namespace
     return {amplitude,
             wavelength,
             modulus,
-            relative_load * pi * modulus * amplitude / wavelength};
+            relative_load * M_PI * modulus * amplitude / wavelength};
   }
 
   TEST(Westergaard, KnownNumbersAtHalfLoad)
@@ -108,28 +107,30 @@ namespace
     for (const double x : {0., 0.2, 0.85})
       EXPECT_NEAR(full.pressure(x),
                   full.nominal_pressure +
-                    full.full_pressure() * std::cos(2 * pi * x / full.wavelength),
+                    full.full_pressure() * std::cos(2 * M_PI * x / full.wavelength),
                   1e-12);
   }
 
   TEST(WavyContact, LimitsOfTheProductWave)
   {
     EXPECT_NEAR(product_wave::full_pressure(0.1, 2., 3.),
-                std::sqrt(2.) * pi * 0.15,
+                std::sqrt(2.) * M_PI * 0.15,
                 1e-14);
     // Low load is Hertz's contact of one crest a cell of λ²/2, of curvature
     // (2π/λ)² Δ, here with λ = Δ = E* = 1.
     const double load  = 1e-4;
     const double force = load * product_wave::full_pressure(1., 1., 1.) / 2;
-    const double a     = Hertz{force, 1 / (4 * pi * pi), 1.}.contact_radius();
-    EXPECT_NEAR(product_wave::contact_fraction_at_low_load(load), 2 * pi * a * a, 1e-12);
+    const double a     = Hertz{force, 1 / (4 * M_PI * M_PI), 1.}.contact_radius();
+    EXPECT_NEAR(product_wave::contact_fraction_at_low_load(load),
+                2 * M_PI * a * a,
+                1e-12);
     EXPECT_NEAR(product_wave::contact_fraction_at_high_load(1.), 1., 1e-15);
     EXPECT_NEAR(product_wave::contact_fraction_at_high_load(0.9), 0.952254, 1e-6);
   }
 
   TEST(WavyContact, SquareSaddle)
   {
-    EXPECT_NEAR(square_saddle::full_pressure(0.5, 2., 3.), 1.5 * pi, 1e-14);
+    EXPECT_NEAR(square_saddle::full_pressure(0.5, 2., 3.), 1.5 * M_PI, 1e-14);
     EXPECT_NEAR(square_saddle::curvature_radius(0.5, 2.), 0.035823 * 8, 5e-6);
   }
 } // namespace

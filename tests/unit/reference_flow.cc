@@ -12,7 +12,6 @@ namespace
 {
   using namespace strait::reference;
 
-  const double pi = std::acos(-1.);
 
   /** The mean of a function of period 1; converges exponentially. */
   template <class Function>
@@ -30,7 +29,7 @@ namespace
   {
     const double g0 = 1.3, epsilon = 0.6;
     const auto   gap = [&](const double x) {
-      return g0 * (1 + epsilon * std::cos(2 * pi * x));
+      return g0 * (1 + epsilon * std::cos(2 * M_PI * x));
     };
     const double resistance =
       periodic_mean([&](const double x) { return std::pow(gap(x), -3); });

@@ -11,10 +11,8 @@
 
 #include "temporary_folder.h"
 
-namespace
+namespace strait::test
 {
-  using namespace strait;
-
   /** A folder of the test's own, the same on all ranks. */
   class CheckpointFile : public testing::Test
   {
@@ -67,7 +65,7 @@ namespace
       writer.commit();
     }
 
-    test::TemporaryFolder    folder;
+    TemporaryFolder          folder;
     std::string              path;
     SlabLayoutPtr            layout = make_layout({500, 301, 1., 1.}, MPI_COMM_WORLD);
     double                   number = 0;
@@ -78,7 +76,10 @@ namespace
     SlabField                field, absent;
     std::vector<float>       single, nothing;
   };
-} // namespace
+} // namespace strait::test
+
+using namespace strait;
+using strait::test::CheckpointFile;
 
 TEST_F(CheckpointFile, GivesBackWhatWasPut)
 {

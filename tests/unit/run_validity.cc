@@ -113,10 +113,16 @@ namespace
   {
     const Scene scene =
       scene_of("", in_si + helium + Overrides{"Fluid/Inlet pressure=1e5"});
-    const FlowPath       path    = step_at(1., .1, 1e-6).flow->channel.paths.front();
+    FlowPath             path    = step_at(1., .1, 1e-6).flow->channel.paths.front();
     const KnudsenNumbers knudsen = knudsen_numbers(path, scene);
     EXPECT_NEAR(knudsen.mean, 2 * .19169, 1e-4);
-    EXPECT_NEAR(knudsen.at_throat, .19169, 1e-4); // the first of equal gaps, at the inlet
+    // The first of equal gaps, half a step behind the inlet: a quarter of the resistance.
+    EXPECT_NEAR(knudsen.at_throat, .19169 / std::sqrt(.75), 1e-4);
+    // At the outlet there is a vacuum, half a step before it a gas.
+    path.gaps.back() = path.bottleneck_gap = .5e-6;
+    EXPECT_NEAR(knudsen_numbers(path, scene).at_throat,
+                .19169 / .5 / std::sqrt(.25),
+                1e-4);
   }
 
   TEST(Validity, EachWordWhereItsLimitIsPassed)

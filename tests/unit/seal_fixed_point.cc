@@ -71,7 +71,7 @@ namespace strait
       iteration.damp(.25);
       iteration.relax_towards(x.data(), &image, 1);
       EXPECT_EQ(x[0], 1.125);
-      iteration.move_on();
+      iteration.move_on(.5);
       iteration.relax_towards(x.data(), &image, 1);
       EXPECT_EQ(x[0], 1.5625);
 
@@ -90,7 +90,7 @@ namespace strait
       std::vector<double> x = {0, 0, 0};
       for (int round = 0; round < 3; ++round)
         iteration.advance(x.data(), affine(x).data(), x.size());
-      iteration.restart();
+      iteration.restart(1.);
       x                               = {5, 5, 5};
       const std::vector<double> image = affine(x);
       iteration.advance(x.data(), image.data(), x.size());
@@ -104,7 +104,7 @@ namespace strait
       std::vector<double> x = {0, 0, 0};
       for (int round = 0; round < 5; ++round)
         iteration.advance(x.data(), affine(x).data(), x.size());
-      iteration.move_on();
+      iteration.move_on(1.);
       std::vector<double> y = {1, 1, 1};
       for (int round = 0; round < 2; ++round)
         {

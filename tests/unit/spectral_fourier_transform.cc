@@ -13,7 +13,6 @@ namespace
 {
   using namespace strait;
 
-  const double pi = std::acos(-1.);
 
   /** Even, odd, prime and rectangular grids; some leave a rank without rows. */
   class FourierTransformOn : public testing::TestWithParam<PeriodicGrid>
@@ -44,7 +43,7 @@ namespace
       for (int row = 0; row < layout->n_rows(); ++row)
         for (int ix = 0; ix < grid.nx; ++ix)
           field(ix, row) =
-            std::cos(2 * pi *
+            std::cos(2 * M_PI *
                        (static_cast<double>(kx) * ix / grid.nx +
                         static_cast<double>(ky) * (layout->first_row() + row) / grid.ny) +
                      phase);
@@ -127,7 +126,7 @@ namespace
     const PeriodicGrid &grid = GetParam();
     FourierTransform    transform(layout);
     const auto          laplacian = [&grid](const int kx, const int ky) {
-      return -std::pow(2 * pi * kx / grid.lx, 2) - std::pow(2 * pi * ky / grid.ly, 2);
+      return -std::pow(2 * M_PI * kx / grid.lx, 2) - std::pow(2 * M_PI * ky / grid.ly, 2);
     };
     for (const auto &[kx, ky] : {std::pair(1, 0), {0, 1}, {1, 1}, {1, -1}})
       {

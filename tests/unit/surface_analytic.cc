@@ -13,7 +13,6 @@ namespace
   using test::mentions;
   using test::whole_surface;
 
-  const double pi = std::acos(-1.);
 
   SurfaceParameters
   surface_of(const SurfaceKind kind, const double lx, const double ly)

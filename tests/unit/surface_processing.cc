@@ -13,7 +13,6 @@ namespace
   using test::input_error;
   using test::mentions;
 
-  const double pi = std::acos(-1.);
 
   /** height(x, y) at the points of a map, with x and y from 0 to 1. */
   template <class Height>
@@ -79,7 +78,7 @@ namespace
 
   TEST(MapDetrend, RemovesWhatItSays)
   {
-    const auto wave = [](double x, double) { return std::cos(2 * pi * x); };
+    const auto wave = [](double x, double) { return std::cos(2 * M_PI * x); };
     const auto bowl = [](double x, double y) {
       return 3 + 2 * x - y + x * y - 4 * y * y;
     };
@@ -180,7 +179,7 @@ namespace
   TEST(MapResample, ExactForResolvedWaves)
   {
     const auto wave = [](double x, double y) {
-      return 2 + std::cos(2 * pi * (2 * x - 3 * y) + 0.3) + std::sin(2 * pi * x);
+      return 2 + std::cos(2 * M_PI * (2 * x - 3 * y) + 0.3) + std::sin(2 * M_PI * x);
     };
     const PeriodicGrid coarse{10, 9, 2., 3.};
     const auto         map = sampled(10, 9, wave).values;
@@ -209,7 +208,7 @@ namespace
   TEST(MapResample, BandsAndLosses)
   {
     const auto wave = [](double x, double y) {
-      return 1 + 3 * std::cos(2 * pi * x) + 4 * std::cos(2 * pi * 6 * y);
+      return 1 + 3 * std::cos(2 * M_PI * x) + 4 * std::cos(2 * M_PI * 6 * y);
     };
     const PeriodicGrid grid{16, 16, 1., 1.};
     const auto         map        = sampled(16, 16, wave).values;

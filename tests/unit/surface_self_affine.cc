@@ -15,7 +15,6 @@ namespace
   using test::mentions;
   using test::whole_surface;
 
-  const double pi = std::acos(-1.);
 
   /** A surface that 64² points resolve, with 16 waves across the shorter side. */
   SurfaceParameters
@@ -64,7 +63,7 @@ namespace
           for (int ky = -10; ky <= 10; ++ky)
             sum +=
               (surface.mode(kx, ky) *
-               std::polar(1., 2 * pi * (kx * ix / double(nx) + ky * iy / double(ny))))
+               std::polar(1., 2 * M_PI * (kx * ix / double(nx) + ky * iy / double(ny))))
                 .real();
         EXPECT_NEAR(heights[iy * nx + ix], sum, 1e-12);
       }

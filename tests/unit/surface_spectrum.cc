@@ -15,7 +15,6 @@ namespace
   using namespace strait;
   using test::TemporaryFile;
 
-  const double two_pi = 2 * std::acos(-1.);
 
   SurfaceParameters
   self_affine(const double hurst, const double roll_off, const Amplitudes amplitudes)
@@ -41,7 +40,7 @@ namespace
     double     sum = 0, modes = 0;
     for (const SpectrumBin &bin : radial_spectrum(heights))
       {
-        sum += bin.density * bin.modes * two_pi * two_pi / 4.;
+        sum += bin.density * bin.modes * 2 * M_PI * 2 * M_PI / 4.;
         modes += bin.modes;
       }
     EXPECT_NEAR(std::sqrt(sum) / statistics(heights).rms_height, 1., 1e-10);
@@ -57,11 +56,11 @@ namespace
     for (const SpectrumBin &bin : radial_spectrum(heights_of(wave, 64)))
       {
         const bool holds_it =
-          bin.q < 8.01 * two_pi / 2 * 1.08 && bin.q > 8 * two_pi / 2 / 1.1;
+          bin.q < 8.01 * 2 * M_PI / 2 * 1.08 && bin.q > 8 * 2 * M_PI / 2 / 1.1;
         if (!holds_it)
           EXPECT_LT(bin.density, 1e-20) << bin.q;
         else
-          EXPECT_NEAR(bin.density * bin.modes, 4.5 * 4 / (two_pi * two_pi), 1e-10);
+          EXPECT_NEAR(bin.density * bin.modes, 4.5 * 4 / (2 * M_PI * 2 * M_PI), 1e-10);
       }
   }
 
@@ -75,9 +74,9 @@ namespace
           ASSERT_TRUE(fit);
           EXPECT_NEAR(fit->hurst_exponent, hurst, 0.03);
           EXPECT_LT(fit->hurst_error, 0.03);
-          EXPECT_NEAR(two_pi / fit->roll_off / roll_off, 1., 0.1);
+          EXPECT_NEAR(2 * M_PI / fit->roll_off / roll_off, 1., 0.1);
           EXPECT_TRUE(fit->has_roll_off);
-          EXPECT_LT(fit->q_to, two_pi / 0.04 * 1.1);
+          EXPECT_LT(fit->q_to, 2 * M_PI / 0.04 * 1.1);
         }
     const auto scattered = fit_self_affine(
       radial_spectrum(heights_of(self_affine(0.8, 0.5, Amplitudes::gaussian))));

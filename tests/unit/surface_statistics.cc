@@ -14,7 +14,6 @@ namespace
   using test::input_error;
   using test::mentions;
 
-  const double pi = std::acos(-1.);
 
   SurfaceStatistics
   statistics_of(const SurfaceParameters &parameters, const int nx, const int ny)
@@ -32,7 +31,7 @@ namespace
     parameters.amplitude = 0.2;
     const auto result    = statistics_of(parameters, 24, 18);
     EXPECT_NEAR(result.rms_height, 0.2, 1e-14);
-    EXPECT_NEAR(result.rms_slope, 0.2 * 2 * pi / 3, 1e-13);
+    EXPECT_NEAR(result.rms_slope, 0.2 * 2 * M_PI / 3, 1e-13);
     EXPECT_NEAR(result.curvature_radius, 0.035823 * 9 / 0.2, 5e-5);
     EXPECT_NEAR(result.rms_curvature * result.curvature_radius, 1., 1e-14);
     EXPECT_NEAR(result.highest, 0.8, 1e-14);
@@ -45,7 +44,7 @@ namespace
     parameters.kind      = SurfaceKind::sine;
     parameters.size      = {{0.5, 2.}};
     parameters.amplitude = 0.2;
-    const double q       = 2 * pi / 0.5;
+    const double q       = 2 * M_PI / 0.5;
     const auto   result  = statistics_of(parameters, 15, 7);
     EXPECT_NEAR(result.rms_height, 0.2 / std::sqrt(2.), 1e-14);
     EXPECT_NEAR(result.rms_slope, 0.2 * q / std::sqrt(2.), 1e-13);

@@ -86,22 +86,21 @@ namespace
     const auto   gap_at = [=](const double x, const double y) {
       return gap * (1. - y * y / (width * width) + x * x / (length * length));
     };
-    const int    n   = 400;
-    const double pi  = std::acos(-1.);
-    double       sum = 0;
+    const int n   = 400;
+    double    sum = 0;
     for (int i = 0; i < n; ++i)
       {
         // The substitutions spread the points to where the integrands are.
-        const double angle = pi * ((i + .5) / n - .5), y = width * std::sin(angle);
+        const double angle = M_PI * ((i + .5) / n - .5), y = width * std::sin(angle);
         const double scale      = length * std::cos(angle);
         double       resistance = 0;
         for (int j = 0; j < n; ++j)
           {
-            const double t = pi * ((j + .5) / n - .5);
+            const double t = M_PI * ((j + .5) / n - .5);
             resistance += scale / std::pow(std::cos(t), 2) /
-                          std::pow(gap_at(scale * std::tan(t), y), 3) * pi / n;
+                          std::pow(gap_at(scale * std::tan(t), y), 3) * M_PI / n;
           }
-        sum += width * std::cos(angle) * pi / n / (12. * viscosity * resistance);
+        sum += width * std::cos(angle) * M_PI / n / (12. * viscosity * resistance);
       }
     EXPECT_NEAR(throat_conductance(gap, length, width, viscosity) / sum, 1., 1e-6);
   }

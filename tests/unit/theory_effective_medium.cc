@@ -10,7 +10,6 @@ namespace
 {
   using namespace strait;
 
-  const double pi = std::acos(-1.);
 
   constexpr double rounding = 1e-13;
 
@@ -77,7 +76,7 @@ namespace
     const double    ratio = .4;
     const SlabField gap =
       sample(make_layout({4096, 3, 1., 1.}, MPI_COMM_WORLD),
-             [&](const double x, double) { return 1 + ratio * std::cos(2 * pi * x); });
+             [&](const double x, double) { return 1 + ratio * std::cos(2 * M_PI * x); });
     GapDistribution gaps = gap_histogram(gap, 1, 5000);
     EXPECT_EQ(gaps.contact_area, 0.);
     EXPECT_NEAR(effective_cubed_gap(gaps, 1 + 1e-9),

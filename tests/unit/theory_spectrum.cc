@@ -15,7 +15,6 @@ namespace
   using test::input_error;
   using test::mentions;
 
-  const double pi = std::acos(-1.);
 
   SurfaceParameters
   rough(const double hurst)
@@ -31,7 +30,7 @@ namespace
   double
   moment(const double hurst, const double power, const double from, const double to)
   {
-    const double corner = 4 * pi;
+    const double corner = 4 * M_PI;
     if (from < corner && to > corner)
       return moment(hurst, power, from, corner) + moment(hurst, power, corner, to);
     constexpr int n    = 200;
@@ -42,14 +41,14 @@ namespace
         const double q      = from * std::exp(k * step);
         const double weight = k == 0 || k == n ? 1. : (k % 2 == 1 ? 4. : 2.);
         const double c      = from < corner ? 1. : std::pow(q / corner, -2 * (1 + hurst));
-        sum += weight * 2 * pi * step / 3 * c * std::pow(q, power + 1);
+        sum += weight * 2 * M_PI * step / 3 * c * std::pow(q, power + 1);
       }
     return sum;
   }
 
   TEST(RadialSpectrum, MomentsOfTheModel)
   {
-    const double lowest = 2 * pi, highest = 64 * pi;
+    const double lowest = 2 * M_PI, highest = 64 * M_PI;
     for (const double hurst : {.3, .8, 1.})
       {
         const RadialSpectrum spectrum = model_spectrum(rough(hurst));
@@ -57,12 +56,12 @@ namespace
         EXPECT_NEAR(spectrum.largest_wave_number(), highest, 1e-10);
         EXPECT_NEAR(spectrum.slope_square(), 1., 1e-14);
         ASSERT_EQ(spectrum.power_laws().size(), 2u);
-        EXPECT_NEAR(spectrum.power_laws()[1].from, 4 * pi, 1e-12);
+        EXPECT_NEAR(spectrum.power_laws()[1].from, 4 * M_PI, 1e-12);
         const double all = moment(hurst, 3, lowest, highest);
         EXPECT_NEAR(spectrum.height_square(),
                     moment(hurst, 1, lowest, highest) / all,
                     1e-7);
-        for (const double q : {2.5 * pi, 3.9 * pi, 5 * pi, 50 * pi})
+        for (const double q : {2.5 * M_PI, 3.9 * M_PI, 5 * M_PI, 50 * M_PI})
           {
             EXPECT_NEAR(spectrum.slope_square_below(q),
                         moment(hurst, 3, lowest, q) / all,
@@ -104,7 +103,7 @@ namespace
         EXPECT_NEAR(std::sqrt(spectrum.height_square()) / known.rms_height, 1., 1e-12);
         EXPECT_NEAR(std::sqrt(spectrum.slope_square()) / known.rms_slope, 1., 1e-12);
         // Nothing beyond the shortest wave but what its ring adds.
-        EXPECT_LT(spectrum.largest_wave_number(), 1.03 * 64 * pi);
+        EXPECT_LT(spectrum.largest_wave_number(), 1.03 * 64 * M_PI);
         for (const double q : {20., 100., 150.})
           EXPECT_NEAR(spectrum.wave_number_at(spectrum.slope_square_below(q)) / q,
                       1.,
@@ -133,10 +132,12 @@ namespace
   {
     const SlabField heights =
       sample(make_layout({32, 16, 2., 2.}, MPI_COMM_WORLD),
-             [](const double x, double) { return .1 * std::cos(2 * pi * 5 * x / 2); });
+             [](const double x, double) { return .1 * std::cos(2 * M_PI * 5 * x / 2); });
     const RadialSpectrum spectrum = measured_spectrum(heights);
     EXPECT_NEAR(spectrum.height_square(), .005, 1e-15);
-    EXPECT_NEAR(spectrum.wave_number_at(.5 * spectrum.slope_square()), 5 * pi, .5 * pi);
+    EXPECT_NEAR(spectrum.wave_number_at(.5 * spectrum.slope_square()),
+                5 * M_PI,
+                .5 * M_PI);
   }
 
   TEST(RadialSpectrum, RejectsWhatHasNone)

@@ -17,9 +17,9 @@ namespace strait
   namespace
   {
     /** A gap and the flow in it; prints what that took. */
-    struct Solved
+    struct SolvedOnWindows
     {
-      Solved(const SlabField &gap, const FluidParameters &fluid)
+      SolvedOnWindows(const SlabField &gap, const FluidParameters &fluid)
         : given(gap, fluid)
         , solver(fluid, given.field)
       {
@@ -102,10 +102,10 @@ namespace strait
           GapFunction           along = saddle(gap);
           if (direction == FlowDirection::y)
             along = [gap](const double x, const double y) { return saddle(gap)(y, x); };
-          const Solved     fine(sample(uniform(432), along), fluid);
-          const Solved     windows(sample(nested(48, 2, 18, 24), along), fluid);
-          const Solved     coarse(sample(uniform(48), along), fluid);
-          constexpr double interpolation = 1e-3;
+          const SolvedOnWindows fine(sample(uniform(432), along), fluid);
+          const SolvedOnWindows windows(sample(nested(48, 2, 18, 24), along), fluid);
+          const SolvedOnWindows coarse(sample(uniform(48), along), fluid);
+          constexpr double      interpolation = 1e-3;
           EXPECT_EQ(windows.flow.status, "ok");
           EXPECT_LT(windows.flow.lower, windows.flow.upper);
           EXPECT_LT(windows.flow.lower, fine.flow.upper * (1 + interpolation));
@@ -126,8 +126,8 @@ namespace strait
     TEST(FlowWindows, SixLevelsFindTheSaddleThatTwoFind)
     {
       const FluidParameters fluid = plain_fluid(1e-2);
-      const Solved          two(sample(nested(256, 2, 60, 128), saddle(1e-3)), fluid);
-      const Solved          six(sample(nested(256, 6, 60, 128), saddle(1e-7)), fluid);
+      const SolvedOnWindows two(sample(nested(256, 2, 60, 128), saddle(1e-3)), fluid);
+      const SolvedOnWindows six(sample(nested(256, 6, 60, 128), saddle(1e-7)), fluid);
       EXPECT_EQ(six.flow.status, "ok");
       EXPECT_LT(six.flow.cells, 10000U);
       EXPECT_LT(six.flow.relative_width(), 1e-2);
@@ -141,13 +141,14 @@ namespace strait
     {
       FluidParameters fluid = plain_fluid(.2);
       fluid.refinement      = Refinement::uniform;
-      const Solved middle(sample(nested(64, 2, 20, 32), saddle(4e-3)), fluid);
-      const double of_middle =
+      const SolvedOnWindows middle(sample(nested(64, 2, 20, 32), saddle(4e-3)), fluid);
+      const double          of_middle =
         report_constrictions(middle.given.channel, middle.solver).fraction_at_worst;
       for (const int row : {0, 8})
         {
-          const Solved moved(sample(nested(64, 2, 20, row), saddle(4e-3, row / 64. - .5)),
-                             fluid);
+          const SolvedOnWindows moved(sample(nested(64, 2, 20, row),
+                                             saddle(4e-3, row / 64. - .5)),
+                                      fluid);
           EXPECT_EQ(moved.given.field.layout().windows().front().y, (row + 54) % 64);
           EXPECT_EQ(moved.flow.refinements, middle.flow.refinements);
           EXPECT_NEAR(moved.flow.upper / middle.flow.upper, 1., 1e-7);
@@ -162,9 +163,9 @@ namespace strait
     // The pressure at the points of a window is that at the same points of the grid.
     TEST(FlowWindows, PicturesOfAWindowFitThoseOfTheGridParallel)
     {
-      const SlabLayoutPtr layout = nested(64, 1, 20, 0);
-      const Solved        solved(sample(layout, saddle(1e-2, -.5)), plain_fluid(1e-2));
-      const PointRows     rows = rows_of_window(*layout, 0);
+      const SlabLayoutPtr   layout = nested(64, 1, 20, 0);
+      const SolvedOnWindows solved(sample(layout, saddle(1e-2, -.5)), plain_fluid(1e-2));
+      const PointRows       rows = rows_of_window(*layout, 0);
       const auto on_grid = flow_at_points(solved.solver, rows_of_grid(layout->grid(), 1));
       const auto in_window = flow_at_points(solved.solver, rows);
       if (layout->rank() != 0)
@@ -194,8 +195,8 @@ namespace strait
       };
       const FluidParameters fluid = plain_fluid(1e-2);
       const SlabLayoutPtr layout  = with_windows(*uniform(48), {{-1, 1, 38, 38, 20, 20}});
-      const Solved        fine(sample(uniform(144), gap), fluid);
-      const Solved        windows(sample(layout, gap), fluid);
+      const SolvedOnWindows fine(sample(uniform(144), gap), fluid);
+      const SolvedOnWindows windows(sample(layout, gap), fluid);
       EXPECT_EQ(windows.flow.status, "ok");
       EXPECT_LT(windows.flow.lower, fine.flow.upper * (1 + 1e-3));
       EXPECT_GT(windows.flow.upper, fine.flow.lower * (1 - 1e-3));
@@ -235,7 +236,7 @@ namespace strait
       const SlabLayoutPtr grid = make_layout({128, 128, 16., 16.}, MPI_COMM_WORLD);
       const SlabLayoutPtr layout =
         with_windows(*grid, {{-1, 1, 40, 24, 48, 80}, {0, 2, 40, 20, 64, 200}});
-      const Solved solved(sample(layout, gap), plain_fluid(1e-3));
+      const SolvedOnWindows solved(sample(layout, gap), plain_fluid(1e-3));
       EXPECT_EQ(solved.flow.status, "ok");
       EXPECT_LE(solved.flow.lower, 1. / resistance);
       EXPECT_GE(solved.flow.upper, 1. / resistance);
@@ -258,10 +259,10 @@ namespace strait
             direction == FlowDirection::x
               ? std::pow(1 - epsilon * epsilon, 2.5) / (1 + epsilon * epsilon / 2)
               : 1 + 1.5 * epsilon * epsilon;
-          const SlabField gap = sample(layout, [=](const double x, double) {
+          const SlabField       gap = sample(layout, [=](const double x, double) {
             return 1 + epsilon * std::cos(2 * pi * x);
           });
-          const Solved    solved(gap, fluid_along(direction, 1e-3));
+          const SolvedOnWindows solved(gap, fluid_along(direction, 1e-3));
           EXPECT_EQ(solved.flow.status, "ok");
           EXPECT_LT(solved.flow.relative_width(), 1e-3);
           EXPECT_NEAR(solved.flow.rate / exact, 1., 5e-3);
@@ -270,11 +271,11 @@ namespace strait
 
     TEST(FlowWindows, RigorousBoundsHoldParallel)
     {
-      const SlabField gap        = sample(nested(48, 2, 18, 24), saddle(4e-3));
-      const Solved    asymptotic = {gap, plain_fluid(1e-3)};
-      FluidParameters fluid      = plain_fluid(.2);
-      fluid.bounds               = FlowBounds::rigorous;
-      const Solved rigorous(gap, fluid);
+      const SlabField       gap        = sample(nested(48, 2, 18, 24), saddle(4e-3));
+      const SolvedOnWindows asymptotic = {gap, plain_fluid(1e-3)};
+      FluidParameters       fluid      = plain_fluid(.2);
+      fluid.bounds                     = FlowBounds::rigorous;
+      const SolvedOnWindows rigorous(gap, fluid);
       EXPECT_EQ(rigorous.flow.status, "ok");
       EXPECT_LE(rigorous.flow.lower, asymptotic.flow.lower);
       EXPECT_GE(rigorous.flow.upper, asymptotic.flow.upper);

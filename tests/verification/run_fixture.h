@@ -63,21 +63,21 @@ namespace strait
       result.thresholds = silent.loads.find_thresholds();
     EXPECT_TRUE(silent.loads.run([&result](const Step &step) {
       const Leakage &flow = step.flow->leakage;
-      result.rows.push_back(
-        {step.state.contact->nominal_pressure,
-         step.state.contact->contact_area_corrected,
-         step.state.mean_gap,
-         step.flow->channel.paths.empty() ? 0.
-                                          : step.flow->channel.paths[0].bottleneck_gap,
-         flow.rate,
-         flow.lower,
-         flow.upper,
-         step.state.control.slip_length,
-         step.reduced_load.value_or(0.),
-         step.flow->constrictions ? step.flow->constrictions->throat : Throat(),
-         step.errors.sum(),
-         step.flow->channel.throat.points,
-         step.status()});
+      result.rows.push_back({step.state.contact->nominal_pressure,
+                             step.state.contact->contact_area_corrected,
+                             step.state.mean_gap,
+                             step.flow->channel.paths.empty()
+                               ? 0.
+                               : step.flow->channel.paths[0].bottleneck_gap,
+                             flow.rate,
+                             flow.lower,
+                             flow.upper,
+                             step.state.control.slip_length,
+                             step.reduced_load.value_or(0.),
+                             step.flow->channel.throat,
+                             step.errors.sum(),
+                             step.flow->channel.throat.points,
+                             step.status()});
       return true;
     }));
     return result;

@@ -52,8 +52,8 @@ namespace strait
     double      in_si;
   };
 
-  /** The unit of this name, or of this column; nothing if there is none. */
-  const LeakRateUnit *find_leak_rate_unit(const std::string &name_or_column);
+  /** The unit of this name; nothing if there is none. */
+  const LeakRateUnit *find_leak_rate_unit(const std::string &name);
 
   /** The names of all of them, for messages and documentation. */
   std::string leak_rate_unit_names();

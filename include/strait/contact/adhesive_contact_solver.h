@@ -3,6 +3,7 @@
 #define strait_contact_adhesive_contact_solver_h
 
 #include <strait/base/contact_parameters.h>
+#include <strait/base/run_parameters.h>
 #include <strait/contact/contact_model.h>
 #include <strait/contact/gap_optimisation.h>
 #include <strait/contact/half_space_problem.h>
@@ -12,13 +13,6 @@
 
 namespace strait
 {
-  /** Where a state without a past comes from. */
-  enum class AdhesiveStart
-  {
-    without_adhesion, // the state of the same load without adhesion: loading
-    full_contact      // all points in contact: unloading
-  };
-
   /**
    * Solves the contact of an adhesive half-space with one surface.
    *
@@ -30,10 +24,12 @@ namespace strait
   class AdhesiveContactSolver : public ContactModel
   {
   public:
-    /** @p heights on the grid of the contact problem [length]. Collective. */
+    /** @p heights on the grid of the contact problem [length]. When unloading, a state
+     *  without a past comes from full contact, otherwise from the state of the same load
+     *  without adhesion. Collective. */
     AdhesiveContactSolver(const ContactParameters &parameters,
                           const AdhesionLaw       &law,
-                          AdhesiveStart            start,
+                          LoadPath                 path,
                           SlabField                heights);
 
     /**
@@ -46,12 +42,6 @@ namespace strait
                        const SlabField    *fluid_pressure = nullptr,
                        Digits              digits         = Digits::all) override;
 
-    bool
-    depends_on_path() const override
-    {
-      return true;
-    }
-
   private:
     std::unique_ptr<GapOptimiser> make_optimiser(double target);
     void                          check(double target, const ContactState *from) const;
@@ -61,9 +51,9 @@ namespace strait
     state_of(const GapOptimiser &optimiser, const GapSolution &, SlabField gap) const;
 
     const ContactParameters parameters;
-    const AdhesiveStart     start;
+    const bool              unloads;
     Wall                    wall;
-    HalfSpaceGapProblem     problem;
+    GapProblem              problem;
     const double            traction_scale; // rms of K h, or what a flat surface has
   };
 } // namespace strait

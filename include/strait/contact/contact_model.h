@@ -38,9 +38,6 @@ namespace strait
                                const ContactState *from           = nullptr,
                                const SlabField    *fluid_pressure = nullptr,
                                Digits              digits         = Digits::all) = 0;
-
-    /** Whether the state depends on the one it starts from by more than the tolerance. */
-    virtual bool depends_on_path() const = 0;
   };
 } // namespace strait
 

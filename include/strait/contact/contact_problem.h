@@ -3,24 +3,20 @@
 #define strait_contact_contact_problem_h
 
 #include <strait/base/collective.h>
-#include <strait/contact/adhesion_law.h>
 
 #include <array>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace strait
 {
   /**
-   * A contact problem as an optimiser sees it: the points that this rank has, what area
-   * and height each has, how to sum over all of them, and a preconditioner. Knows neither
-   * elasticity nor how the points lie. Fields are arrays of size() values of this rank;
-   * <a, b> is the mean of a·b over the nominal area, <a> that of a.
+   * The points of a contact problem that this rank has, as an optimiser sees them. Knows
+   * neither elasticity nor how they lie. <a, b> is the mean of a·b over the nominal area,
+   * <a> that of a.
    */
-  class ContactProblem
+  struct ContactProblem
   {
-  public:
     /** Points begin <= i < end of this rank that stand for the same area. */
     struct Block
     {
@@ -37,60 +33,10 @@ namespace strait
      */
     using Pass = std::function<void(const Block &range)>;
 
-    /** What there is on this rank: disjoint blocks that cover all points, and the heights
-     *  h [length], which must outlive the problem. */
-    struct Points
-    {
-      MPI_Comm           communicator;
-      std::size_t        size;
-      const double      *heights;
-      std::vector<Block> blocks;
-    };
-
-    explicit ContactProblem(Points points_)
-      : points(std::move(points_))
-    {
-    }
-
-    virtual ~ContactProblem() = default;
-
-    std::size_t
-    size() const
-    {
-      return points.size;
-    }
-
-    const std::vector<Block> &
-    blocks() const
-    {
-      return points.blocks;
-    }
-
-    const double *
-    heights() const
-    {
-      return points.heights;
-    }
-
-    /** How often the operator was applied (FFT pairs on a plain grid). */
-    virtual long n_applications() const = 0;
-
-    /** Collective: sums over the ranks, all in one message. */
-    void
-    sum_over_ranks(double *values, const int count) const
-    {
-      sum_in_place(points.communicator, values, count);
-    }
-
-    /** Collective: the largest over the ranks. */
-    double
-    largest_over_ranks(const double value) const
-    {
-      return maximum(points.communicator, value);
-    }
-
-  private:
-    const Points points;
+    const MPI_Comm           communicator;
+    const std::size_t        size;    // of the arrays that fields are on this rank
+    const double *const      heights; // h [length]; they must outlive the problem
+    const std::vector<Block> blocks;  // disjoint; they cover all points
   };
 
   /**
@@ -101,7 +47,12 @@ namespace strait
   class DualProblem : public ContactProblem
   {
   public:
-    using ContactProblem::ContactProblem;
+    explicit DualProblem(const ContactProblem &points)
+      : ContactProblem(points)
+    {
+    }
+
+    virtual ~DualProblem() = default;
 
     /** A pass that is told the work. */
     using WorkPass = std::function<void(const Block &range, double work)>;
@@ -123,37 +74,11 @@ namespace strait
      */
     virtual void precondition(float *values, const Pass &before, const Pass &after) = 0;
 
-    /** Room for size() values that lasts until the next respond(). */
+    /** Room for `size` values that lasts until the next respond(). */
     virtual float *scratch() = 0;
-  };
 
-  /**
-   * With adhesion: minimise ½⟨w, Kw⟩ + ⟨γ(g)⟩ + p0 ⟨g⟩ over gaps g >= 0, where w = g + h
-   * and K vanishes on constants. M is the inverse of K + mean_stiffness() ⟨·⟩.
-   */
-  class GapProblem : public ContactProblem
-  {
-  public:
-    GapProblem(Points points_, const AdhesionLaw &adhesion_)
-      : ContactProblem(std::move(points_))
-      , adhesion(adhesion_)
-    {
-    }
-
-    const AdhesionLaw adhesion;
-
-    /** traction = K w. Returns <w, Kw>. Collective. */
-    virtual double
-    apply(const double *displacement, double *traction, const Pass &before) = 0;
-
-    /** Replace @p values by M values. Collective. */
-    virtual void precondition(double *values, const Pass &before) = 0;
-
-    /** What stands in M for the stiffness of a uniform gap [pressure/length]. */
-    virtual double mean_stiffness() const = 0;
-
-    /** Rough values of the order one, the same however the points are dealt out. */
-    virtual void fill_with_noise(double *values) const = 0;
+    /** How often the operator was applied (FFT pairs on a plain grid). */
+    virtual long n_applications() const = 0;
   };
 
   /** Nothing to do before or after, also where the work is told. */
@@ -196,7 +121,7 @@ namespace strait
     over_ranks(const ContactProblem &problem) const
     {
       std::array<double, N> total = local;
-      problem.sum_over_ranks(total.data(), static_cast<int>(N));
+      sum_in_place(problem.communicator, total.data(), static_cast<int>(N));
       return total;
     }
 
@@ -210,7 +135,7 @@ namespace strait
   weighted_sums(const ContactProblem &problem, const Add &add)
   {
     WeightedSums<N> sums;
-    for (const ContactProblem::Block &block : problem.blocks())
+    for (const ContactProblem::Block &block : problem.blocks)
       sums.run_over(block, add);
     return sums.over_ranks(problem);
   }

@@ -43,12 +43,6 @@ namespace strait
                        const SlabField    *fluid_pressure = nullptr,
                        Digits              digits         = Digits::all) override;
 
-    bool
-    depends_on_path() const override
-    {
-      return parameters.yields();
-    }
-
   private:
     void         check(double target, double of_solid) const;
     ContactState state_without_contact(double mean_gap) const;

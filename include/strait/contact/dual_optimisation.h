@@ -108,32 +108,30 @@ namespace strait
     bool   converged  = false;
   };
 
-  /** A method that finds the pressure of a contact without adhesion. */
+  /** What the methods share that find the pressure of a contact without adhesion; see
+   *  find_pressure(). */
   class DualOptimiser
   {
   public:
     DualOptimiser(DualProblem             &problem_,
                   const ContactConstraint &constraint_,
-                  const ContactTolerance  &tolerance_)
+                  const ContactTolerance  &tolerance_,
+                  double                  *pressure_,
+                  double                  *gap_)
       : problem(problem_)
       , constraint(constraint_)
       , tolerance(tolerance_)
+      , pressure(pressure_)
+      , gap(gap_)
     {
     }
-
-    virtual ~DualOptimiser() = default;
-
-    /**
-     * @p pressure: a start on entry (values beyond the limits count as these; it must
-     * not vanish if its mean is prescribed), the solution on return. @p gap: on
-     * return g = Gp + u0 − h. Collective.
-     */
-    virtual ContactSolution solve(double *pressure, double *gap) = 0;
 
   protected:
     DualProblem            &problem;
     const ContactConstraint constraint;
     const ContactTolerance  tolerance;
+    double *const           pressure; // on the way also beyond its limits
+    double *const           gap;      // on the way off by a constant
   };
 } // namespace strait
 

@@ -2,8 +2,8 @@
 #ifndef strait_contact_gap_optimisation_h
 #define strait_contact_gap_optimisation_h
 
-#include <strait/contact/contact_problem.h>
 #include <strait/contact/contact_state.h>
+#include <strait/contact/half_space_problem.h>
 
 #include <vector>
 
@@ -44,7 +44,7 @@ namespace strait
           const bool            has_no_mean,
           double               *values)
   {
-    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+    for (std::size_t i = 0, n = problem.size; i < n; ++i)
       values[i] = is_free(i) ? values[i] : 0.;
     if (!has_no_mean)
       return;
@@ -53,7 +53,7 @@ namespace strait
       sums[1] += is_free(i) ? 1. : 0.;
     });
     const double mean      = area > 0 ? sum / area : 0.;
-    for (std::size_t i = 0, n = problem.size(); i < n; ++i)
+    for (std::size_t i = 0, n = problem.size; i < n; ++i)
       values[i] -= is_free(i) ? mean : 0.;
   }
 
@@ -131,7 +131,7 @@ namespace strait
     std::vector<double>
     field() const
     {
-      return std::vector<double>(problem.size());
+      return std::vector<double>(problem.size);
     }
 
     /** What follows from the gap as it is, after it was changed by others. One

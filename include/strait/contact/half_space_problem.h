@@ -2,6 +2,7 @@
 #ifndef strait_contact_half_space_problem_h
 #define strait_contact_half_space_problem_h
 
+#include <strait/contact/adhesion_law.h>
 #include <strait/contact/contact_problem.h>
 #include <strait/contact/two_scale_operator.h>
 
@@ -46,7 +47,7 @@ namespace strait
   }
 
   /** The points of @p heights, on one periodic grid, perhaps with windows. */
-  ContactProblem::Points points_of(const SlabField &heights);
+  ContactProblem points_of(const SlabField &heights);
 
   /** The contact of a half-space with heights on one periodic grid. */
   class HalfSpaceProblem : public DualProblem
@@ -93,25 +94,36 @@ namespace strait
   };
 
   /**
-   * The same with adhesion: K has the symbol E* q / 2. M is a TwoScaleOperator
-   * or, where the grid does not suit that, exact at the cost of an FFT pair.
+   * The same with adhesion: minimise ½⟨w, Kw⟩ + ⟨γ(g)⟩ + p0 ⟨g⟩ over gaps g >= 0, where
+   * w = g + h and K has the symbol E* q/2. M is the inverse of K + mean_stiffness() ⟨·⟩:
+   * a TwoScaleOperator or, where the grid does not suit that, exact at the cost of an FFT
+   * pair.
    */
-  class HalfSpaceGapProblem : public GapProblem
+  class GapProblem : public ContactProblem
   {
   public:
     /** As HalfSpaceProblem. */
-    HalfSpaceGapProblem(const SlabField   &heights,
-                        double             contact_modulus,
-                        const AdhesionLaw &adhesion);
+    GapProblem(const SlabField   &heights,
+               double             contact_modulus,
+               const AdhesionLaw &adhesion);
 
-    double
-         apply(const double *displacement, double *traction, const Pass &before) override;
-    void precondition(double *values, const Pass &before) override;
-    double mean_stiffness() const override;
-    void   fill_with_noise(double *values) const override;
+    const AdhesionLaw adhesion;
 
+    /** traction = K w. Returns <w, Kw>. Collective. */
+    double apply(const double *displacement, double *traction, const Pass &before);
+
+    /** Replace @p values by M values. Collective. */
+    void precondition(double *values, const Pass &before);
+
+    /** What stands in M for the stiffness of a uniform gap [pressure/length]. */
+    double mean_stiffness() const;
+
+    /** Rough values of the order one, the same however the points are dealt out. */
+    void fill_with_noise(double *values) const;
+
+    /** FFT pairs so far. */
     long
-    n_applications() const override
+    n_applications() const
     {
       return transform.n_pairs();
     }

@@ -27,10 +27,11 @@ namespace strait
   class DualConjugateGradients : public DualOptimiser
   {
   public:
-    /** Needs 9 B a local point beside the two fields of solve(). */
+    /** Needs 9 B a local point beside the two fields. */
     using DualOptimiser::DualOptimiser;
 
-    ContactSolution solve(double *pressure, double *gap) override;
+    /** As find_pressure(). */
+    ContactSolution solve();
 
   private:
     using Block = ContactProblem::Block;
@@ -55,13 +56,11 @@ namespace strait
 
     // The gaps y, the directions and what these make of the gap are in units of
     // tolerance.unit, so that they are of the order of one in any units.
-    double            *pressure   = nullptr; // p, for now also beyond
-    double            *gap        = nullptr; // g + shift
-    std::vector<float> direction  = std::vector<float>(problem.size()); // t
-    std::vector<float> response   = std::vector<float>(problem.size()); // r = G t
-    Flags              in_contact = Flags(problem.size(), 0); // 1 where p may change: C
+    std::vector<float> direction  = std::vector<float>(problem.size); // t
+    std::vector<float> response   = std::vector<float>(problem.size); // r = G t
+    Flags              in_contact = Flags(problem.size, 0); // 1 where p may change: C
 
-    double shift        = 0;
+    double shift        = 0;     // by which the gap is too large
     bool   any_beyond   = false; // pressure, its limits
     bool   gap_is_exact = false; // and not the sum of responses
     double last_length  = 0;     // of a step along t
@@ -89,20 +88,21 @@ namespace strait
   class PolonskyKeer : public DualOptimiser
   {
   public:
-    /** Needs 16 B a local point beside the two fields of solve(). */
+    /** Needs 16 B a local point beside the two fields. */
     using DualOptimiser::DualOptimiser;
 
-    ContactSolution solve(double *pressure, double *gap) override;
+    /** As find_pressure(). */
+    ContactSolution solve();
 
   private:
     void   start();
     double centre_gap();
     bool   step();
 
-    double             *p = nullptr;                             // pressure
-    double             *g = nullptr;                             // gap
-    std::vector<double> t = std::vector<double>(problem.size()); // direction
-    std::vector<double> r = std::vector<double>(problem.size()); // G t
+    double *const       p = pressure;
+    double *const       g = gap;
+    std::vector<double> t = std::vector<double>(problem.size); // direction
+    std::vector<double> r = std::vector<double>(problem.size); // G t
 
     double gap_squared      = 0; // <g, g> under pressure, and one step before
     double last_gap_squared = 0;
@@ -137,17 +137,14 @@ namespace strait
     std::vector<double> step     = field(); // d
     std::vector<double> response = field(); // K d
 
-    // Sums over the points, of the present direction and step.
-    double slope         = 0;   // <t, r>
-    double foretold_work = 0;   // <t, Kt>
-    double fixed_work    = 0;   // the part of it that is known
-    double free_work     = 0;   // <z, r>, of which <z, Kz> is a known share
-    double local_work    = 0;   // <t, γ'' t>
-    double stiffness     = 1.5; // <z, Kz>/<z, r>, at first a typical value
-    double last_fall     = 0;   // −<d, r> of the last step, before it
-    double reach         = 1;   // by which a step that closes points exceeds the foretold
-    bool   truncated     = false; // some point of the step closes
-    bool   restarts      = true;
+    // Of the present direction, <t, Kt> is foretold as fixed_work + stiffness free_work.
+    double fixed_work = 0;
+    double free_work  = 0;     // <z, r>
+    double stiffness  = 1.5;   // <z, Kz>/<z, r>, at first a typical value
+    double last_fall  = 0;     // −<d, r> of the last step, before it
+    double reach      = 1;     // by which a step that closes points exceeds the foretold
+    bool   truncated  = false; // some point of the step closes
+    bool   restarts   = true;
   };
 
   /**
@@ -199,11 +196,17 @@ namespace strait
     int    steps_forward = 0; // since the motion last went uphill
   };
 
-  /** The method of this name. @p problem must outlive it. */
-  std::unique_ptr<DualOptimiser> make_dual_optimiser(ContactMethod            method,
-                                                     DualProblem             &problem,
-                                                     const ContactConstraint &constraint,
-                                                     const ContactTolerance  &tolerance);
+  /**
+   * Solve a contact without adhesion by the method of this name. @p pressure: a start on
+   * entry (values beyond the limits count as these; it must not vanish if its mean is
+   * prescribed), the solution on return. @p gap: on return g = Gp + u0 − h. Collective.
+   */
+  ContactSolution find_pressure(ContactMethod            method,
+                                DualProblem             &problem,
+                                const ContactConstraint &constraint,
+                                const ContactTolerance  &tolerance,
+                                double                  *pressure,
+                                double                  *gap);
 
   /** The method of this name. @p problem must outlive it. */
   std::unique_ptr<GapOptimiser> make_gap_optimiser(AdhesionMethod          method,

@@ -34,11 +34,11 @@ namespace strait
     }
 
     /** The window's values from those of @p patch. */
-    void interpolate(const std::vector<Number> &patch, std::vector<Number> &window);
+    void interpolate(const std::vector<Number> &patch, Number *window);
 
     /** The parent's pressure that stands for that of @p window: the adjoint of
      *  interpolate(), over the nine of the window's points to one of the parent's. */
-    void deposit(const std::vector<Number> &window, std::vector<Number> &patch);
+    void deposit(const Number *window, std::vector<Number> &patch);
 
   private:
     static constexpr int n_support = 2 * ZoomWindow::margin;

@@ -11,7 +11,6 @@ namespace strait
   /** Where the pressure drops, along the path of least resistance. */
   struct ConstrictionReport
   {
-    Throat throat;                 // at the bottleneck
     double points_along      = 0.; // points of its level on one length of the throat
     double fraction_at_worst = 0.; // of the pressure drop, at one constriction
     int    n_for_90_percent  = 0;  // constrictions that carry 90 % of the drop

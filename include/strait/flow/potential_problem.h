@@ -3,13 +3,11 @@
 #define strait_flow_potential_problem_h
 
 #include <strait/flow/cell_coefficient.h>
-#include <strait/flow/element_matrix.h>
 #include <strait/flow/flow_mesh.h>
 #include <strait/flow/multigrid.h>
 #include <strait/flow/ring_background.h>
 
 #include <deal.II/base/function.h>
-#include <deal.II/base/index_set.h>
 #include <deal.II/distributed/solution_transfer.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -156,12 +154,6 @@ namespace strait
       return dofs;
     }
 
-    const ElementMatrix &
-    element_matrix() const
-    {
-      return element;
-    }
-
     /** The solution, with ghost values; empty before take_coefficient(). */
     const Vector &
     solution() const
@@ -192,11 +184,9 @@ namespace strait
 
     GapField::Coefficient             kind_of_coefficient;
     FlowMesh                         &mesh;
-    ElementMatrix                     element;
     dealii::FE_Q<2>                   fe;
     dealii::DoFHandler<2>             dofs;
     std::vector<Iterator>             owned_cells;
-    dealii::IndexSet                  owned, relevant;
     dealii::AffineConstraints<double> constraints;
     Vector                            distributed, ghosted; // the solution
     std::unique_ptr<CellCoefficient>  coefficient;

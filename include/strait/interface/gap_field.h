@@ -110,13 +110,6 @@ namespace strait
       return quadrature.moment_set();
     }
 
-    /** Number of times that both grid dimensions can be halved. */
-    int
-    n_halvings() const
-    {
-      return halvings;
-    }
-
     const SlabLayout &
     layout() const
     {

@@ -57,9 +57,9 @@ namespace strait
   };
 
   /**
-   * Divide a path with the given @p gaps into constrictions. Two minima of the gap
-   * are different constrictions if the channel between them widens to more than
-   * 1.5 times the gap of the wider one; they are divided where it is widest.
+   * Divide a path with the given @p gaps, one at least, into constrictions. Two minima
+   * of the gap are different constrictions if the channel between them widens to more
+   * than 1.5 times the gap of the wider one; they are divided where it is widest.
    */
   std::vector<Constriction> divide_into_constrictions(const std::vector<double> &gaps);
 

@@ -5,6 +5,7 @@
 #include <strait/percolation/flow_region.h>
 #include <strait/spectral/slab_field.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace strait
@@ -23,6 +24,19 @@ namespace strait
     resistance() const
     {
       return resistances.back();
+    }
+
+    /** The part of the resistance, 0 to 1, before the throat: before the middle of the
+     *  steps that meet at the bottleneck, which is not 1 where that is at the outlet. */
+    double
+    part_before_throat() const
+    {
+      const std::size_t throat = static_cast<std::size_t>(
+        std::min_element(gaps.begin(), gaps.end()) - gaps.begin());
+      return .5 *
+             (resistances[throat == 0 ? 0 : throat - 1] +
+              resistances[std::min(throat + 1, gaps.size() - 1)]) /
+             resistance();
     }
   };
 

@@ -23,10 +23,10 @@ namespace strait
   class CoarserSeals
   {
   public:
-    /** None where the past of a contact, or a fluid on its walls, matters: these are not
-     *  those of a coarser grid at the same load. @p heights on the grid of the contact,
-     *  which @p contact describes. @p scene and @p log must outlive this object.
-     *  Collective. */
+    /** None where there is no fluid, or where the past of a contact, or a fluid on its
+     *  walls, matters: these are not those of a coarser grid at the same load. @p heights
+     * on the grid of the contact, which @p contact describes. @p scene and @p log must
+     * outlive this object. Collective. */
     CoarserSeals(const Scene             &scene,
                  const ContactParameters &contact,
                  const SlabField         &heights,

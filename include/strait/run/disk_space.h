@@ -16,9 +16,9 @@ namespace strait
    */
   void require_space(const std::string &path, std::uintmax_t bytes, MPI_Comm comm);
 
-  /** Throws ComputationError on all ranks unless the file @p path ends with @p end, but
-   *  for blanks: a library may leave half of it without a word. Collective. */
-  void require_end(const std::string &path, const std::string &end, MPI_Comm comm);
+  /** Throws ComputationError unless the file @p path ends with @p end: a library may
+   *  leave half of it without a word. */
+  void require_end(const std::string &path, const std::string &end);
 
   /** Write a whole file in the place of the one before. Throws ComputationError if that
    *  fails; then the one before stays. */

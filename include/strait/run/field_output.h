@@ -14,9 +14,14 @@ namespace strait
    * contact) and labels (the values of NodeState) of shape (ny, nx), row 0 at
    * y = 0, with attributes lx, ly, dx, dy and the step's load. A dataset of an
    * effect that is off is absent. Beside it fields-STEP.xmf, which tells ParaView
-   * where the points are. Collective.
+   * where the points are.
+   *
+   * With a theory, alone where nothing was simulated, the group gap_distribution: the
+   * edges of the bins, and the shares of the nominal area in them, persson and simulated;
+   * attributes persson_contact_area and simulated_contact_area, the shares without a gap.
+   * What the step does not know is absent. Collective.
    */
-  void write_grid_fields(const std::string &directory, const Step &step);
+  void write_grid_fields(const std::string &directory, const Step &step, MPI_Comm comm);
 
   /**
    * Write flow-STEP.vtu and flow-STEP.pvtu to @p directory for ParaView: the
@@ -35,16 +40,6 @@ namespace strait
   void write_picture_data(const std::string     &directory,
                           const Step            &step,
                           const FluidParameters &fluid);
-
-  /**
-   * Add the group gap_distribution to fields-STEP.h5 in @p directory, or begin that file
-   * where nothing was simulated: the edges of the bins, and the shares of the nominal
-   * area in them, persson and simulated; attributes persson_contact_area and
-   * simulated_contact_area, the shares without a gap. What the step does not know is
-   * absent. Nothing without a theory. Collective.
-   */
-  void
-  write_gap_distributions(const std::string &directory, const Step &step, MPI_Comm comm);
 } // namespace strait
 
 #endif

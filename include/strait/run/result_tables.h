@@ -31,6 +31,7 @@ namespace strait
     int                number      = 0; // from 1
     unsigned long long seed        = 0;
     Orientation        orientation = Orientation::as_is;
+    std::string        failure     = {}; // why it failed, if it did
 
     double
     crossover_load() const

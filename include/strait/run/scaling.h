@@ -86,8 +86,9 @@ namespace strait
     std::vector<ScalingPoint>
     series(Quantity quantity, double slip_length, Trust trust) const;
 
-    /** Those at the smallest slip at which the quantity is known. */
-    std::vector<ScalingPoint> at_smallest_slip(Quantity quantity, Trust trust) const;
+    /** That of the steps with the least slip, which the summary is of; NaN without any.
+     */
+    double smallest_slip() const;
 
     /** What the steps at the smallest slip give a result: how many there are in its
      *  window, how many have a leak rate that serves, and the status of the others. */

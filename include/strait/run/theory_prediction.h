@@ -37,15 +37,15 @@ namespace strait
     /**
      * @p heights are measured where the scene takes the spectrum of the surface, and may
      * be null where it takes the model's. Throws InputError if the surface is flat.
-     * Collective.
+     * @p scene must outlive this object. Collective.
      */
     TheoryPrediction(const Scene &scene, const SlabField *heights);
 
     /**
      * The theory at one nominal @p pressure and @p slip_length. @p gap is the simulated
-     * one or null, @p threshold the critical load or null where it was not sought. A
-     * pressure that is not positive leaves contact area and mean gap not numbers.
-     * Collective.
+     * one, or null where the scene takes the theory's, @p threshold the critical load or
+     * null where it was not sought. A pressure that is not positive leaves contact area
+     * and mean gap not numbers. Collective.
      */
     TheoryResult predict(double            pressure,
                          double            slip_length,
@@ -59,21 +59,18 @@ namespace strait
     }
 
   private:
-    TheoryResult evaluate(const PerssonTheory   &with,
-                          double                 pressure,
-                          double                 slip_length,
-                          const GapDistribution &simulated,
-                          const Transition      *threshold) const;
+    TheoryResult evaluate(const PerssonTheory &with,
+                          double               pressure,
+                          double               slip_length,
+                          const SlabField     *gap,
+                          const Transition    *threshold) const;
     double       dimension(const PerssonTheory &with,
                            double               slip_length,
                            const Transition    *threshold) const;
 
-    TheoryParameters parameters;
-    bool             keeps_gaps;  // for the output of fields
-    double           hardness;    // 0: elastic
-    double           conductance; // leak rate of a cubed gap of one
-    PerssonTheory    persson;
-    PerssonTheory    coarse; // the difference to it estimates the error
+    const Scene  &scene;
+    PerssonTheory persson;
+    PerssonTheory coarse; // the difference to it estimates the error
   };
 } // namespace strait
 

@@ -43,19 +43,13 @@ namespace strait
      */
     void relax_towards(double *x, const double *image, std::size_t n);
 
-    /** Forget the rounds before, because the map has changed. */
-    void restart();
+    /** Forget the rounds before, because the map has changed, and take the share
+     *  @p relaxation of each residual from now on. */
+    void restart(double relaxation);
 
-    /** Begin at another point or with a map that has changed a little: what the rounds
-     *  before say about directions still holds. */
-    void move_on();
-
-    /** Take only this share of each residual from now on. */
-    void
-    relax(const double new_relaxation)
-    {
-      share = new_relaxation;
-    }
+    /** Begin at another point or with a map that has changed a little, with that share:
+     *  what the rounds before say about directions still holds. */
+    void move_on(double relaxation);
 
     /** Until it moves on, plain relaxation takes at most @p factor times as much of that
      *  as before, and never more than all. */

@@ -44,13 +44,6 @@ namespace strait
               Log                   &log,
               Timers                &timers);
 
-    /** From now on, solve() and certify() look at the constrictions as well. */
-    void
-    watch_constrictions()
-    {
-      watches_constrictions = true;
-    }
-
     /** All about one gap, the bracket of the leak rate included, to @p tolerance_factor
      *  times the target accuracy if possible. Collective. */
     StepFlow
@@ -134,8 +127,7 @@ namespace strait
     FlowDomain                      flow_domain;
     double                          aspect;            // of the domain, see Leakage
     GridPoint                       meshed_bottleneck; // that the last mesh was made for
-    double meshed_leak_rate      = 0.;                 // likewise; 0: it was discarded
-    bool   watches_constrictions = false;
+    double meshed_leak_rate = 0.;                      // likewise; 0: it was discarded
   };
 } // namespace strait
 

@@ -10,7 +10,6 @@
 #include <strait/seal/seal_state.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -23,9 +22,9 @@ namespace strait
    * once the fluid is in: its pressure jumps with each round of the iteration between
    * contact and flow. In truth it stays full, at the pressure at which it was cut off.
    * The same goes for a gap that only opens under the pressure that is continued across a
-   * contact. So what has become a pool or ceased to be one more than @c changes_allowed
-   * times does not count as a pool any more, but as what it was before (state_before()):
-   * as part of the region that it was joined to, or as contact.
+   * contact. So what has ceased to be a pool does not count as one when it comes back,
+   * but as what it was in between (state_before()): as part of the region that it was
+   * joined to, or as contact.
    */
   class UnsettledPools
   {
@@ -37,7 +36,7 @@ namespace strait
     bool
     contains(const std::size_t k) const
     {
-      return was_pool[k] && n_changes[k] > changes_allowed;
+      return is_pool[k] && has_ceased[k];
     }
 
     /** What a local grid point in such a pool last was but a pool. */
@@ -48,13 +47,9 @@ namespace strait
     }
 
   private:
-    // With none, a pool that forms on the way to the state would never count as one; with
-    // twice as many, pools that come and go cost more rounds before they are held.
-    static constexpr int changes_allowed = 1;
-
-    std::vector<NodeState>    before;
-    std::vector<std::uint8_t> was_pool; // in the last round
-    std::vector<std::uint8_t> n_changes;
+    std::vector<NodeState> before;
+    std::vector<bool>      is_pool;    // in the last round
+    std::vector<bool>      has_ceased; // to be one
   };
 
   /**
@@ -118,15 +113,16 @@ namespace strait
                     const SlabField    &assumed,
                     const PoolsInGap   &pools) const;
 
-    const Scene                &scene;
-    const Control               control;
-    const FlowStage            &flow;
-    HarmonicExtension          &extension;
-    TrappedFluid                known; // at the start of the step, or when pools last met
+    const Scene       &scene;
+    const Control      control;
+    const FlowStage   &flow;
+    HarmonicExtension &extension;
+    // At the start of the step, which its uncertainty counts from, or when pools last
+    // met.
+    TrappedFluid                known;
     std::optional<TrappedFluid> found;
-    UnsettledPools              unsettled;        // of fluid that is drained
-    const SealState            *past;             // none at the first state of a path
-    double                      uncertainty = 0.; // of what was cut off and is known now
+    UnsettledPools              unsettled;    // of fluid that is drained
+    const SealState            *past;         // none at the first state of a path
     bool                        has_extended; // so that the assumed pressure is a start
   };
 } // namespace strait

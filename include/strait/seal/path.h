@@ -75,7 +75,7 @@ namespace strait
                  const Control   &to,
                  const SealState *from,
                  Aim              aim,
-                 const StepRule  &rule = {});
+                 const StepRule  &rule);
 } // namespace strait
 
 #endif

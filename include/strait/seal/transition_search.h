@@ -63,6 +63,11 @@ namespace strait
     using Ask  = std::function<Probe(double value)>;
     using Kept = std::function<bool(const Probe &)>;
 
+    /** Of a usual load or pressure: what leaks with so little leaks by itself, and what
+     *  does not change its mind between that and as many times more never does. Half and
+     *  double of it judge alike, as neither bends the walls. */
+    static constexpr double negligible = 1e-6;
+
     /** @p tolerance: relative width of the bracket to reach. */
     TransitionSearch(Ask ask, double tolerance);
 

@@ -6,6 +6,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -92,27 +93,34 @@ namespace strait
     int
     n_ranks() const
     {
-      return static_cast<int>(row_starts.size()) - 1;
+      return number_of_ranks;
     }
 
     /** First row of this rank, and how many it has. */
     int
     first_row() const
     {
-      return row_starts[my_rank];
+      return first_row_of(my_rank);
     }
 
     int
     n_rows() const
     {
-      return row_starts[my_rank + 1] - row_starts[my_rank];
+      return first_row_of(my_rank + 1) - first_row_of(my_rank);
     }
 
     /** First row of @p rank; of the number of ranks, the number of rows. */
     int
     first_row_of(const int rank) const
     {
-      return row_starts[rank];
+      return std::min(rank * n_rows_most, periodic_grid.ny);
+    }
+
+    /** The rank that owns row @p row, 0 <= row < ny. */
+    int
+    owner_of_row(const int row) const
+    {
+      return row / n_rows_most;
     }
 
     /** Number of grid points of this rank, without windows. */
@@ -189,16 +197,14 @@ namespace strait
       return own_ranges;
     }
 
-    /** The rank that owns row @p row, 0 <= row < ny. */
-    int owner_of_row(int row) const;
-
   private:
     void add_ranges_of_row(int window, int row, std::size_t begin, double area);
 
     PeriodicGrid             periodic_grid;
     MPI_Comm                 comm;
     int                      my_rank;
-    std::vector<int>         row_starts;
+    int                      number_of_ranks;
+    int                      n_rows_most; // that a rank has
     std::vector<ZoomWindow>  zoom_windows;
     std::vector<std::size_t> starts_of_windows;
     std::vector<Range>       own_ranges;

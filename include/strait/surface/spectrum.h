@@ -19,12 +19,11 @@ namespace strait
 
   /**
    * The power spectral density of a surface, averaged over directions:
-   * C(q) = |h~(q)|² Lx Ly/(2π)², so that ∫d²q C = h_rms², in rings of
-   * @p bins_per_octave an octave up to the largest wave number that all directions
-   * have. Rings without a wave are left out. Collective; the same on all ranks.
+   * C(q) = |h~(q)|² Lx Ly/(2π)², so that ∫d²q C = h_rms², in four rings an octave up to
+   * the largest wave number that all directions have. Rings without a wave are left out.
+   * Collective; the same on all ranks.
    */
-  std::vector<SpectrumBin> radial_spectrum(const SlabField &heights,
-                                           int              bins_per_octave = 4);
+  std::vector<SpectrumBin> radial_spectrum(const SlabField &heights);
 
   /** A self-affine law: C constant up to q_r, then ∝ q^(−2(1+H)). */
   struct SelfAffineFit

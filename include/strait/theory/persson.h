@@ -37,21 +37,6 @@ namespace strait
     double plastic; // under the hardness
   };
 
-  /** How finely the integrals are computed. */
-  struct TheoryResolution
-  {
-    int    layers      = 1024;
-    double panel_width = .5;  // of ln v, with eight Gauss points
-    int    per_decade  = 100; // bins of the gap
-
-    /** Half as fine: the difference to it is an estimate of the error. */
-    TheoryResolution
-    coarser() const
-    {
-      return {layers / 2, 2 * panel_width, per_decade / 2};
-    }
-  };
-
   /**
    * Persson's theory of rough contact, with the gaps of Almqvist, Campañá, Prodanov and
    * Persson, J. Mech. Phys. Solids 59 (2011) 2355.
@@ -64,16 +49,24 @@ namespace strait
   class PerssonTheory
   {
   public:
-    /** @p gamma: share of the elastic energy at low loads, about 0.45. */
-    PerssonTheory(RadialSpectrum          spectrum,
-                  double                  effective_modulus,
-                  double                  gamma      = .45,
-                  const TheoryResolution &resolution = {});
+    /** @p gamma: share of the elastic energy at low loads, about 0.45. With half the
+     *  @p fineness integrals are computed half as finely, which tells their errors. */
+    PerssonTheory(RadialSpectrum spectrum,
+                  double         effective_modulus,
+                  double         gamma    = .45,
+                  int            fineness = 4);
 
     const RadialSpectrum &
     spectrum() const
     {
       return waves;
+    }
+
+    /** How many bins of distribution() make a decade of the gap. */
+    int
+    bins_per_decade() const
+    {
+      return 25 * fineness;
     }
 
     /** Share of the nominal area in contact at the nominal @p pressure > 0. */
@@ -115,7 +108,7 @@ namespace strait
     double                                   modulus;
     double                                   gamma;
     boost::math::chebyshev_transform<double> saturated; // see saturated_part()
-    TheoryResolution                         resolution;
+    int                                      fineness;
   };
 } // namespace strait
 

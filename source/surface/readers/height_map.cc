@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/build_info.h>
+#include <strait/base/contact_parameters.h>
 #include <strait/base/exceptions.h>
 #include <strait/surface/readers/height_map.h>
 
@@ -111,7 +112,7 @@ namespace strait
   read_values(const std::string &file, const StoredValues &stored)
   {
     const auto &[n_columns, n_rows, by_columns, begin, item_size, decode] = stored;
-    constexpr std::uint64_t most = 65535; // points of a side of a grid
+    constexpr std::uint64_t most = most_grid_points;
     const std::string       claim =
       std::to_string(n_columns) + " x " + std::to_string(n_rows) + " points";
     if (n_columns == 0 || n_rows == 0 || n_columns > most || n_rows > most)

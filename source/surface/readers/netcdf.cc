@@ -13,9 +13,6 @@ namespace strait
 {
   namespace
   {
-    // What the classic format calls its types of numbers.
-    constexpr std::uint64_t type_char = 2, type_int = 4, type_float = 5, type_double = 6;
-
     // What the library of NetCDF writes where nothing was.
     constexpr double usual_fill = 9.969209968386869e36;
 
@@ -83,10 +80,10 @@ namespace strait
      * The header of a file: big-endian numbers, texts padded to four bytes. Reads no more
      * than the file has, whatever the counts in it claim.
      */
-    class Header
+    class ClassicHeader
     {
     public:
-      explicit Header(const std::string &file_)
+      explicit ClassicHeader(const std::string &file_)
         : file(file_)
       {
         std::ifstream stream(file, std::ios::binary);
@@ -185,11 +182,11 @@ namespace strait
     /** What the coordinate variables say of the sides; nothing if one states no length.
      */
     void
-    read_sides(HeightMap         &map,
-               const std::string &file,
-               const Header      &header,
-               const std::string &name_x,
-               const std::string &name_y)
+    read_sides(HeightMap           &map,
+               const std::string   &file,
+               const ClassicHeader &header,
+               const std::string   &name_x,
+               const std::string   &name_y)
     {
       const auto x = header.variables.find(name_x), y = header.variables.find(name_y);
       if (x == header.variables.end() || y == header.variables.end() ||
@@ -205,7 +202,7 @@ namespace strait
 
     /** The variable of the heights; throws where the layout is another. */
     const Variable &
-    find_heights(const Header &header, const std::string &file)
+    find_heights(const ClassicHeader &header, const std::string &file)
     {
       const auto found = header.variables.find("heights");
       if (found == header.variables.end() || found->second.dimensions.size() != 2 ||
@@ -224,13 +221,13 @@ namespace strait
   HeightMap
   read_netcdf(const std::string &file)
   {
-    const Header     header(file);
-    const Variable  &heights    = find_heights(header, file);
-    const Dimension &outer      = header.dimensions[heights.dimensions[0]];
-    const Dimension &inner      = header.dimensions[heights.dimensions[1]];
-    const bool       x_is_outer = outer.name == "x";
-    const double     fill       = heights["_FillValue"].number.value_or(usual_fill);
-    const auto       value      = [&](const char *bytes) {
+    const ClassicHeader header(file);
+    const Variable     &heights    = find_heights(header, file);
+    const Dimension    &outer      = header.dimensions[heights.dimensions[0]];
+    const Dimension    &inner      = header.dimensions[heights.dimensions[1]];
+    const bool          x_is_outer = outer.name == "x";
+    const double        fill       = heights["_FillValue"].number.value_or(usual_fill);
+    const auto          value      = [&](const char *bytes) {
       const double number = decode(bytes, heights.type);
       return number == fill ? std::numeric_limits<double>::quiet_NaN() : number;
     };

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 
 namespace strait
@@ -21,19 +22,11 @@ namespace strait
           reinterpret_cast<const unsigned char *>(bytes));
     }
 
-    /** A number of @p type: "f8", of floating point with 8 bytes, or "i2". */
+    template <typename Number>
     double
-    decode(const std::string &type, const char *bytes)
+    decode(const char *bytes)
     {
-      if (type == "f8")
-        return little_endian<double>(bytes);
-      if (type == "f4")
-        return little_endian<float>(bytes);
-      if (type == "i2")
-        return little_endian<std::int16_t>(bytes);
-      if (type == "i4")
-        return little_endian<std::int32_t>(bytes);
-      return static_cast<double>(little_endian<std::int64_t>(bytes));
+      return static_cast<double>(little_endian<Number>(bytes));
     }
 
     /** The text of the dictionary; sets header.begin. */
@@ -73,17 +66,20 @@ namespace strait
       static const std::regex type("'descr': *'([^']*)'");
       if (!std::regex_search(dictionary, match, type))
         reject_height_map(file, "has no single data type: save a plain array.");
-      static const std::regex supported("<(f[48]|i[248])");
-      const std::string       type_name = match[1];
-      if (!std::regex_match(type_name, supported))
+      static const std::map<std::string, double (*)(const char *)> decoders = {
+        {"<f4", decode<float>},
+        {"<f8", decode<double>},
+        {"<i2", decode<std::int16_t>},
+        {"<i4", decode<std::int32_t>},
+        {"<i8", decode<std::int64_t>}};
+      const auto decoder = decoders.find(match[1]);
+      if (decoder == decoders.end())
         reject_height_map(file,
-                          "has the data type '" + type_name +
+                          "has the data type '" + match[1].str() +
                             "', and only <f4, <f8, <i2, <i4 and <i8 are supported: "
                             "convert it with astype('<f8').");
-      header.item_size = type_name[2] - '0';
-      header.decode    = [type = type_name.substr(1)](const char *bytes) {
-        return decode(type, bytes);
-      };
+      header.item_size = decoder->first[2] - '0';
+      header.decode    = decoder->second;
 
       static const std::regex shape("'shape': *\\( *([0-9]+) *, *([0-9]+) *,? *\\)");
       if (!std::regex_search(dictionary, match, shape))

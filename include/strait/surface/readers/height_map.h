@@ -48,6 +48,15 @@ namespace strait
    */
   HeightMap read_npy(const std::string &file);
 
+  /** What the classic format of NetCDF calls its types of numbers. */
+  enum NetcdfType : std::uint64_t
+  {
+    type_char   = 2,
+    type_int    = 4,
+    type_float  = 5,
+    type_double = 6
+  };
+
   /**
    * Read the variable "heights" of a NetCDF file in the classic format (CDF-1 or CDF-2)
    * and the layout of contact.engineering, as strait_import and write_netcdf_map() leave
