@@ -100,9 +100,9 @@ class Patches:
         self.load_unit = f" {run.unit('pressure')}".rstrip()  # as it follows a number
         if not seal.unit:
             return
-        column = leak_rates(run.table)[1]
         leaks = np.flatnonzero(np.nan_to_num(run.table["leak_rate"]))  # a failed row has none
         if leaks.size:
+            column = leak_rates(run.table)[1]
             self.factor = run.table[column][leaks[0]] / run.table["leak_rate"][leaks[0]]
         self.unit = seal.unit
 

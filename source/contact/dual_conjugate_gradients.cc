@@ -192,11 +192,12 @@ namespace strait
     // Every pressure is at a limit: between the gaps that let points leave either.
     double least_open   = std::numeric_limits<double>::infinity();
     double most_pressed = -least_open;
-    for (std::size_t i = 0, n = problem.size; i < n; ++i)
-      if (pressure[i] == 0)
-        least_open = std::min(least_open, gap[i]);
-      else
-        most_pressed = std::max(most_pressed, gap[i]);
+    for (const ContactProblem::Block &block : problem.blocks)
+      for (std::size_t i = block.begin; i < block.end; ++i)
+        if (pressure[i] == 0)
+          least_open = std::min(least_open, gap[i]);
+        else
+          most_pressed = std::max(most_pressed, gap[i]);
     shift = .5 * (maximum(problem.communicator, most_pressed) -
                   maximum(problem.communicator, -least_open));
   }

@@ -27,13 +27,15 @@ namespace strait
         dealii::Tensor<1, 2> period;
         period[1 - mesh.axis_along()] = mesh.axis_along() == 0 ? grid.ly : grid.lx;
         // In a window the path may be one period away from the box, and beside it two.
-        const int reach = mesh.seal() == nullptr ? 2 : 0;
+        const int                     reach = mesh.seal() == nullptr ? 2 : 0;
+        std::vector<dealii::Point<2>> on_mesh;
         for (const GridPoint &on_path : channel.paths.front().points)
           {
             const auto [x, y] = layout.position(on_path.window, on_path.ix, on_path.iy);
             for (int n = -reach; n <= reach; ++n)
-              points.insert(dealii::Point<2>(x, y) + static_cast<double>(n) * period);
+              on_mesh.push_back(dealii::Point<2>(x, y) + static_cast<double>(n) * period);
           }
+        points = dealii::pack_rtree(on_mesh);
       }
 
       bool

@@ -136,7 +136,7 @@ namespace strait
         check(HYPRE_BoomerAMGCreate(&solver), "creating BoomerAMG");
         HYPRE_BoomerAMGSetTol(solver, 0.);
         HYPRE_BoomerAMGSetMaxIter(solver, 1);
-        // Coarsening, interpolation and threshold are hypre's defaults: HMIS,
+        // Coarsening, interpolation and threshold are the defaults of hypre 2.26: HMIS,
         // "extended+i" with 4 weights, 0.25. A larger threshold or fewer weights make
         // coarse grids that are cheaper and worse.
         HYPRE_BoomerAMGSetRelaxType(solver, symmetric_gauss_seidel);

@@ -113,8 +113,12 @@ namespace strait
                       adhesion.resolution));
     }
 
-    /** The searches that come before the steps, unless they were made before. Throws
-     *  Interruption where a signal asks for it. */
+    /** Thrown where a search is left because a signal asks for it. */
+    struct StoppedInSearch
+    {
+    };
+
+    /** The searches that come before the steps, unless they were made before. */
     void
     find_seals(const Scene     &scene,
                LoadSweep       &sweep,
@@ -128,7 +132,7 @@ namespace strait
       sweep.after_probe([&]() {
         state.save(sweep, output, log);
         if (stop_requested(comm))
-          throw Interruption("in a search");
+          throw StoppedInSearch();
       });
       if (scene.programme.find_threshold)
         output.write_table(threshold_table(scene), sweep.find_thresholds());
@@ -187,7 +191,7 @@ namespace strait
       {
         find_seals(scene, sweep, output, state, comm, log);
       }
-    catch (const Interruption &)
+    catch (const StoppedInSearch &)
       {
         summary.stopped = true;
       }

@@ -10,7 +10,7 @@ namespace strait
   {
     // Grid points along a throat. With half of it exponents pass that the grid spoils,
     // with double of it results are doubted that a finer grid would hardly change.
-    constexpr double points_resolved = 7.;
+    constexpr double points_along_needed = 7.;
 
     // An error δ of L_c spoils the local exponent at reduced loads below about 20 δ:
     // there it changes ε, and by that the leak rate's slope, by a twentieth. With half of
@@ -37,7 +37,7 @@ namespace strait
                  2. * reduced / load_errors_needed));
       }
     const double points_along = step.flow->constrictions->points_along;
-    if (!(points_along >= points_resolved))
+    if (!(points_along >= points_along_needed))
       {
         doubts.emplace_back("unresolved-throat");
         log.warn(
@@ -50,8 +50,8 @@ namespace strait
                      "it, %.0f are needed: a grid finer by a factor of %.2g would do",
                      reduced,
                      points_along,
-                     points_resolved,
-                     points_resolved / points_along));
+                     points_along_needed,
+                     points_along_needed / points_along));
       }
     return doubts;
   }

@@ -110,7 +110,8 @@ namespace strait
     void
     for_each_mode_of_rows(const int block, const Move &move) const
     {
-      // Rows at a time, column by column: a line of the cache of each.
+      // As many rows at a time as fill a line of the cache with the modes of a column, so
+      // that lines are written as a whole.
       constexpr std::size_t n_at_once = 64 / sizeof(Complex);
       const std::size_t     n_rows    = n_modes / n_in_row;
       for (int rank = 0; rank < n_ranks; ++rank)

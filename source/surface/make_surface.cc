@@ -91,6 +91,7 @@ namespace strait
                            "\" cannot be read: " + error.GetMsg());
         }
     }
+
     /** A surface that is given by a formula. */
     SlabField
     heights_of_formula(const SurfaceParameters &parameters,

@@ -5,10 +5,6 @@
 
 namespace strait::reference
 {
-  namespace
-  {
-  }
-
   double
   Hertz::contact_radius() const
   {

@@ -7,7 +7,6 @@ namespace strait::reference::manufactured_flow
 {
   namespace
   {
-
     std::array<double, 2>
     gap_gradient(const double x, const double y)
     {

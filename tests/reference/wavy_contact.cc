@@ -8,7 +8,6 @@ namespace strait::reference
 {
   namespace
   {
-
     /** P = p0/p*, at most 1, where contact is complete. */
     double
     relative_load(const Westergaard &contact)

@@ -10,7 +10,7 @@ namespace strait
 {
   namespace
   {
-    constexpr int n_points = 16;
+    constexpr int side = 16;
 
     /** Cells of several sizes that fill the grid, those of this rank only. */
     std::vector<GridCell>
@@ -52,7 +52,7 @@ namespace strait
     TEST_P(GridDepositTest, LosesNothing)
     {
       const SlabLayoutPtr layout =
-        make_layout(PeriodicGrid{n_points, n_points, 1., 1.}, MPI_COMM_WORLD);
+        make_layout(PeriodicGrid{side, side, 1., 1.}, MPI_COMM_WORLD);
       const auto f = [](const double x, const double y) {
         return 1 + .3 * x - .1 * x * y;
       };
@@ -60,9 +60,9 @@ namespace strait
       for (const GridCell &cell : own_cells(*layout))
         deposit.add(cell, values_on(cell, GetParam(), f));
       const GridDeposit::Sums sums = deposit.collect();
-      const double            all  = n_points * n_points;
-      // ∫ f over [0, n_points]² in units of grid cells
-      const double exact = all + .3 * .5 * n_points * all - .1 * .25 * all * all;
+      const double            all  = side * side;
+      // ∫ f over [0, side]² in units of grid cells
+      const double exact = all + .3 * .5 * side * all - .1 * .25 * all * all;
       EXPECT_NEAR(mean(sums.integral) * all / exact, 1., 1e-14);
       for (const double area : sums.area)
         EXPECT_NEAR(area, 1., 1e-14);
@@ -72,7 +72,7 @@ namespace strait
     {
       // Σ_i v_i ∫ f N_i = ∫ f v for the bilinear interpolant v of x on one cell.
       const SlabLayoutPtr layout =
-        make_layout(PeriodicGrid{n_points, n_points, 1., 1.}, MPI_COMM_WORLD);
+        make_layout(PeriodicGrid{side, side, 1., 1.}, MPI_COMM_WORLD);
       const GridCell cell = {2, 1, 2}; // [4, 8] × [8, 12]
       GridDeposit    deposit(layout, GetParam());
       if (layout->rank() == 0)
@@ -81,7 +81,7 @@ namespace strait
       const SlabField integral = deposit.collect().integral;
       double          local    = 0;
       for (int row = 0; row < layout->n_rows(); ++row)
-        for (int ix = 0; ix < n_points; ++ix)
+        for (int ix = 0; ix < side; ++ix)
           local += ix * integral(ix, row);
       EXPECT_NEAR(sum(MPI_COMM_WORLD, local), 4. * (512. - 64.) / 3., 1e-11);
     }

@@ -11,7 +11,6 @@ namespace
 {
   using namespace strait::reference;
 
-
   /** ∫ f from @p a to @p b, with square-root ends mapped to smooth ones. */
   template <class Function>
   double

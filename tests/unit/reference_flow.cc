@@ -12,7 +12,6 @@ namespace
 {
   using namespace strait::reference;
 
-
   /** The mean of a function of period 1; converges exponentially. */
   template <class Function>
   double

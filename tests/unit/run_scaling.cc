@@ -107,6 +107,23 @@ namespace strait
                 "from 0.3 to 0.7 serve; the others are left out for coarse-throat");
     }
 
+    // Of several slip lengths the summary speaks for the least, even where that has none.
+    TEST(Scaling, TakesNoOtherSlipForTheLeast)
+    {
+      Scaling scaling(.02);
+      for (const double epsilon : {.02, .01})
+        {
+          Step failed = step_at(epsilon, 1.);
+          failed.flow.reset();
+          scaling.collect(failed);
+          Step slips                      = step_at(epsilon, std::pow(epsilon, 3.));
+          slips.state.control.slip_length = -.1;
+          scaling.collect(slips);
+        }
+      EXPECT_TRUE(std::isnan(summary_of(scaling).exponent));
+      EXPECT_EQ(summary_of(scaling).status, "no-exponent");
+    }
+
     // exp(s ε) has its crossover at 69/(20 s); a coarse throat must not spoil it, and one
     // that exponents cannot be told from does not. The theory's is from the same steps.
     TEST(Scaling, CrossoverOfResolvedSteps)

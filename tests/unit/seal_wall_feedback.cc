@@ -62,7 +62,7 @@ namespace strait
       WallFeedback                  feedback;
     };
 
-    constexpr double settled = 1e-6;
+    constexpr double feedback_tolerance = 1e-6;
 
     bool
     always(const double)
@@ -73,21 +73,22 @@ namespace strait
     TEST(WallFeedback, FindsTheStateThatPlainRoundsLeave)
     {
       UniformSeal seal([](const double p) { return .3 - 1.4 * (p - .3); }, always);
-      const FeedbackResult result = seal.solve(.5, {settled, settled});
+      const FeedbackResult result =
+        seal.solve(.5, {feedback_tolerance, feedback_tolerance});
       EXPECT_TRUE(result.converged);
       EXPECT_LE(result.iterations, 6);
-      EXPECT_NEAR(seal.pressure, .3, settled);
+      EXPECT_NEAR(seal.pressure, .3, feedback_tolerance);
     }
 
     TEST(WallFeedback, TheLeakRateMustHaveSettledToo)
     {
       // Even where the pressure is right at once, one round says nothing of it.
       UniformSeal seal([](const double) { return .3; }, always);
-      EXPECT_EQ(seal.solve(.3, {settled, settled}).iterations, 2);
-      EXPECT_EQ(seal.solve(.3, {settled, 1.}).iterations, 1);
+      EXPECT_EQ(seal.solve(.3, {feedback_tolerance, feedback_tolerance}).iterations, 2);
+      EXPECT_EQ(seal.solve(.3, {feedback_tolerance, 1.}).iterations, 1);
       UniformSeal sealed([](const double) { return .3; },
                          [](const double) { return false; });
-      EXPECT_EQ(sealed.solve(.3, {settled, settled}).iterations, 1);
+      EXPECT_EQ(sealed.solve(.3, {feedback_tolerance, feedback_tolerance}).iterations, 1);
     }
 
     TEST(WallFeedback, GoesOnFromTheLastImage)
@@ -108,11 +109,12 @@ namespace strait
     {
       const auto  open = [](const double p) { return p > .4; };
       UniformSeal seal([open](const double p) { return open(p) ? .1 : .8; }, open);
-      const FeedbackResult result = seal.solve(.5, {settled, settled});
+      const FeedbackResult result =
+        seal.solve(.5, {feedback_tolerance, feedback_tolerance});
       EXPECT_FALSE(result.converged);
       EXPECT_TRUE(result.undecided);
       EXPECT_TRUE(open(seal.pressure)); // so that there is a leak rate
-      EXPECT_NEAR(seal.pressure, .4, 2. * settled);
+      EXPECT_NEAR(seal.pressure, .4, 2. * feedback_tolerance);
       // .1 · 4/7 + .8 · 3/7 = .4
       EXPECT_NEAR(result.open_share, 4. / 7, 1e-4);
     }
@@ -155,10 +157,11 @@ namespace strait
         return open(p) ? (p > .7 ? .35 : .55 + .1 * (p - .55)) : .9;
       };
       UniformSeal          seal(next, open);
-      const FeedbackResult result = seal.solve(.9, {settled, settled});
+      const FeedbackResult result =
+        seal.solve(.9, {feedback_tolerance, feedback_tolerance});
       EXPECT_TRUE(result.converged) << result.iterations;
       EXPECT_FALSE(result.undecided);
-      EXPECT_NEAR(seal.pressure, .55, 2. * settled);
+      EXPECT_NEAR(seal.pressure, .55, 2. * feedback_tolerance);
     }
 
     TEST(WallFeedback, FindsTheGapThatStaysAjar)
@@ -191,7 +194,7 @@ namespace strait
       for (const double limit : {.7, std::numeric_limits<double>::infinity()})
         {
           UniformSeal  seal(next, always);
-          FeedbackGoal goal{settled, settled};
+          FeedbackGoal goal{feedback_tolerance, feedback_tolerance};
           goal.largest_mean = limit;
           EXPECT_TRUE(seal.solve(.1, goal).converged);
           EXPECT_NEAR(seal.pressure, .62, 1e-5);

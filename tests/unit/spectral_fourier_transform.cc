@@ -13,7 +13,6 @@ namespace
 {
   using namespace strait;
 
-
   /** Even, odd, prime and rectangular grids; some leave a rank without rows. */
   class FourierTransformOn : public testing::TestWithParam<PeriodicGrid>
   {

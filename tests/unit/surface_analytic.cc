@@ -13,7 +13,6 @@ namespace
   using test::mentions;
   using test::whole_surface;
 
-
   SurfaceParameters
   surface_of(const SurfaceKind kind, const double lx, const double ly)
   {

@@ -13,7 +13,6 @@ namespace
   using test::input_error;
   using test::mentions;
 
-
   /** height(x, y) at the points of a map, with x and y from 0 to 1. */
   template <class Height>
   HeightMap

@@ -15,7 +15,6 @@ namespace
   using test::mentions;
   using test::whole_surface;
 
-
   /** A surface that 64² points resolve, with 16 waves across the shorter side. */
   SurfaceParameters
   example(const Amplitudes amplitudes = Amplitudes::gaussian)

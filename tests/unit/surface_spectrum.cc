@@ -15,7 +15,6 @@ namespace
   using namespace strait;
   using test::TemporaryFile;
 
-
   SurfaceParameters
   self_affine(const double hurst, const double roll_off, const Amplitudes amplitudes)
   {

@@ -14,7 +14,6 @@ namespace
   using test::input_error;
   using test::mentions;
 
-
   SurfaceStatistics
   statistics_of(const SurfaceParameters &parameters, const int nx, const int ny)
   {

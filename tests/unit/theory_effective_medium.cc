@@ -10,7 +10,6 @@ namespace
 {
   using namespace strait;
 
-
   constexpr double rounding = 1e-13;
 
   TEST(EffectiveMedium, TwoPhasesInEqualShares)

@@ -15,7 +15,6 @@ namespace
   using test::input_error;
   using test::mentions;
 
-
   SurfaceParameters
   rough(const double hurst)
   {

@@ -11,7 +11,6 @@ namespace
 {
   using namespace strait;
 
-
   /** H = 0.8, L/λr = 2, λr/λs = 64 unless told otherwise, rms slope 1. */
   SurfaceParameters
   rough(const double scale_ratio = 64.)

@@ -33,10 +33,12 @@ namespace strait
      */
     using Pass = std::function<void(const Block &range)>;
 
-    const MPI_Comm           communicator;
-    const std::size_t        size;    // of the arrays that fields are on this rank
-    const double *const      heights; // h [length]; they must outlive the problem
-    const std::vector<Block> blocks;  // disjoint; they cover all points
+    const MPI_Comm      communicator;
+    const std::size_t   size;    // of the arrays that fields are on this rank
+    const double *const heights; // h [length]; they must outlive the problem
+    // Disjoint. They cover all points but those that finer ones cover, where what an
+    // array has means nothing.
+    const std::vector<Block> blocks;
   };
 
   /**

@@ -27,7 +27,8 @@ namespace strait
     }
 
     /** The part of the resistance, 0 to 1, before the throat: before the middle of the
-     *  steps that meet at the bottleneck, which is not 1 where that is at the outlet. */
+     *  steps that meet at the bottleneck, and so never at the outlet, where there may be
+     *  a vacuum. */
     double
     part_before_throat() const
     {

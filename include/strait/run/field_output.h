@@ -16,7 +16,7 @@ namespace strait
    * effect that is off is absent. Beside it fields-STEP.xmf, which tells ParaView
    * where the points are.
    *
-   * With a theory, alone where nothing was simulated, the group gap_distribution: the
+   * With a theory there is the group gap_distribution, by itself where no gap is: the
    * edges of the bins, and the shares of the nominal area in them, persson and simulated;
    * attributes persson_contact_area and simulated_contact_area, the shares without a gap.
    * What the step does not know is absent. Collective.

@@ -86,8 +86,8 @@ namespace strait
     std::vector<ScalingPoint>
     series(Quantity quantity, double slip_length, Trust trust) const;
 
-    /** That of the steps with the least slip, which the summary is of; NaN without any.
-     */
+    /** The slip length nearest to 0 of all steps, for which summarise() speaks; NaN
+     *  without steps. */
     double smallest_slip() const;
 
     /** What the steps at the smallest slip give a result: how many there are in its

@@ -43,9 +43,9 @@ namespace strait
 
     /**
      * The theory at one nominal @p pressure and @p slip_length. @p gap is the simulated
-     * one, or null where the scene takes the theory's, @p threshold the critical load or
-     * null where it was not sought. A pressure that is not positive leaves contact area
-     * and mean gap not numbers. Collective.
+     * one, which may be null unless the scene asks for its distribution, @p threshold the
+     * critical load or null where it was not sought. A pressure that is not positive
+     * leaves contact area and mean gap not numbers. Collective.
      */
     TheoryResult predict(double            pressure,
                          double            slip_length,

@@ -13,11 +13,6 @@
 
 namespace strait
 {
-  /** Points along the throat that a leak rate takes: contact grid and interpolation
-   *  change that of prm/quickstart.prm by 2 % with 2.9 points, by 10 to 27 % with 1.4 to
-   *  2.3, by 0.5 % with 6. */
-  constexpr double least_points_along_throat = 3.;
-
   /**
    * Compare @p step with every limit of the model for which @p scene gives what is
    * needed, and warn of those that are passed. doc/validity.md lists the limits with

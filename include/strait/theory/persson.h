@@ -49,8 +49,9 @@ namespace strait
   class PerssonTheory
   {
   public:
-    /** @p gamma: share of the elastic energy at low loads, about 0.45. With half the
-     *  @p fineness integrals are computed half as finely, which tells their errors. */
+    /** @p gamma: share of the elastic energy at low loads, about 0.45. @p fineness
+     *  multiplies the number of points of all integrals; what half of it changes tells
+     *  their errors. */
     PerssonTheory(RadialSpectrum spectrum,
                   double         effective_modulus,
                   double         gamma    = .45,

@@ -30,7 +30,7 @@ namespace strait
     };
 
     /** @p sections ascend without a space between them. Throws InputError if the
-     *  surface that they make is flat, as that of none is. */
+     *  surface that they make is flat, or if there are none. */
     explicit RadialSpectrum(std::vector<Section> sections);
 
     double
