@@ -38,6 +38,7 @@ namespace strait
         for (const std::size_t end : {i - 1, i})
           lengths[end] += .5 * (potentials[i] - potentials[i - 1]);
       std::vector<std::vector<double>> log_weights;
+      log_weights.reserve(weights.size());
       for (const std::vector<double> &of_part : weights)
         log_weights.push_back(logarithms(of_part));
       std::vector<double> trial(n, 1.), best;
