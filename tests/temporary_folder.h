@@ -17,6 +17,7 @@ namespace strait::test
     TemporaryFolder()
     {
       run_on_root(MPI_COMM_WORLD, [this]() {
+        // mkdtemp() puts what is unique in the place of the six X.
         folder = (std::filesystem::temp_directory_path() / "strait-XXXXXX").string();
         folder = mkdtemp(folder.data());
       });
@@ -25,10 +26,8 @@ namespace strait::test
 
     ~TemporaryFolder()
     {
-      int rank = 0;
       MPI_Barrier(MPI_COMM_WORLD);
-      MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-      if (rank == 0)
+      if (rank_in(MPI_COMM_WORLD) == 0)
         std::filesystem::remove_all(folder);
     }
 

@@ -15,7 +15,8 @@ def fields_with_gaps(folder):
     for path in numbered(folder, "fields-*.h5").values():
         try:
             with h5py.File(path) as file:
-                files += [path] * ("gap_distribution" in file)
+                if "gap_distribution" in file:
+                    files.append(path)
         except OSError:
             continue
     return files

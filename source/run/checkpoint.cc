@@ -59,7 +59,7 @@ namespace strait
         check_whole_file();
       else
         {
-          note(file != nullptr);
+          keep_error_unless(file != nullptr);
           std::string begin = signature;
           pass(begin.data(), begin.size());
         }
@@ -123,13 +123,13 @@ namespace strait
         return true;
       }
     checksum = continued_checksum(checksum, data, size);
-    note(error != 0 || std::fwrite(data, 1, size, file) == size);
+    keep_error_unless(error != 0 || std::fwrite(data, 1, size, file) == size);
     return true;
   }
 
-  /** Keep the first error in writing. */
+  /** Keep the error of a call that has failed, if it is the first. */
   void
-  Checkpoint::note(const bool succeeds)
+  Checkpoint::keep_error_unless(const bool succeeds)
   {
     if (error == 0 && !succeeds)
       error = errno != 0 ? errno : EIO;
@@ -238,11 +238,12 @@ namespace strait
       pass(&of_all, sizeof of_all);
       if (file != nullptr)
         {
-          note(std::fflush(file) == 0 && fsync(fileno(file)) == 0);
-          note(std::fclose(file) == 0);
+          keep_error_unless(std::fflush(file) == 0 && fsync(fileno(file)) == 0);
+          keep_error_unless(std::fclose(file) == 0);
           file = nullptr;
         }
-      note(error != 0 || std::rename(name_beside(path).c_str(), path.c_str()) == 0);
+      keep_error_unless(error != 0 ||
+                        std::rename(name_beside(path).c_str(), path.c_str()) == 0);
       if (error != 0)
         {
           unlink(name_beside(path).c_str());

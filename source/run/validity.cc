@@ -68,8 +68,8 @@ namespace strait
       return pressure > 0. ? pressure / load : 0.;
     }
 
-    // One function for each mechanism that is left out. Some are for steps with a path of
-    // least resistance.
+    // One function for each mechanism that is left out. Those of gas, meniscus and grid
+    // are for steps with a path of least resistance.
 
     void
     add_slope(Step &step, const Scene &scene, const double rms_slope)
@@ -250,7 +250,7 @@ namespace strait
     add_fluid_pressure(step, scene);
     add_contact_pressure(step, scene);
     add_slope(step, scene, rms_slope);
-    // There is none where nothing leaks, or nothing limits the leak.
+    // There is no path where nothing leaks, or nothing limits the leak.
     if (step.flow && !step.flow->channel.paths.empty())
       {
         add_gas(step, scene);

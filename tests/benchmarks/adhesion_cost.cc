@@ -8,6 +8,7 @@
 // L = 0.07 E*, loads 0.05 … 0.14 … 0.05 E* in steps of 0.01. Prints the pairs of the
 // first load, of the others the mean and the largest, the mean number of iterations, and
 // seconds of processor time.
+#include <strait/base/collective.h>
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/contact/adhesive_contact_solver.h>
 #include <strait/surface/make_surface.h>
@@ -100,9 +101,7 @@ namespace
         most = std::max(most, state.fft_pairs);
       }
     const double n_steps = static_cast<double>(loads.size() - 1);
-    int          rank    = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    if (rank == 0)
+    if (rank_in(MPI_COMM_WORLD) == 0)
       std::printf(
         "%-6s %5d %5.2f  first %4ld  steps %6.1f at most %4ld  iterations %5.1f  "
         "%7.3f s first %7.3f s a step\n",

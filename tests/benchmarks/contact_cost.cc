@@ -7,6 +7,7 @@
 // at POINTS (default 8) grid spacings on N × N points; nominal pressures over E*.
 // Cold starts by dual conjugate gradients and, for comparison, by the textbook method
 // of Polonsky and Keer, to the same residual; the last column is the ratio of times.
+#include <strait/base/collective.h>
 #include <strait/contact/contact_solver.h>
 #include <strait/contact/optimisers.h>
 #include <strait/spectral/fourier_transform.h>
@@ -131,8 +132,7 @@ namespace
   void
   print_rows(const int n, const double points)
   {
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    const int       rank    = rank_in(MPI_COMM_WORLD);
     const SlabField heights = rough_heights(n, points);
     const double    bare    = bare_pair(n);
     for (const double load : {0.01, 0.05, 0.1, 0.2, 0.3})
@@ -175,8 +175,7 @@ int
 main(int argc, char **argv)
 {
   MPI_Init(&argc, &argv);
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  const int rank = rank_in(MPI_COMM_WORLD);
   if (rank == 0)
     std::printf(
       "                        FFT pairs to 1e-6, 1e-8             bare      nested    "

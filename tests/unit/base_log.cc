@@ -22,9 +22,7 @@ namespace
   bool
   on_root()
   {
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    return rank == 0;
+    return rank_in(MPI_COMM_WORLD) == 0;
   }
 
   std::string

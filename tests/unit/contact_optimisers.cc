@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The optimisers on a problem that is no grid: points of different areas, all on
 // the first rank, with a dense matrix for G and preconditioners of all qualities.
+#include <strait/base/collective.h>
 #include <strait/contact/optimisers.h>
 
 #include <gtest/gtest.h>
@@ -23,9 +24,7 @@ namespace
   {
     DensePoints()
     {
-      int rank = 0;
-      MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-      n = rank == 0 ? 60 : 0;
+      n = rank_in(MPI_COMM_WORLD) == 0 ? 60 : 0;
       for (std::size_t i = 0; i < n; ++i)
         {
           position.push_back(std::fmod(0.6180339887 * static_cast<double>(i + 1), 1.));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // GoogleTest under MPI: rank 0 prints, and the tests fail if any rank fails.
+#include <strait/base/collective.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
@@ -42,8 +44,7 @@ main(int argc, char **argv)
   // Starts p4est, PETSc and their like as well, which the flow needs; one thread.
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   testing::InitGoogleTest(&argc, argv);
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  const int rank = strait::rank_in(MPI_COMM_WORLD);
   if (rank != 0)
     {
       // Several ranks that write one report would destroy it.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/units.h>
 #include <strait/run/result_tables.h>
@@ -102,9 +103,7 @@ namespace
       all << std::ifstream(path).rdbuf();
       return all.str();
     };
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    if (rank != 0) // one of them writes
+    if (rank_in(MPI_COMM_WORLD) != 0) // one of them writes
       return;
     make(true).write_rows(path, {{"a", .2, 3}});
     EXPECT_EQ(text(), "name,count,half\na,3,0.10000000000000001\n");

@@ -65,7 +65,7 @@ namespace strait
     std::string       item(std::string bytes);
     std::size_t       size_of_item(std::size_t size);
     bool              pass(void *data, std::size_t size);
-    void              note(bool succeeds);
+    void              keep_error_unless(bool succeeds);
     void              check_whole_file();
     [[noreturn]] void refuse() const;
 
