@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/flow_lattice.h>
 
-#include <algorithm>
+#include <cstdlib>
 #include <functional>
 
 namespace strait
@@ -92,10 +92,9 @@ namespace strait
   }
 
   std::vector<std::size_t>
-  FlowLattice::points_around(const GridPoint &p, const int reach) const
+  FlowLattice::points_at_distance(const GridPoint &p, const int distance) const
   {
     const int along = levels.along_x ? p.ix : p.iy, across = levels.along_x ? p.iy : p.ix;
-    const int n_across = levels[0].n_across, reach_across = std::min(reach, n_across);
     std::vector<std::size_t>                 points;
     const std::function<void(const Place &)> add = [&](const Place &place) {
       if (const std::size_t k = number_of(place); k != none)
@@ -105,12 +104,15 @@ namespace strait
           for (const int a : {-1, 0, 1})
             add({fine.level, fine.along + a, fine.across + b});
     };
-    for (int a = std::max(along - reach, 0);
-         a <= std::min(along + reach, levels[0].n_along - 1);
-         ++a)
-      for (int b = across - reach_across; b <= across + reach_across; ++b)
-        if (region == nullptr || (b >= 0 && b < n_across))
-          add({0, a, b});
+    for (int a = along - distance; a <= along + distance; ++a)
+      {
+        const bool on_edge = std::abs(a - along) == distance;
+        const int  step    = on_edge ? 1 : 2 * distance;
+        for (int b = across - distance; b <= across + distance; b += step)
+          if (a >= 0 && a < levels[0].n_along &&
+              (region == nullptr || (b >= 0 && b < levels[0].n_across)))
+            add({0, a, b});
+      }
     return points;
   }
 

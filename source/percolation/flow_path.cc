@@ -138,17 +138,17 @@ namespace strait
       // corner. A throat of more than twice the longest is no throat.
       constexpr int    shortest = 2, longest = 32;
       std::vector<int> reaches;
-      const auto       is_open = [this](const std::size_t near) { return gap[near] > 0; };
+      const auto       is_open = [this](const std::size_t k) { return gap[k] > 0; };
       for (const GridPoint &point : points)
         {
-          int reach = shortest;
+          int reach = 0;
           for (; reach < longest; ++reach)
             {
-              const std::vector<std::size_t> near = gap.points_around(point, reach);
-              if (!std::all_of(near.begin(), near.end(), is_open))
+              const std::vector<std::size_t> there = gap.points_at_distance(point, reach);
+              if (!std::all_of(there.begin(), there.end(), is_open))
                 break;
             }
-          reaches.push_back(reach);
+          reaches.push_back(std::max(reach, shortest));
         }
       MPI_Allreduce(MPI_IN_PLACE,
                     reaches.data(),
@@ -177,8 +177,9 @@ namespace strait
           }
       const std::vector<int> reaches = reaches_of(throats);
       for (std::size_t i = 0; i < throats.size(); ++i)
-        for (const std::size_t near : gap.points_around(throats[i], reaches[i]))
-          blocked[near] = true;
+        for (int distance = 0; distance <= reaches[i]; ++distance)
+          for (const std::size_t k : gap.points_at_distance(throats[i], distance))
+            blocked[k] = true;
     }
   } // namespace
 

@@ -122,8 +122,11 @@ namespace strait
     // more, double of it blurs the tightest thresholds that can be asked for.
     constexpr double least = 1e-5;
     const double     share = looseness * seal.scene.programme.threshold_tolerance;
-    agree({std::min(seal.scene.fluid.feedback.tolerance, std::max(share, least)),
-           std::numeric_limits<double>::infinity()});
+    FeedbackGoal     goal{std::min(seal.scene.fluid.feedback.tolerance,
+                               std::max(share, least)),
+                      std::numeric_limits<double>::infinity()};
+    goal.once_lost = looseness;
+    agree(goal);
   }
 
   /**

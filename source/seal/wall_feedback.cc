@@ -120,8 +120,13 @@ namespace strait
         result.change = size(difference(now.fluid_pressure, assumed));
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
-        const bool flips  = percolated && *percolated != now.percolates;
-        const bool agrees = result.agrees_within(goal);
+        const bool flips = percolated && *percolated != now.percolates;
+        if (!began_open)
+          began_open = now.percolates;
+        const bool is_lost = now.percolates && !*began_open;
+        const bool agrees =
+          result.agrees_within(goal) ||
+          (is_lost && std::max(result.change, result.leak_change) <= goal.once_lost);
         if (agrees || (!flips && stays_in_place(now, goal, result)))
           {
             result.converged = true;

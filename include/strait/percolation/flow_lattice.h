@@ -135,9 +135,9 @@ namespace strait
      *  @p k. */
     std::size_t start_of(std::size_t k, std::uint8_t number) const;
 
-    /** The points that this rank knows within @p reach spacings from the point @p p of
-     * the grid, each way, and the points of windows that stand for such. */
-    std::vector<std::size_t> points_around(const GridPoint &p, int reach) const;
+    /** The points that this rank knows @p distance spacings from the point @p p of the
+     * grid, the larger of both ways, and the points of windows that stand for such. */
+    std::vector<std::size_t> points_at_distance(const GridPoint &p, int distance) const;
 
     /** The point of the grid or a window that is point @p k of the lattice. */
     GridPoint
