@@ -6,7 +6,7 @@ import re
 import matplotlib
 import numpy as np
 
-from strait_results import Run
+from strait_results import Run, read_table
 
 STYLE = {"font.size": 10, "xtick.labelsize": 9, "ytick.labelsize": 9, "legend.fontsize": 9,
          "legend.frameon": False, "lines.linewidth": 1.4, "lines.markersize": 5, "savefig.dpi": 150,
@@ -106,6 +106,22 @@ def numbered(folder, pattern):
         if name:
             found[int(name[1])] = path
     return dict(sorted(found.items()))
+
+
+def realisations(folder, pattern="realisation-*"):
+    """The folders of the realisations, or a file in each, by number: those that ensemble.csv lists
+    where there is one, as others may be left of an earlier run."""
+    found, table = numbered(folder, pattern), folder / "ensemble.csv"
+    if table.exists():
+        listed = read_table(table).get("realisation", ())
+        found = {number: path for number, path in found.items() if number in listed}
+    return found
+
+
+def nearest_slip(table):
+    """Where the slip length is that nearest to zero, which is taken of several."""
+    slips = table.get("slip_length", np.zeros(len(table["leak_rate"])))
+    return slips == slips.max(initial=-np.inf)  # none is positive
 
 
 def scene_in(folder):

@@ -9,8 +9,8 @@ import sys
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, numbered, readable,
-                         with_unit)
+from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, nearest_slip,
+                         readable, realisations, with_unit)
 from strait_results import read_table
 
 LARGEST_SUPERPOSED = 0.3
@@ -20,14 +20,13 @@ QUANTITIES = (("critical_load", "Critical load", "pressure"),
 
 
 def read_curve(path):
-    """(reduced load, leak rate, whether uncertain) of one realisation, by reduced load.
+    """(reduced load, size of the leak rate, whether uncertain) of one realisation, by reduced load.
 
     Of several slip lengths that nearest to zero is taken.
     """
     table = read_table(path)
-    slips = table.get("slip_length", np.zeros(len(table["leak_rate"])))
-    reduced, leak, status = table["reduced_load"], table["leak_rate"], table["status"]
-    rows = np.flatnonzero((reduced > 0) & (leak > 0) & (slips == slips.max()) & is_trusted(status))
+    reduced, leak, status = table["reduced_load"], np.abs(table["leak_rate"]), table["status"]
+    rows = np.flatnonzero((reduced > 0) & (leak > 0) & nearest_slip(table) & is_trusted(status))
     rows = rows[np.argsort(reduced[rows])]
     return reduced[rows], leak[rows], is_uncertain(status[rows])
 
@@ -35,7 +34,7 @@ def read_curve(path):
 def read_curves(folder):
     """The curves of all realisations that have at least two points, by their number."""
     curves, of_a_seal = {}, (folder / "seal.csv").exists()
-    for number, path in numbered(folder, "realisation-*/leakage.csv").items():
+    for number, path in realisations(folder, "realisation-*/leakage.csv").items():
         try:
             if of_a_seal and "reduced_load" not in read_table(path):
                 continue  # patches, of which no threshold was sought

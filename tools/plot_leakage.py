@@ -16,6 +16,14 @@ def column(table, name, default):
     return table.get(name, np.full(len(next(iter(table.values()))), default))
 
 
+def leak_rate_label(table, units):
+    """That of an axis with the sizes of leak rates, of which a logarithm can be drawn."""
+    rates = [table[name] for name in ("leak_rate", "theory_leak_rate") if name in table]
+    is_negative = any((rate < 0).any() for rate in rates)
+    return with_unit("Size of the negative leak rate" if is_negative else "Leak rate",
+                     "leak_rate", units)
+
+
 def all_series(table):
     """(label, slip length, branch, rows) of each line: one a branch and slip length."""
     branches, slips = column(table, "branch", ""), column(table, "slip_length", 0.)
@@ -28,8 +36,8 @@ def all_series(table):
 
 
 def error_bars(table, rows):
-    """Distances of the bounds from the leak rate, below and above; no bound, no bar."""
-    leak = table["leak_rate"]
+    """Distances of the bounds from the size of the leak rate, below and above; no bound, no bar."""
+    leak = np.abs(table["leak_rate"])
     with np.errstate(invalid="ignore"):  # nothing limits the leak of parted walls
         bars = np.array([leak - column(table, "leak_rate_lower", np.nan),
                          column(table, "leak_rate_upper", np.nan) - leak])[:, rows]
@@ -45,8 +53,8 @@ def draw_line(axes, x, y, hollow, **style):
 
 
 def draw_steps(axes, table, x):
-    """Leak rates against the column @p x, with what is known of their bounds."""
-    leak, status = table["leak_rate"], column(table, "status", "ok")
+    """Sizes of leak rates against the column @p x, with what is known of their bounds."""
+    leak, status = np.abs(table["leak_rate"]), column(table, "status", "ok")
     drawn = np.isfinite(table[x]) & np.isfinite(leak) & (leak > 0)
     failed = drawn & ~is_trusted(status)
     hollow = drawn & is_uncertain(status)
@@ -86,7 +94,7 @@ def draw_leak_rate(axes, table, units, _):
     leak, pressure = table["leak_rate"], table["pressure"]
     percolates = column(table, "percolates", np.nan)
     sealed = np.where(np.isfinite(percolates), percolates == 0, leak == 0)
-    if (leak > 0).any():
+    if (np.abs(leak) > 0).any():
         draw_steps(axes, table, "pressure")
         draw_theory(axes, table, "pressure")
     else:
@@ -96,7 +104,7 @@ def draw_leak_rate(axes, table, units, _):
                   markersize=7, fillstyle="none", transform=axes.get_xaxis_transform(),
                   label="sealed")
     label_axis(axes.xaxis, "Nominal pressure", "pressure", units, pressure.max(initial=0))
-    axes.set_ylabel(with_unit("Leak rate", "leak_rate", units))
+    axes.set_ylabel(leak_rate_label(table, units))
 
 
 def draw_contact(axes, table, units, _):
@@ -126,13 +134,14 @@ def draw_theory_alone(axes, table, units, _):
     """What the effective medium leaks, where nothing was simulated."""
     draw_theory(axes, table, "pressure")
     axes.set(yscale="log", xlabel=with_unit("Nominal pressure", "pressure", units),
-             ylabel=with_unit("Leak rate", "leak_rate", units))
+             ylabel=leak_rate_label(table, units))
 
 
 def draw_guides(axes, table):
     """Thin lines of the expected slopes at the last point: 69/20, and 3 of the largest slip."""
     reduced, leak, slips = (column(table, name, 0.)
                             for name in ("reduced_load", "leak_rate", "slip_length"))
+    leak = np.abs(leak)
     converged = is_trusted(column(table, "status", "ok"))
     for slope, name, kind in ((69 / 20, "69/20", slips == 0), (3, "3", slips < 0)):
         rows = np.flatnonzero(kind & converged & (reduced > 0) & (leak > 0))
@@ -165,7 +174,7 @@ def draw_threshold(axes, table, units, fits):
     draw_theory(axes, near, "reduced_load")
     draw_guides(axes, near)
     axes.set(xscale="log", yscale="log", xlabel=r"Distance from threshold, $1 - L/L_c$",
-             ylabel=with_unit("Leak rate", "leak_rate", units))
+             ylabel=leak_rate_label(table, units))
     axes.text(0.97, 0.03, "\n".join(fits), transform=axes.transAxes, ha="right", fontsize=9)
 
 

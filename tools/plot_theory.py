@@ -20,17 +20,17 @@ from strait_results import read_table
 
 
 def draw_theory(axes, table, x, name="theory_leak_rate", label="theory"):
-    """A red line of the column @p name against the column @p x; of the leak rate one for each
-    slip length, on which contact area and mean gap do not depend."""
+    """A red line of the column @p name against the column @p x; of the leak rate, that is of its
+    size, one for each slip length, on which contact area and mean gap do not depend."""
     if name not in table:
         return
-    slips = np.zeros(len(table[name]))
+    values, slips = table[name], np.zeros(len(table[name]))
     if name == "theory_leak_rate":
-        slips = table.get("slip_length", slips)
+        values, slips = np.abs(values), table.get("slip_length", slips)
     for i, slip in enumerate(dict.fromkeys(slips)):
-        rows = np.flatnonzero((slips == slip) & np.isfinite(table[x]) & (table[name] > 0))
+        rows = np.flatnonzero((slips == slip) & np.isfinite(table[x]) & (values > 0))
         rows = rows[np.argsort(table[x][rows], kind="stable")]
-        axes.plot(table[x][rows], table[name][rows], ("-", "--", ":", "-.")[i % 4], color=RED,
+        axes.plot(table[x][rows], values[rows], ("-", "--", ":", "-.")[i % 4], color=RED,
                   linewidth=1.1, label=label if i == 0 else None, zorder=1)
 
 

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from plot_common import numbered, read_parameters, scene_in
+from plot_common import read_parameters, realisations, scene_in
 from strait_results import Run
 
 
@@ -15,10 +15,10 @@ class Results:
         self.folder = folder
         self.is_ensemble = (folder / "ensemble.csv").exists()
         self.runs = [Run(path.parent) for path in
-                     numbered(folder, "realisation-*/leakage.csv").values()] \
+                     realisations(folder, "realisation-*/leakage.csv").values()] \
             if self.is_ensemble else [Run(folder)]
         if not self.runs:
-            raise FileNotFoundError(f"{folder} holds no realisation that has begun")
+            raise FileNotFoundError(f"{folder} holds no realisation that is done")
         self.scene = scene_in(folder)
         self.parameters = read_parameters(self.scene)
         log = folder / "log.txt"

@@ -14,7 +14,8 @@ import sys
 try:
     import numpy as np
 
-    from plot_common import is_trusted, leak_rates, numbered, read_parameters, scene_in
+    from plot_common import (is_trusted, leak_rates, nearest_slip, read_parameters, realisations,
+                             scene_in)
     from report_results import relative_errors
     from seal_network import Band, at_loads
     from seal_scene import Seal, box_of
@@ -49,8 +50,9 @@ class Patches:
     def __init__(self, folder, seal):
         self.along, self.across, self.ends = [], [], []
         self.errors, self.dropped, self.in_rows = [], [], True
-        self.factor, self.unit, self.load_unit, solution_sources = 1., "", "", set()
-        for path in numbered(folder, "realisation-*").values():
+        self.factor, self.unit, self.load_unit, self.slip = 1., "", "", ""
+        self.knows_budget, budgets = True, []
+        for path in realisations(folder).values():
             try:
                 run, values = Run(path), read_parameters(scene_in(path))
                 alone, in_a_row, errors = self._of_loads(run, box_of(values), seal)
@@ -65,21 +67,27 @@ class Patches:
                 self.ends.append(alone)
             self.in_rows = self.in_rows and "two_boxes_leak_rate" in run.table
             self.errors.append(errors)
-            solution_sources.add("grid" if "leak_rate_error" in run.table else "mesh")
+            self.knows_budget = self.knows_budget and "leak_rate_error" in run.table
+            # Without a run.json nothing is known of its steps.
+            budgets += run.record.get("error_budget", [{"relative_errors": {}}])
             self._take_unit(run, seal)
+            self._take_slip(run)
         if len(self.along) < 2:
             sys.exit("The whole seal needs two patches along the flow with leak rates at all "
                      f"loads, and there are {len(self.along)}" +
                      (": " + "; ".join(self.dropped) if self.dropped else "") + ".")
         self.along, self.ends = np.array(self.along), np.array(self.ends)
         self.across = np.array(self.across) if self.across else self.along
-        self.knows_grid = solution_sources == {"grid"}
+        # Not all grids can be compared with coarser ones.
+        self.knows_grid = self.knows_budget and all("contact grid" in step["relative_errors"]
+                                                    for step in budgets)
 
     @staticmethod
     def _of_loads(run, box, seal):
         """Conductances of one patch: alone between reservoirs, and in an endless row; errors."""
         table, (length, breadth) = run.table, box
-        rows = [np.flatnonzero(np.isclose(table["pressure"], load, rtol=1e-9))[:1]
+        chosen = nearest_slip(table)
+        rows = [np.flatnonzero(np.isclose(table["pressure"], load, rtol=1e-9) & chosen)[:1]
                 for load in seal.loads]
         for load, row in zip(seal.loads, rows):
             if not row.size or not is_trusted(table["status"][row]).all():
@@ -105,6 +113,13 @@ class Patches:
             column = leak_rates(run.table)[1]
             self.factor = run.table[column][leaks[0]] / run.table["leak_rate"][leaks[0]]
         self.unit = seal.unit
+
+    def _take_slip(self, run):
+        """What is said of the slip length where there are several."""
+        slips = run.table.get("slip_length", np.zeros(1))
+        if len(set(slips)) > 1:
+            length = f"{slips.max():.6g} {run.unit('slip_length')}".rstrip()
+            self.slip = f", with the slip length {length}, the nearest to zero of {len(set(slips))}"
 
 
 def open_at_ends(along, alone):
@@ -162,7 +177,7 @@ def verdict(load, band, seal, patches):
         return (f"most of the uncertainty at {load}, {factor} each way, is that of the seal "
                 "itself: seals of this size differ so much, and no more patches narrow it")
     advice = ("Contact/Grid points, Contact/Zoom or Fluid/Target accuracy, as their logs say"
-              if patches.knows_grid else "Fluid/Target accuracy")
+              if patches.knows_budget else "Fluid/Target accuracy")
     return (f"most of the uncertainty at {load}, {factor} each way, comes from the solutions "
             f"of the patches: improve {advice}")
 
@@ -188,8 +203,9 @@ def doubts(seal, patches):
     if seal.n_along * seal.length > 1.5 * seal.width:
         yield f"a patch is longer than the contact is wide ({seal.width:.4g})"
     if not patches.knows_grid:
-        yield ("the error of the contact grid is not in the band; Output/Error budget = true "
-               "estimates it")
+        yield ("the error of the contact grid is not in the band; " +
+               ("the logs of the patches say why" if patches.knows_budget else
+                "Output/Error budget = true estimates it"))
 
 
 def write(path, header, rows):
@@ -210,7 +226,7 @@ def assess(folder):
             band.arrangement, band.solution) for load, band in bands])
     unit, load_unit = patches.unit or "in the scene's units", patches.load_unit
     print(f"whole seal: {seal.n_along} × {seal.n_around} patches, drawn from "
-          f"{len(patches.along)} along the flow and {len(patches.across)} across")
+          f"{len(patches.along)} along the flow and {len(patches.across)} across{patches.slip}")
     for load, band in bands:
         print(f"  under {load:.6g}{load_unit}: {band.median:.4g} {unit}, "
               f"90 % between {band.lower:.4g} and {band.upper:.4g}")

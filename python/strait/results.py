@@ -121,16 +121,27 @@ class Run:
         self.record = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
         # Of several realisations each has a folder with a table of its own.
         is_ensemble = (self.folder / "ensemble.csv").exists()
+        self._units = self.record.get("column_units") or (
+            self._units_of_realisations() if is_ensemble else {})
         self.table = self.csv("ensemble.csv" if is_ensemble else "leakage.csv")
         self.keeper = None  # of a folder that is to last as long as this
 
     def csv(self, name):
         """The columns of a table by their names."""
-        return read_table(self.folder / name, self.record.get("column_units"))
+        return read_table(self.folder / name, self._units)
 
     def unit(self, column):
         """The unit of a column of any table, empty of texts and where the scene states none."""
-        return self.record.get("column_units", {}).get(column, "")
+        return self._units.get(column, "")
+
+    def _units_of_realisations(self):
+        """The first one's, and those of loads that only ensemble.csv has; it has no run.json."""
+        record = self.folder / "realisation-1" / "run.json"
+        if not record.exists():
+            return {}
+        units = json.loads(record.read_text(encoding="utf-8")).get("column_units", {})
+        return {**dict.fromkeys(("crossover_load", "theory_crossover_load"),
+                                units.get("pressure", "")), **units}
 
     def fields(self, step):
         """All data sets of fields-STEP.h5, and its attributes under "attributes"."""

@@ -11,29 +11,30 @@ namespace strait
     section.add("Enabled", enabled).meaning =
       "Let the surfaces attract each other, in addition to the hard wall. States then "
       "depend on the path of the load.";
-    section.add("Law", shape, Names{"exponential", "van der Waals"}).meaning =
+    ParameterSection effect = section.when("Enabled", {"true"});
+    effect.add("Law", shape, Names{"exponential", "van der Waals"}).meaning =
       "Energy per area at the gap g: exponential: -gamma0 exp(-g/z0); van der Waals: "
       "-gamma0/(1 + g/z0)^2, of longer reach.";
-    section.add("Surface energy", surface_energy, not_negative).meaning =
+    effect.add("Surface energy", surface_energy, not_negative).meaning =
       "gamma0: energy gained per area in contact [energy/area].";
-    section.add("Range", range, not_negative).meaning =
+    effect.add("Range", range, not_negative).meaning =
       "z0: range of the attraction [length]; or give the Tabor number.";
-    section.add("Tabor number", tabor_number, not_negative).meaning =
+    effect.add("Tabor number", tabor_number, not_negative).meaning =
       "Sets the range: z0 = Rc^(1/3) (gamma0/E*)^(2/3) over this number, with 1/Rc^2 = "
       "1/2 sum (qx^4 + qy^4) |h(q)|^2. Small: long range; large: short [1].";
-    section.add("Match area at pressure", matched_pressure, not_negative).meaning =
+    effect.add("Match area at pressure", matched_pressure, not_negative).meaning =
       "If not 0, choose gamma0 such that adhesion doubles the contact area at this "
       "nominal pressure, loading; takes the place of Surface energy [pressure].";
-    section.add("Solver", method, Names{"nonlinear CG", "newton CG", "GFMD"}).meaning =
+    effect.add("Solver", method, Names{"nonlinear CG", "newton CG", "GFMD"}).meaning =
       "nonlinear CG: preconditioned conjugate gradients on the gap; newton CG: truncated "
       "Newton, slower, for verification; GFMD: damped, mass-weighted Green's-function "
       "molecular dynamics, slower still. Contact/Tolerance is the largest traction that "
       "is not balanced, over E* times the rms slope over 2.";
-    section.add("Accept unresolved range", accept_unresolved).meaning =
+    effect.add("Accept unresolved range", accept_unresolved).meaning =
       "Compute although E*/(k a) < 0.8 with the grid spacing a and the slope k of the "
       "attraction in contact, gamma0/z0^2 (van der Waals: 6 gamma0/z0^2); loads of jumps "
       "then depend on the grid.";
-    section.add("Trajectory", write_relaxation).meaning =
+    effect.add("Trajectory", write_relaxation).meaning =
       "Write energy, residual and step of every iteration of step N to relaxation-N.csv.";
   }
 
@@ -58,11 +59,12 @@ namespace strait
     section.add("Enabled", enabled).meaning =
       "Solve the contact on finer points around the throats that matter, in windows "
       "refined threefold a level, and tell the error of the whole leak rate.";
-    section.add("Points along throat", points_along_throat, any_number.at_least(4.))
+    ParameterSection effect = section.when("Enabled", {"true"});
+    effect.add("Points along throat", points_along_throat, any_number.at_least(4.))
       .meaning =
       "Levels are added until a throat has so many points along the flow, from its "
       "narrowest one to where the gap is twice as large [1].";
-    section.add("Maximum levels", maximum_levels, any_number.at_least(1).at_most(10))
+    effect.add("Maximum levels", maximum_levels, any_number.at_least(1).at_most(10))
       .meaning =
       "No throat gets more, each of a third of the spacing of the one before [1].";
   }
@@ -111,22 +113,19 @@ namespace strait
     zoom.bind(section.subsection("Zoom"));
   }
 
-  void
-  ContactParameters::take_elastic_constants()
+  std::optional<double>
+  ContactParameters::modulus_of_bodies() const
   {
     if (young_moduli.empty() && poisson_ratios.empty())
-      return;
+      return {};
     if (young_moduli.size() != poisson_ratios.size() || young_moduli.size() > 2)
       throw InputError("Contact/Young's moduli and Poisson ratios have " +
                        std::to_string(young_moduli.size()) + " and " +
                        std::to_string(poisson_ratios.size()) +
                        " entries; give one of each for each elastic body, one or two.");
-    if (effective_modulus != ContactParameters().effective_modulus)
-      throw InputError(
-        "Contact/Effective modulus and Young's moduli are both given; remove one.");
     double compliance = 0; // 1/E* = Σ (1 − ν²)/E
     for (std::size_t i = 0; i < young_moduli.size(); ++i)
       compliance += (1 - poisson_ratios[i] * poisson_ratios[i]) / young_moduli[i];
-    effective_modulus = 1 / compliance;
+    return 1 / compliance;
   }
 } // namespace strait

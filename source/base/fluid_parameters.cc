@@ -52,23 +52,23 @@ namespace strait
       "Let the fluid press the walls apart: contact and flow are solved in turn until "
       "they agree. The pressures of the fluid then count from that outside the seal, "
       "which the load is measured against.";
-    section.add("Tolerance", tolerance, positive.below(1.)).meaning =
+    ParameterSection effect = section.when("Enabled", {"true"});
+    effect.add("Tolerance", tolerance, positive.below(1.)).meaning =
       "Change of the fluid pressure (rms, over that of a reservoir or its own, whichever "
       "is more) below which contact and flow agree; the leak rate then changes by less "
       "than that or a tenth of Fluid/Target accuracy, whichever is more [1].";
-    section.add("Maximum iterations", maximum_iterations, any_number.at_least(1))
-      .meaning =
+    effect.add("Maximum iterations", maximum_iterations, any_number.at_least(1)).meaning =
       "Rounds of contact and flow after which a step counts as not converged [1].";
-    section.add("Acceleration", acceleration, Names{"anderson", "none"}).meaning =
+    effect.add("Acceleration", acceleration, Names{"anderson", "none"}).meaning =
       "anderson: combine the last rounds such that the change would be smallest; none: "
       "take the pressure of the last round.";
-    section.add("Relaxation", relaxation, positive.at_most(1.)).meaning =
+    effect.add("Relaxation", relaxation, positive.at_most(1.)).meaning =
       "Share of a change of the fluid pressure that is taken [1].";
-    section.add("Pool pressure", pool_pressure, any_number).meaning =
+    effect.add("Pool pressure", pool_pressure, any_number).meaning =
       "Fluid pressure in open regions that no reservoir reaches; 0: they are dry "
       "[pressure]. Where trapped fluid is not drained, that in which it is found at the "
       "start of a path.";
-    section
+    effect
       .add("Trapped fluid",
            trapped_fluid,
            Names{"drained", "incompressible", "compressible", "gas"})
@@ -77,11 +77,11 @@ namespace strait
       "pressure, as in a seal that was assembled dry; otherwise it keeps its mass along "
       "the load path. incompressible: it keeps its volume; compressible: a liquid of "
       "Bulk modulus; gas: pressure times volume stays.";
-    section.add("Bulk modulus", bulk_modulus, not_negative).meaning =
+    effect.add("Bulk modulus", bulk_modulus, not_negative).meaning =
       "Of trapped fluid that is compressible, at pressure 0 [pressure].";
-    section.add("Bulk modulus slope", bulk_modulus_slope, not_negative).meaning =
+    effect.add("Bulk modulus slope", bulk_modulus_slope, not_negative).meaning =
       "Derivative of the bulk modulus by the pressure [1].";
-    section.add("Vapour pressure", vapour_pressure, any_number).meaning =
+    effect.add("Vapour pressure", vapour_pressure, any_number).meaning =
       "Trapped liquid that has too much room forms a cavity of this pressure; it counts "
       "like all pressures from that outside the seal [pressure].";
   }
@@ -131,19 +131,23 @@ namespace strait
       "given. The column validity then tells where it is rarefied.";
     section.add("Molar mass", molar_mass, not_negative).meaning =
       "M: of a gas that Gas does not know; 0: not known [kg/mol].";
-    section.add("Temperature", temperature, positive).meaning =
-      "T: of a gas, for its mean free path [K].";
+    section.when("State", {"gas"}).add("Temperature", temperature, positive).meaning =
+      "T, for its mean free path [K].";
     section.add("Rarefaction", rarefaction, Names{"none", "slip", "transitional"})
       .meaning =
       "Of a gas. none: it is viscous in any gap; slip: it slips along the walls, to "
       "first order in the mean free path over the gap; transitional: from viscous to "
       "molecular flow, by the linearised BGK equation between walls that reflect "
       "diffusely. Needs Gas or Molar mass.";
-    section.add("Accommodation", accommodation, positive.at_most(1.)).meaning =
+    section.when("State", {"gas"})
+      .add("Accommodation", accommodation, positive.at_most(1.))
+      .meaning =
       "alpha: fraction of the molecules that the walls reflect diffusely, which makes "
       "the coefficient of slip 1.1466 (2 - alpha)/alpha; for Rarefaction = slip [1].";
-    section.add("Surface tension", surface_tension, not_negative).meaning =
-      "gamma: of a liquid, which the column validity needs to compare the pressure "
+    section.when("State", {"liquid"})
+      .add("Surface tension", surface_tension, not_negative)
+      .meaning =
+      "gamma, which the column validity needs to compare the pressure "
       "across a meniscus in the throat with the one that drives the flow; 0: not known "
       "[energy/area].";
     section.add("Viscosity", viscosity, positive).meaning =
@@ -177,8 +181,8 @@ namespace strait
       "Relative accuracy of the leak rate at which refinement stops [1]; with Zoom that "
       "of the whole number, of which the mesh takes half.";
     section.add("Maximum unknowns", maximum_unknowns, any_number.at_least(1)).meaning =
-      "Refinement stops before the flow has more unknowns than this, the first mesh "
-      "apart [1].";
+      "Refinement stops before the flow has more unknowns than about this, the first "
+      "mesh apart [1].";
     section.add("Bounds", bounds, Names{"asymptotic", "rigorous"}).meaning =
       "The leak rate's bounds, by integrals of the conductivity and its reciprocal from "
       "above. asymptotic: by Gauss quadrature where the gap is known to vary little, "
@@ -203,13 +207,19 @@ namespace strait
     if (molar_mass > 0.)
       thermal_speed = std::sqrt(2. * gas_constant * temperature / molar_mass) *
                       seconds_in(units.time).value_or(1.) / units.length_in_metres();
-    if (known == nullptr || viscosity != FluidParameters().viscosity)
-      return;
+  }
+
+  std::optional<double>
+  FluidParameters::viscosity_of_gas(const UnitParameters &units) const
+  {
+    const Gas *const known = find_gas(gas);
+    if (known == nullptr)
+      return {};
     if (temperature != FluidParameters().temperature)
       throw InputError("Fluid/Gas knows the viscosity of " + gas +
                        " at 293.15 K only; give Fluid/Viscosity at the temperature.");
-    viscosity = known->viscosity / (pascals_in(units.pressure).value_or(1.) *
-                                    seconds_in(units.time).value_or(1.));
+    return known->viscosity / (pascals_in(units.pressure).value_or(1.) *
+                               seconds_in(units.time).value_or(1.));
   }
 
   void

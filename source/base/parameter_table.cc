@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 namespace strait
 {
@@ -52,6 +53,16 @@ namespace strait
             line = indent + "#";
           }
       out << line << "\n";
+    }
+
+    /** With what it counts for, if that is more than the effect of its section. */
+    std::string
+    meaning_of(const Parameter &parameter)
+    {
+      return parameter.decider.empty() || parameter.decider == "Enabled"
+               ? parameter.meaning
+               : parameter.decider + " = " + join(parameter.needed, ", ") + ": " +
+                   parameter.meaning;
     }
 
     /** Text in which nothing marks up. */
@@ -136,6 +147,37 @@ namespace strait
                        magnitude_note(entry.value) + ".");
   }
 
+  bool
+  ParameterTable::counts(const Parameter &parameter) const
+  {
+    for (const Parameter &other : parameters)
+      if (other.section == parameter.section && other.name == parameter.decider)
+        return std::find(parameter.needed.begin(), parameter.needed.end(), other.value) !=
+               parameter.needed.end();
+    return true;
+  }
+
+  std::vector<std::string>
+  ParameterTable::without_effect() const
+  {
+    std::vector<std::pair<std::string, std::vector<std::string>>> idle; // by what is off
+    for (const Parameter &parameter : parameters)
+      {
+        if (parameter.value == parameter.usual || counts(parameter))
+          continue;
+        const std::string off = join(parameter.section, "/") + "/" + parameter.decider +
+                                " = " + join(parameter.needed, " or ");
+        if (idle.empty() || idle.back().first != off)
+          idle.push_back({off, {}});
+        idle.back().second.push_back(parameter.name);
+      }
+    std::vector<std::string> sentences;
+    for (const auto &[off, names] : idle)
+      sentences.push_back("without " + off +
+                          " these have no effect: " + join(names, ", "));
+    return sentences;
+  }
+
   std::string
   ParameterTable::scene(const bool explained) const
   {
@@ -145,7 +187,7 @@ namespace strait
       {
         go_to(parameter.section, open, out);
         if (explained)
-          print_comment(parameter.meaning + " Values: " + parameter.allowed + ".",
+          print_comment(meaning_of(parameter) + " Values: " + parameter.allowed + ".",
                         indent(open),
                         out);
         out << indent(open) << trim("set " + parameter.name + " = " + parameter.value)
@@ -164,7 +206,9 @@ namespace strait
       << "All parameters of a scene, section by section, as `strait --parameters md` "
          "prints them;\n`strait --parameters prm` prints a scene with every default. The "
          "unit stands in brackets,\n[1] for a number without one. Numbers are 0 or of a "
-         "magnitude from 1e-30 to 1e30.\n\n";
+         "magnitude from 1e-30 to 1e30.\nWhat begins with a condition, as `Kind = file:` "
+         "does, counts where that holds, and the parameters\nof an effect where it is "
+         "`Enabled`; where they are given all the same, a warning says so.\n\n";
     std::vector<std::string> section;
     for (const Parameter &parameter : parameters)
       {
@@ -175,7 +219,7 @@ namespace strait
         section = parameter.section;
         out << "| " << parameter.name << " | "
             << (parameter.value.empty() ? "" : "`" + parameter.value + "`") << " | "
-            << parameter.allowed << " | " << escaped(parameter.meaning) << " |\n";
+            << parameter.allowed << " | " << escaped(meaning_of(parameter)) << " |\n";
       }
     return out.str() + "\n";
   }
@@ -186,6 +230,24 @@ namespace strait
     std::vector<std::string> inner = names;
     inner.push_back(name);
     return {table, inner};
+  }
+
+  ParameterSection
+  ParameterSection::when(const std::string              &decider_,
+                         const std::vector<std::string> &needed_) const
+  {
+    ParameterSection result = *this;
+    result.decider          = decider_;
+    result.needed           = needed_;
+    return result;
+  }
+
+  Parameter &
+  ParameterSection::append(Parameter parameter)
+  {
+    parameter.decider = decider;
+    parameter.needed  = needed;
+    return table.add(std::move(parameter));
   }
 
   Parameter &
@@ -201,15 +263,15 @@ namespace strait
                              std::string       &variable,
                              const std::string &keyword)
   {
-    return table.add({names,
-                      name,
-                      variable,
-                      keyword.empty() ? "a path" : keyword + ", or a path",
-                      [&variable](const std::string &path) {
-                        variable = path;
-                        return true;
-                      },
-                      true,
-                      keyword});
+    return append({names,
+                   name,
+                   variable,
+                   keyword.empty() ? "a path" : keyword + ", or a path",
+                   [&variable](const std::string &path) {
+                     variable = path;
+                     return true;
+                   },
+                   true,
+                   keyword});
   }
 } // namespace strait

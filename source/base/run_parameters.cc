@@ -145,13 +145,14 @@ namespace strait
       "Persson's contact theory and an effective medium beside each step. With Contact "
       "and Fluid off they are evaluated alone, for every load of Load "
       "programme/Pressures and without a grid.";
-    section.add("Spectrum", spectrum, Names{"model", "surface"}).meaning =
+    ParameterSection effect = section.when("Enabled", {"true"});
+    effect.add("Spectrum", spectrum, Names{"model", "surface"}).meaning =
       "model: what a self-affine surface has on average, in closed form; surface: that "
       "of the heights on the grid.";
-    section.add("Gap distribution", gaps, Names{"persson", "simulated"}).meaning =
+    effect.add("Gap distribution", gaps, Names{"persson", "simulated"}).meaning =
       "The gaps that the effective medium is made of: persson, those of the theory; "
       "simulated, those of the step.";
-    section
+    effect
       .add("Dimension parameter",
            dimension,
            Names{"bruggeman", "critical fraction", "from threshold"})
@@ -160,11 +161,11 @@ namespace strait
       "bruggeman: n = 2; critical fraction: from the fraction given below; from "
       "threshold: such that it seals at the critical load of this run (Load "
       "programme/Find threshold).";
-    section.add("Critical contact fraction", critical_fraction, positive.below(1.))
+    effect.add("Critical contact fraction", critical_fraction, positive.below(1.))
       .meaning =
       "Contact fraction at which the effective medium seals, for Dimension parameter = "
       "critical fraction [1].";
-    section.add("Gamma", gamma, positive.at_most(1.)).meaning =
+    effect.add("Gamma", gamma, positive.at_most(1.)).meaning =
       "Persson's gamma, the share of the elastic energy of full contact that is stored "
       "at low loads [1].";
   }

@@ -154,7 +154,13 @@ namespace strait
       const MapParameters                   &map   = scene.surface.map;
       const std::vector<unsigned long long> &seeds = scene.realisations.seeds;
       if (scene.surface.kind != SurfaceKind::file)
-        return;
+        {
+          if (seeds.size() > 1 && scene.surface.kind != SurfaceKind::self_affine)
+            throw InputError(
+              "Realisations/Seeds are of random surfaces and windows of maps; others "
+              "would be copies that falsify the scatter, give one seed.");
+          return;
+        }
       if (seeds.empty())
         map.check_window(scene.surface.seed);
       for (const unsigned long long seed : seeds)
@@ -239,6 +245,10 @@ namespace strait
       throw InputError(
         "Fluid/Wall feedback lets a fluid press on an elastic wall; it "
         "needs Contact/Enabled and Fluid/Enabled.");
+    if (fluid.feedback.enabled && fluid.slip_lengths.size() > 1)
+      throw InputError(
+        "Fluid/Wall feedback follows one path of states, which is another one for each "
+        "Slip length; give one, and run the others by themselves.");
     const bool has_mesh = fluid.enabled && !fluid.mesh_file.empty();
     if (has_mesh && output.error_budget)
       throw InputError(
@@ -257,7 +267,7 @@ namespace strait
   std::vector<std::string>
   Scene::warnings() const
   {
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings     = without_effect;
     const double             shorter_side = std::min(surface.size[0], surface.size[1]);
     if (surface.kind == SurfaceKind::self_affine &&
         surface.roll_off_wavelength > shorter_side)

@@ -40,40 +40,42 @@ namespace strait
                                 parse_length_unit(text).metres;
                        }};
     section.add_path("File", file).meaning =
-      "Kind = file: a measured map: what tools/strait_import leaves of an instrument's "
+      "a measured map: what tools/strait_import leaves of an instrument's "
       "file (NetCDF), .npy, or a matrix of numbers below a header of units; a relative "
       "path starts at the folder of the scene file (with --set: at the current folder).";
     section.add_path("Second file", second_file).meaning =
-      "Kind = file: the map of the other body, if that is rough as well; turned over (x "
+      "the map of the other body, if that is rough as well; turned over (x "
       "to -x) and added.";
     section.add("Height unit", height_unit, unit).meaning =
-      "Kind = file: what 1 in the file is high; scene: the scene's unit of length; "
+      "what 1 in the file is high; scene: the scene's unit of length; "
       "empty: what the file states, or the scene's if it states no unit at all.";
     section.add("Lateral unit", lateral_unit, unit).meaning =
-      "Kind = file: the same of the size that the file states.";
+      "the same of the size that the file states.";
     section.add("Largest missing share", largest_missing_share, not_negative.at_most(1.))
       .meaning =
-      "Kind = file: missing points are filled by harmonic interpolation if they are not "
+      "missing points are filled by harmonic interpolation if they are not "
       "more than this share of all [1].";
     section.add("Windows", windows, any_number.at_least(1).at_most(1000)).meaning =
-      "Kind = file: cut the map into so many equal windows along x and y, and take the "
+      "cut the map into so many equal windows along x and y, and take the "
       "one with the number Seed, counted along x from 1; one number: both [1].";
     section.add("Detrend", detrend, Names{"none", "mean", "tilt", "curvature"}).meaning =
-      "Kind = file: subtract the mean, the plane (tilt) or the paraboloid (curvature) of "
+      "subtract the mean, the plane (tilt) or the paraboloid (curvature) of "
       "least squares.";
     section.add("Make periodic", make_periodic, Names{"no", "window", "mirror"}).meaning =
-      "Kind = file: no: the map is one period as it is; window: heights fade to their "
+      "no: the map is one period as it is; window: heights fade to their "
       "mean at the edges; mirror: the map and its mirror images, twice as long and wide.";
-    section.add("Window width", window_width, positive.at_most(0.5)).meaning =
-      "Make periodic = window: share of the sides over which heights fade, at each edge "
+    section.when("Make periodic", {"window"})
+      .add("Window width", window_width, positive.at_most(0.5))
+      .meaning =
+      "share of the sides over which heights fade, at each edge "
       "[1].";
     section.add("Resample", resample).meaning =
-      "Kind = file: bring the map to Contact/Grid points by Fourier interpolation; "
+      "bring the map to Contact/Grid points by Fourier interpolation; "
       "false: the grid must be the map's.";
     section.add("Shortest wavelength", shortest_wavelength, not_negative).meaning =
-      "Kind = file: waves shorter than this are removed; 0: none [length].";
+      "waves shorter than this are removed; 0: none [length].";
     section.add("Longest wavelength", longest_wavelength, not_negative).meaning =
-      "Kind = file: waves longer than this are removed; 0: none [length].";
+      "waves longer than this are removed; 0: none [length].";
   }
 
   void
@@ -118,34 +120,39 @@ namespace strait
     section.add("Size", size, positive).meaning =
       "Lx, Ly: sides of the periodic box [length]; one number: a square. Kind = file: if "
       "empty, the map's own.";
-    section.add("Seed", seed, not_negative).meaning =
-      "Kind = self-affine: number of the realisation. The same seed gives the same "
-      "surface on every grid and number of ranks. Kind = file: number of the window.";
-    section.add("Hurst exponent", hurst_exponent, positive.at_most(1.)).meaning =
-      "Kind = self-affine: H; the spectrum falls as q^(-2(1+H)) [1].";
-    section.add("Roll-off wavelength", roll_off_wavelength, positive).meaning =
-      "Kind = self-affine: longest wavelength of the self-affine range; the spectrum is "
+    section.when("Kind", {"self-affine", "file"})
+      .add("Seed", seed, not_negative)
+      .meaning =
+      "number of the realisation, which gives the same surface on every grid and number of "
+      "ranks, or of the window of a map.";
+    ParameterSection of_law = section.when("Kind", {"self-affine"});
+    of_law.add("Hurst exponent", hurst_exponent, positive.at_most(1.)).meaning =
+      "H; the spectrum falls as q^(-2(1+H)) [1].";
+    of_law.add("Roll-off wavelength", roll_off_wavelength, positive).meaning =
+      "longest wavelength of the self-affine range; the spectrum is "
       "constant above it [length].";
-    section.add("Short cut-off wavelength", short_cut_off_wavelength, positive).meaning =
-      "Kind = self-affine: no roughness below this wavelength [length].";
-    section.add("Amplitudes", amplitudes, Names{"gaussian", "fixed"}).meaning =
-      "Kind = self-affine: amplitudes of the waves drawn at random (gaussian), or equal "
+    of_law.add("Short cut-off wavelength", short_cut_off_wavelength, positive).meaning =
+      "no roughness below this wavelength [length].";
+    of_law.add("Amplitudes", amplitudes, Names{"gaussian", "fixed"}).meaning =
+      "amplitudes of the waves drawn at random (gaussian), or equal "
       "to the spectrum with random phases only (fixed).";
-    section.add("Normalisation", normalisation, Names{"rms slope", "rms height"})
-      .meaning = "Kind = self-affine: what RMS value prescribes.";
-    section.add("RMS value", rms_value, not_negative).meaning =
-      "Kind = self-affine: rms slope [1] or rms height [length].";
-    section.add("Amplitude", amplitude, not_negative).meaning =
-      "Kind = square saddle, triangular peaks, honeycomb peaks, sine: the amplitude "
-      "Delta [length]; sphere: its radius [length].";
+    of_law.add("Normalisation", normalisation, Names{"rms slope", "rms height"}).meaning =
+      "what RMS value prescribes.";
+    of_law.add("RMS value", rms_value, not_negative).meaning =
+      "rms slope [1] or rms height [length].";
     section
+      .when("Kind",
+            {"square saddle", "triangular peaks", "honeycomb peaks", "sine", "sphere"})
+      .add("Amplitude", amplitude, not_negative)
+      .meaning = "the amplitude Delta [length], of a sphere its radius [length].";
+    section.when("Kind", {"expression"})
       .add("Expression",
            expression,
            Text{"text", [](const std::string &) { return true; }})
       .meaning =
-      "Kind = expression: h [length] as a formula of x and y [length], in muParser's "
+      "h [length] as a formula of x and y [length], in muParser's "
       "syntax; pi is known.";
-    map.bind(section);
+    map.bind(section.when("Kind", {"file"}));
     section.add("Invert", invert).meaning = "Use -h instead of h.";
     section.add("Rotate", rotate).meaning = "Rotate the surface by 90 degrees.";
   }
@@ -179,6 +186,10 @@ namespace strait
         case SurfaceKind::flat:
           break;
       }
+    if (kind != SurfaceKind::file && !map.file.empty())
+      throw InputError(
+        "Surface/File is a map, but Surface/Kind is no file; set Kind = "
+        "file, or remove File.");
   }
 
   std::string

@@ -55,8 +55,14 @@ namespace strait
         dealii::Utilities::MPI::max(*values,
                                     solver.mesh().triangulation().get_communicator(),
                                     *values);
+      // Of a gas the potential that was solved for is not the pressure.
+      const double outlet = solver.pressure_at(0.), inlet = solver.pressure_at(1.);
       for (std::size_t k = 0; k < result.size(); ++k)
-        result[k] = std::max(result[k] == unknown ? beside[k] : result[k], 0.);
+        {
+          const double potential =
+            std::clamp(result[k] == unknown ? beside[k] : result[k], 0., 1.);
+          result[k] = (solver.pressure_at(potential) - outlet) / (inlet - outlet);
+        }
       // The path begins and ends in the reservoirs, perhaps beyond the outline of a mesh.
       result.front() = 1.;
       result.back()  = 0.;
@@ -70,8 +76,7 @@ namespace strait
     const FlowPath    &path   = channel.paths.front();
     const SlabLayout  &layout = channel.gap.layout();
     ConstrictionReport report;
-    const auto [dx, dy] = layout.spacing(path.bottleneck.window);
-    report.points_along = channel.throat.length / std::max(dx, dy);
+    report.points_along = channel.throat.length / channel.throat.spacing;
 
     const std::vector<double> pressure = pressure_along(solver, layout, path);
     std::vector<double>       drops;

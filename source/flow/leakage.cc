@@ -2,7 +2,9 @@
 #include <strait/flow/leakage.h>
 #include <strait/interface/rarefied_gas.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace strait
 {
@@ -10,6 +12,8 @@ namespace strait
   effective_gap(const Leakage &leakage, const FluidParameters &fluid)
   {
     const double drop = fluid.inlet_pressure - fluid.outlet_pressure;
+    if (drop == 0.)
+      return std::numeric_limits<double>::quiet_NaN(); // any gap would do
     const double viscous =
       std::cbrt(12. * fluid.viscosity * leakage.rate * leakage.aspect / drop);
     if (fluid.rarefaction == Rarefaction::none || leakage.rate == 0.)
@@ -17,13 +21,13 @@ namespace strait
     // A rarefied gas needs less of a gap, whose cube falls short of the other's by what
     // its mobility is more: each round comes closer from above, until rounding is left.
     const RarefiedGas gas(fluid);
-    double            gap = viscous, before = 0.;
+    const auto [low, high] = std::minmax(fluid.inlet_pressure, fluid.outlet_pressure);
+    double gap = viscous, before = 0.;
     do
       {
         before = gap;
         gap    = viscous *
-              std::cbrt(drop * fluid.mean_pressure() /
-                        gas.drive(gap, fluid.outlet_pressure, fluid.inlet_pressure));
+              std::cbrt((high - low) * fluid.mean_pressure() / gas.drive(gap, low, high));
       }
     while (gap < before);
     return gap;

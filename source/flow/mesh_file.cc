@@ -3,6 +3,7 @@
 #include <strait/flow/seal_mesh.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <sstream>
 
@@ -126,8 +127,9 @@ namespace strait
               for (std::size_t g = 0; g < n_groups; ++g)
                 {
                   const auto id = next<int>("a physical group");
+                  // Its sign tells which way round the curve is in the group.
                   if (dim == 1)
-                    boundary_ids.emplace(tag, id);
+                    boundary_ids.emplace(tag, std::abs(id));
                 }
               if (dim == 0)
                 continue;

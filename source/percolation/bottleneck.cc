@@ -73,12 +73,14 @@ namespace strait
   position_of(const SlabLayout &layout, const GridPoint &point)
   {
     const PeriodicGrid &grid = layout.grid();
-    auto [x, y]              = layout.position(point.window, point.ix, point.iy);
-    if (point.window >= 0) // which may cross the seam
-      {
-        x -= grid.lx * std::floor(x / grid.lx);
-        y -= grid.ly * std::floor(y / grid.ly);
-      }
-    return {{x, y}};
+    const auto [x, y]        = layout.position(point.window, point.ix, point.iy);
+    // A window may cross the seam, whose points are those at its far end.
+    const auto within = [](const double at, const double period) {
+      constexpr double rounding = 1e-9;
+      return at - period * (std::ceil(at / period - rounding) - 1.);
+    };
+    return point.window < 0
+             ? std::array<double, 2>{{x, y}}
+             : std::array<double, 2>{{within(x, grid.lx), within(y, grid.ly)}};
   }
 } // namespace strait

@@ -187,22 +187,21 @@ namespace strait
       const double along = middle + radius, across = middle - radius;
 
       Throat throat;
-      throat.gap    = g0;
-      throat.length = along > 0 ? std::sqrt(2 * g0 / along) : unknown;
-      throat.width  = across < 0 ? std::sqrt(-2 * g0 / across) : unknown;
+      throat.gap         = g0;
+      throat.length      = along > 0 ? std::sqrt(2 * g0 / along) : unknown;
+      throat.width       = across < 0 ? std::sqrt(-2 * g0 / across) : unknown;
+      const double angle = .5 * std::atan2(2 * xy, xx - yy);
+      const double c = std::cos(angle), s = std::sin(angle);
+      throat.spacing = 1. / std::hypot(c / dx, s / dy);
       if (g0 > 0)
-        {
-          const double angle = .5 * std::atan2(2 * xy, xx - yy);
-          const double c = std::cos(angle), s = std::sin(angle);
-          throat.doubling_length = .5 * (doubling_length(gap, point, {{c, s}}) +
-                                         doubling_length(gap, point, {{-c, -s}}));
-        }
+        throat.doubling_length = .5 * (doubling_length(gap, point, {{c, s}}) +
+                                       doubling_length(gap, point, {{-c, -s}}));
       const double length =
         std::isnan(throat.doubling_length) ? throat.length : throat.doubling_length;
       if (std::isnan(length))
         throat.points = all_open ? std::numeric_limits<double>::infinity() : 0.;
       else
-        throat.points = length / std::max(dx, dy);
+        throat.points = length / throat.spacing;
       return throat;
     }
   } // namespace
@@ -232,8 +231,8 @@ namespace strait
           }
         MPI_Bcast(&is_complete, 1, MPI_INT, 0, layout.communicator());
       }
-    static_assert(sizeof(Throat) == 5 * sizeof(double));
-    MPI_Bcast(&throat, 5, MPI_DOUBLE, 0, layout.communicator());
+    static_assert(sizeof(Throat) == 6 * sizeof(double));
+    MPI_Bcast(&throat, 6, MPI_DOUBLE, 0, layout.communicator());
     return throat;
   }
 } // namespace strait

@@ -39,9 +39,21 @@ namespace strait
     , log(log_)
     , silent(heights.layout().communicator(), true)
   {
-    if (!scene.fluid.enabled || (scene.contact.enabled && scene.contact.has_memory()) ||
-        scene.fluid.feedback.enabled)
+    if (!scene.fluid.enabled)
       return;
+    const auto warn_of_unknown = [&](const char *why) {
+      if (n_compared_grids(scene) > 0)
+        log.warn(std::string("leak_rate_error is without that of the contact grid, as ") +
+                 why);
+    };
+    if ((scene.contact.enabled && scene.contact.has_memory()) ||
+        scene.fluid.feedback.enabled)
+      {
+        warn_of_unknown("no coarser grid has the same past of contact or fluid");
+        return;
+      }
+    if (!can_be_coarsened(heights.grid()))
+      warn_of_unknown("Contact/Grid points must be even and 64 or more to be halved");
     const bool searches = scene.programme.find_threshold && scene.fluid.mesh_file.empty();
     // Without the last level of windows, whose points are compared as well.
     ContactParameters coarser = contact;

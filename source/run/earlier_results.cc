@@ -171,6 +171,12 @@ namespace strait
             "' cannot be written; choose another with Output/Directory or --output.");
         for (const fs::path &file : results_in(folder))
           fs::remove(file, error);
+        // Those of realisations, of which there may be fewer now.
+        static const std::regex realisation("realisation-[0-9]+");
+        for (const auto &entry : fs::directory_iterator(folder, error))
+          if (std::regex_match(entry.path().filename().string(), realisation))
+            for (const fs::path &file : results_in(entry.path().string()))
+              fs::remove(file, error);
       });
     log.attach_file(folder + "/log.txt", resumed);
     run_on_root(comm, [&]() { write_text(folder + "/parameters.prm", scene.resolved); });

@@ -31,8 +31,9 @@ namespace strait
            "critical_load_upper [pressure]: likewise")
       .add(&RealisationRow::contact_area, "contact_area [1]: likewise")
       .add(&RealisationRow::crossover_load,
-           "crossover_load [pressure]: (1 − ε_x) L_c, where the exponential decay far "
-           "from the threshold turns into the power law, see below")
+           "crossover_load [pressure]: (1 − ε_x) L_c at the smallest slip length, where "
+           "the exponential decay far from the threshold turns into the power law, see "
+           "below")
       .add(&RealisationRow::exponent,
            "exponent [1]: of the leak rate at the smallest slip length")
       .add(&RealisationRow::exponent_error,

@@ -61,6 +61,8 @@ namespace strait
           y.push_back(std::log(value));
         }
     fit.n_points = static_cast<int>(x.size());
+    if (fit.from == fit.to) // of the same load again nothing is learnt
+      fit.n_points = std::min(fit.n_points, 1);
     if (fit.n_points < 2)
       return fit;
     std::tie(fit.exponent, fit.error) = fit_line(x, y);

@@ -191,8 +191,10 @@ namespace strait
            "percolates [1]: 1 if an open channel connects inlet and outlet, 0 if not")
       .when(
         {"with `Find threshold`", scene.fluid.enabled && scene.programme.find_threshold})
-      .add([](const Step &step) { return step.reduced_load.value_or(std::nan("")); },
-           "reduced_load [1]: 1 − L/L_c with the middle of the bracket of L_c");
+      .add(
+        [](const Step &step) { return step.reduced_load.value_or(std::nan("")); },
+        "reduced_load [1]: 1 − L/L_c with the middle of the bracket of L_c; `nan` on the "
+        "other branch of a path that matters");
     add_leak_rates(table, scene, with_flow);
     table.when(with_contact)
       .add(

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 #include <strait/run/error_budget.h>
 #include <strait/run/load_sweep.h>
@@ -78,6 +79,9 @@ namespace strait
   SearchStart
   LoadSweep::search_start() const
   {
+    if (!(surface.rms_slope > 0))
+      throw ComputationError(
+        "The threshold was not found: a surface without slope seals under every load.");
     const bool unloads = scene.programme.path == LoadPath::unloading;
     if (contact.yields() && unloads)
       {
@@ -152,7 +156,10 @@ namespace strait
     const Control control{stop.target, scene.fluid.inlet_pressure, stop.slip_length};
     const bool is_first = next_stop == 0 || stop.begins_anew || step.state.gap().empty();
     step.dissipated_energy = step.flow_seconds = 0.;
-    if (!is_first && holds_under(control, step.state))
+    // Windows lie around the throats of one slip length.
+    const bool has_windows_for_it = !scene.contact.zoom.enabled ||
+                                    control.slip_length == step.state.control.slip_length;
+    if (!is_first && has_windows_for_it && holds_under(control, step.state))
       {
         step.state.control               = control; // another slip length
         step.state.costs.contact_seconds = 0.;
@@ -167,16 +174,21 @@ namespace strait
     step.flow.reset(); // its mesh was made for another gap
     if (flow)
       flow->release();
-    Arrival arrival = follow(*seal,
+    const StepRule rule    = step_rule(scene);
+    Arrival        arrival = follow(*seal,
                              control,
                              is_first && !start    ? nullptr
-                             : is_first || returns ? &*start
-                                                   : &step.state,
+                                    : is_first || returns ? &*start
+                                                          : &step.state,
                              flow ? Aim::leak_rate : Aim::verdict,
-                             step_rule(scene));
+                             rule);
     for (const Jump &jump : arrival.jumps)
       {
         log.line(describe(jump));
+        if (rule.jump_tolerance > 0. && jump.width() > rule.jump_tolerance)
+          log.warn(
+            "steps with many jumps are left before all are as narrow as Load "
+            "programme/Jump tolerance; list more Pressures there");
         step.dissipated_energy += jump.dissipated;
         all_jumps.push_back(jump);
       }
@@ -218,7 +230,12 @@ namespace strait
     const double      pressure =
       step.state.contact ? step.state.contact->nominal_pressure : 0.;
     step.doubts.clear();
-    if (threshold != nullptr)
+    step.reduced_load.reset();
+    // What depends on its past closes at another load on the other branch.
+    const bool is_of_branch =
+      !seal->depends_on_path() ||
+      (step.branch == "unloading") == (scene.programme.path == LoadPath::unloading);
+    if (threshold != nullptr && is_of_branch)
       {
         step.reduced_load = 1. - pressure / threshold->middle();
         step.doubts       = doubts_near_threshold(step, *threshold, log);

@@ -150,7 +150,7 @@ namespace strait
       }
     summary.status   = words_of_status;
     summary.validity = words_of_validity;
-    scaling.summarise(summary);
+    scaling.summarise(thresholds, summary);
   }
 
   void

@@ -171,8 +171,10 @@ namespace strait
         "`pull-off` where the surfaces part: no state follows, gap and area after it "
         "are `nan`")
       .add(before(&PathPoint::pressure), "pressure_before [pressure]: nominal pressure")
-      .add([](const Jump &jump) { return jump.after.pressure; },
-           "pressure_after [pressure]: at most `Load programme/Jump tolerance` from it")
+      .add(
+        [](const Jump &jump) { return jump.after.pressure; },
+        "pressure_after [pressure]: at most `Load programme/Jump tolerance` from it, or a "
+        "warning says that some are farther")
       .add(before(&PathPoint::mean_gap), "mean_gap_before [length]: as in leakage.csv")
       .add(after(&PathPoint::mean_gap), "mean_gap_after [length]: likewise")
       .add(before(&PathPoint::contact_area), "contact_area_before [1]: as in leakage.csv")

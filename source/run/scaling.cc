@@ -110,7 +110,7 @@ namespace strait
   }
 
   void
-  Scaling::summarise(RunSummary &summary) const
+  Scaling::summarise(const std::vector<Transition> &thresholds, RunSummary &summary) const
   {
     const double      slip_length = smallest_slip();
     const ExponentFit fit =
@@ -122,8 +122,13 @@ namespace strait
       }
     summary.crossover =
       crossover_reduced_load(series(leak_rate, slip_length, Trust::resolved));
-    summary.theory_crossover =
-      crossover_reduced_load(series(theory_leak_rate, slip_length, Trust::resolved));
+    if (const Transition *threshold = threshold_of(thresholds, slip_length))
+      {
+        const double of_theory =
+          crossover_reduced_load(series(theory_leak_rate, slip_length, Trust::resolved));
+        summary.crossover_load        = (1. - summary.crossover) * threshold->middle();
+        summary.theory_crossover_load = (1. - of_theory) * threshold->middle();
+      }
     for (const Supply &supply : supplies())
       if (supply.is_short())
         add_words(summary.status, supply.word);
@@ -192,7 +197,7 @@ namespace strait
     std::vector<FitRow>            rows;
     std::vector<ClosingLaw::Slope> closing;
     for (const ExponentFit &slope : local_slopes(series(leak_rate, 0., Trust::doubtless)))
-      if (slope.to <= largest)
+      if (LoadWindow{0., largest}.contains(slope.to))
         closing.push_back({middle(slope), slope.exponent});
     const ClosingLaw law = ClosingLaw::fit(closing);
     for (const double slip_length : slip_lengths)

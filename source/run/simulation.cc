@@ -149,10 +149,7 @@ namespace strait
   simulate(const Scene &scene, Log &log, const bool resume, MPI_Comm comm)
   {
     if (scene.is_theory_only()) // so quick that it begins anew
-      {
-        run_theory(scene, log, comm);
-        return {};
-      }
+      return run_theory(scene, log, comm);
     Timers   timers;
     RunState state(scene, comm, resume);
     if (state.finished())

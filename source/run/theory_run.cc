@@ -45,7 +45,7 @@ namespace strait
     }
   } // namespace
 
-  void
+  RunSummary
   run_theory(const Scene &scene, Log &log, MPI_Comm comm)
   {
     Timers                 timers;
@@ -72,6 +72,9 @@ namespace strait
     log.line(timers.summary());
     output.finish(timers, 0.);
     log.line("results are in " + scene.output.directory);
+    RunSummary summary;
+    output.summarise({}, summary);
+    return summary;
   }
 
   void

@@ -60,9 +60,14 @@ namespace strait
     for (const double next_length : scene.fluid.slip_lengths)
       {
         slip_length = next_length;
-        // A dry contact, once probed, serves all slip lengths.
-        if (!search || scene.fluid.feedback.enabled)
-          search.emplace(ask_load, tolerance);
+        // A contact, once probed, serves all slip lengths, unless it remembers the way.
+        if (!search || model.depends_on_path())
+          {
+            search.emplace(ask_load, tolerance);
+            // Each path comes from nowhere, unless a search goes on that had begun so.
+            if (next == answers.size())
+              open_state = sealed_state = std::nullopt;
+          }
         result.push_back(critical_load(*search, first, slip_length));
         const Transition &found = result.back();
         log.line(
@@ -152,9 +157,11 @@ namespace strait
     const auto holds = [&](const Probe &probe) { return !leaks(probe); };
 
     BlowOut result;
-    result.load               = load;
-    const double least        = TransitionSearch::negligible * load;
-    const bool   leaks_anyway = leaks(search.ask_at(least));
+    result.load                 = load;
+    const double least          = TransitionSearch::negligible * load;
+    const bool   leaks_anyway   = leaks(search.ask_at(least));
+    result.opening.contact_area = search.at(least).contact_area;
+    result.opening.bottleneck   = search.at(least).bottleneck;
     if (!leaks_anyway)
       {
         const auto passage = holds(search.ask_at(load))

@@ -121,12 +121,11 @@ namespace strait
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
         const bool flips = percolated && *percolated != now.percolates;
-        if (!began_open)
-          began_open = now.percolates;
-        const bool is_lost = now.percolates && !*began_open;
+        began_open       = began_open.value_or(now.percolates);
         const bool agrees =
           result.agrees_within(goal) ||
-          (is_lost && std::max(result.change, result.leak_change) <= goal.once_lost);
+          (now.percolates && !*began_open &&
+           std::max(result.change, result.leak_change) <= goal.once_lost);
         if (agrees || (!flips && stays_in_place(now, goal, result)))
           {
             result.converged = true;

@@ -2,6 +2,7 @@
 #include <strait/base/text.h>
 #include <strait/surface/map_processing.h>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -17,7 +18,8 @@ namespace strait
       return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
     }
 
-    /** The equations of the missing points: Σ over neighbours (u − u_neighbour) = 0. */
+    /** The equations of the missing points: Σ over neighbours w (u − u_neighbour) = 0
+     * with w = 1/d² of their distance d. */
     struct Equations
     {
       explicit Equations(const HeightMap &map)
@@ -29,27 +31,31 @@ namespace strait
               row_of[k] = static_cast<long>(points.size());
               points.push_back(k);
             }
+        if (map.size) // in units of the spacing along x
+          {
+            const double ratio = (*map.size)[0] * map.ny / ((*map.size)[1] * map.nx);
+            weights            = {{1., 1., ratio * ratio, ratio * ratio}};
+          }
         for (const std::size_t k : points)
           {
             const int           ix   = static_cast<int>(k % map.nx);
             const int           iy   = static_cast<int>(k / map.nx);
             std::array<long, 4> rows = {{-1, -1, -1, -1}};
             double              n = 0, known = 0;
-            int                 next  = 0;
-            const auto          visit = [&](const int jx, const int jy) {
+            const auto          visit = [&](const int side, const int jx, const int jy) {
               if (jx < 0 || jy < 0 || jx >= map.nx || jy >= map.ny)
                 return;
               const std::size_t j = static_cast<std::size_t>(jy) * map.nx + jx;
-              ++n;
+              n += weights[side];
               if (row_of[j] >= 0)
-                rows[next++] = row_of[j];
+                rows[side] = row_of[j];
               else
-                known += map.values[j];
+                known += weights[side] * map.values[j];
             };
-            visit(ix - 1, iy);
-            visit(ix + 1, iy);
-            visit(ix, iy - 1);
-            visit(ix, iy + 1);
+            visit(0, ix - 1, iy);
+            visit(1, ix + 1, iy);
+            visit(2, ix, iy - 1);
+            visit(3, ix, iy + 1);
             neighbours.push_back(rows);
             diagonal.push_back(n);
             rhs.push_back(known);
@@ -63,13 +69,14 @@ namespace strait
         for (std::size_t i = 0; i < u.size(); ++i)
           {
             result[i] = diagonal[i] * u[i];
-            for (const long row : neighbours[i])
-              if (row >= 0)
-                result[i] -= u[row];
+            for (int side = 0; side < 4; ++side)
+              if (const long row = neighbours[i][side]; row >= 0)
+                result[i] -= weights[side] * u[row];
           }
         return result;
       }
 
+      std::array<double, 4>            weights = {{1., 1., 1., 1.}};
       std::vector<std::size_t>         points;     // positions in the map
       std::vector<std::array<long, 4>> neighbours; // numbers of their equations, or −1
       Vector                           diagonal;

@@ -38,7 +38,8 @@ namespace strait
   double
   ClosingLaw::lambda(const double reduced_load) const
   {
-    return 1. + std::sqrt(std::max(0., constant - .5 * std::log(reduced_load)));
+    // In this order an unknown constant stays unknown.
+    return 1. + std::sqrt(std::max(constant - .5 * std::log(reduced_load), 0.));
   }
 
   double

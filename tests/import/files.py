@@ -30,6 +30,12 @@ def points(separator, decimal=".", order=1):
     return "\n".join(lines[::order]) + "\n"
 
 
+def points_in_order(separator, order):
+    return "".join(separator.join(str({"x": 2 * x, "y": y, "z": MICRONS[y, x]}[name])
+                                  for name in order) + "\n"
+                   for y in range(NY) for x in range(NX))
+
+
 def gwyddion_header(channel, width, height, unit, decimal="."):
     return (f"# {channel}: Z\n# {width}: 24{decimal}00 µm\n# {height}: 10{decimal}00 µm\n"
             f"# {unit}: µm\n")
@@ -51,6 +57,14 @@ def axes(separator, corner):
 
 def x_axis():
     return "\t".join(f"{2. * x}" for x in range(NX)) + "\n" + rows("\t")
+
+
+def rounded_axes(with_y):
+    """Coordinates that go by 0.31, of which one digit is printed."""
+    lines = [" ".join([".0"] * with_y + [f"{.31 * x:.1f}" for x in range(NX)])]
+    lines += [" ".join([f"{.31 * y:.1f}"] * with_y + [row])
+              for y, row in enumerate(rows(" ").splitlines())]
+    return "\n".join(lines) + "\n"
 
 
 def quoted(text, separator=","):
@@ -87,7 +101,19 @@ COMPLETE = {
     "points_commas.csv": "X (um);Y (um);Z (um)\n" + points(";", ","),
     "points_shuffled.txt": "x [um] y [um] z [um]\n".replace(" [", "[") + "\n".join(
         sorted(points(" ").splitlines(), key=lambda line: line[::-1])) + "\n",
+    "points_y_first.csv": "Y [um],X [um],Z [um]\n" + points_in_order(",", "yxz"),
+    "points_z_first.csv": "Z [um],X [um],Y [um]\n" + points_in_order(",", "zxy"),
+    "points_y_first.txt": "# Y (um) X (um) Z (um)\n" + points_in_order(" ", "yxz"),
+    "points_rows.txt": "# xy unit: um\n# z unit: um\n# row column height\n"
+                       + points_in_order(" ", "yxz"),
     "axes.txt": "# xy unit: um\n# z unit: um\n" + axes("\t", "y/x"),
+    "axes_spacing.txt": "x spacing: 2 um\ny spacing: 1 um\nz unit: um\n" + axes("\t", "y/x"),
+    "spip_two_units.asc": SPIP.replace("x-length = 24000", "x-length = 24").replace(
+        "x-unit = nm", "x-unit = um") + rows("\t"),
+    "unit_of_its_own.txt": "Width: 24 um\nHeight: 10 um\nUnit: um\n" + rows(" ") + "Unit: V\n"
+                           + rows(" "),
+    "scale_of_one.txt": "Width: 24 um\nHeight: 10 um\nUnit: um\nz scale = 1.0\n" + rows(" "),
+    "stated_twice.txt": "Width: 24 um\nHeight: 10 um\nUnit: um\nHeight: 10000 nm\n" + rows(" "),
 }
 
 # Texts that lack something, or can be read in several ways: text, words of the refusal, the
@@ -95,6 +121,7 @@ COMPLETE = {
 IN_NM = ["--size", "24, 10 um", "--unit", "um"]
 XY = ["--xy-unit", "um", "--unit", "um"]
 TWICE = gwyddion_header("Channel", "Width", "Height", "Value units")
+SIDES = "Width: 24 um\nHeight: 10 um\n"
 AMBIGUOUS = {
     "plain.txt": (rows(" "), "--size.*--unit", IN_NM),
     "plain.csv": (rows(","), "--size.*--unit", IN_NM),
@@ -110,6 +137,30 @@ AMBIGUOUS = {
                                 for row in MICRONS), "--decimal comma or --decimal point", None),
     "volts.txt": (TWICE.replace("units: µm", "units: V") + rows(" "), "'V', which is no length",
                   ["--unit", "um"]),
+    "axis_rounded.txt": (TWICE + rounded_axes(False), "--as axes.*--as matrix", ["--as", "axes"]),
+    "axes_rounded.txt": (TWICE + rounded_axes(True), "--as axes.*--as matrix", ["--as", "axes"]),
+    "decimal_comma_in_header.txt": (TWICE.replace("24.00", "24,000") + rows(" "),
+                                    "'24,000 µm' .* --decimal comma", ["--decimal", "comma"]),
+    "thousands_in_header.txt": (TWICE.replace("24.00 µ", "24,000 n") + rows(" "),
+                                "'24,000 nm' .* --decimal point", ["--decimal", "point"]),
+    "height_twice.txt": (SIDES + "Height: 120 nm\nz unit: um\n" + rows(" "),
+                         "along y as '10 um' and as '120 nm' .* --size", ["--size", "24, 10 um"]),
+    "spacing_twice.txt": ("dx: 2 um\nx spacing: 3 um\ndy: 1 um\nz unit: um\n" + rows(" "),
+                          "along x as '2 um' and as '3 um' .* --size", ["--size", "24, 10 um"]),
+    "unit_twice.txt": (SIDES + "Z unit: um\nUnit: mm\n" + rows(" "),
+                       "heights as 'um' and as 'mm' .* --unit", ["--unit", "um"]),
+    "xy_unit_twice.txt": ("x unit: um\ny unit: mm\nz unit: um\n" + points(" "),
+                          "coordinates as 'um' and as 'mm' .* --xy-unit", ["--xy-unit", "um"]),
+    "scale.txt": (SIDES + "Unit: nm\nz scale = 1000\n" + rows(" "), "'z scale' as '1000' .* --unit",
+                  ["--unit", "um"]),
+    "scale_turned.txt": (SIDES + "Unit: um\nScale factor: -1\n" + rows(" "),
+                         "'scale factor' as '-1' .* --unit", ["--unit", "um"]),
+    "column_and_header.csv": ("Unit: mm\nX [um],Y [um],Z [um]\n" + points(","),
+                              r"'Z \[um\]' .* --unit", ["--unit", "um"]),
+    "column_of_volts.csv": ("Unit: um\nX [um],Y [um],Z [V]\n" + points(","),
+                            r"'Z \[V\]' .* --unit", ["--unit", "um"]),
+    "coordinate_and_header.csv": ("xy unit: mm\nX [um],Y [um],Z [um]\n" + points(","),
+                                  r"'X \[um\]' .* --xy-unit", ["--xy-unit", "um"]),
 }
 
 # Texts that are no maps, or damaged.
@@ -197,7 +248,7 @@ def bcr(encoding="utf-16-le"):
 def write_arrays(folder):
     """Files of arrays; their names."""
     import h5py
-    from scipy.io import netcdf_file, savemat
+    from scipy.io import savemat
 
     def path(name):
         return os.path.join(folder, name)
@@ -219,15 +270,29 @@ def write_arrays(folder):
             file[name].make_scale(name)
             file[name].attrs["unit"] = "um"
             heights.dims[i].attach_scale(file[name])
-    with netcdf_file(path("classic.nc"), "w") as file:
-        for name, n, step in (("x", NX, 2.), ("y", NY, 1.)):
-            file.createDimension(name, n)
+    write_netcdf(path("classic.nc"), 2. * np.arange(NX), 1. * np.arange(NY), MICRONS)
+    # MATLAB 7.3 stores by columns, behind a block of its own.
+    with h5py.File(path("matlab73.mat"), "w", userblock_size=512) as file:
+        file["heights"], file["number"] = MICRONS.T, np.ones((1, 1))
+    with open(path("matlab73.mat"), "r+b") as file:
+        file.write(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(124) + b"\0\2IM")
+
+
+def write_netcdf(path, x, y, values, dtype="d", **attributes):
+    """A classic file with heights(x, y), of which row 0 is y[0]."""
+    from scipy.io import netcdf_file
+
+    with netcdf_file(path, "w") as file:
+        for name, along in (("x", x), ("y", y)):
+            file.createDimension(name, len(along))
             side = file.createVariable(name, "d", (name,))
-            side[:] = np.arange(n) * step
+            side[:] = along
             side.unit = b"um"
-        heights = file.createVariable("heights", "d", ("x", "y"))
-        heights[:] = MICRONS.T
+        heights = file.createVariable("heights", dtype, ("x", "y"))
+        heights[:] = values.T
         heights.unit = b"um"
+        for name, value in attributes.items():
+            setattr(heights, name, value)
 
 
 def packed():

@@ -66,7 +66,8 @@ def outcome(path, scratch):
             signal.alarm(SECONDS)
             os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
             try:
-                read.read(path, argparse.Namespace(reading=None, decimal=None), scratch)
+                read.read(path, argparse.Namespace(
+                    reading=None, decimal=None, size=None, unit=None, xy_unit=None), scratch)
             except Refused as reason:
                 assert str(reason).strip()
             status = 0

@@ -135,6 +135,13 @@ class Text(Case):
                 header = files.gwyddion_header("Channel", "Width", "Height", "Value units")
                 self.check_map(self.write("hole.txt", header + "\n".join(lines)), hole=True)
 
+    def test_axis_with_a_gap(self):
+        """Of whole numbers, which may also be rounded: it is refused whatever is said of it."""
+        steps = [x + (x > 5) for x in range(files.NX)]
+        path = self.write("gap.txt", " ".join(map(str, steps)) + "\n" + files.rows(" "))
+        self.check_refusal(path, "--as axes.*--as matrix")
+        self.check_refusal(path, "no first row.* of equal steps", "--as", "axes", *files.IN_NM)
+
     def test_absent_point(self):
         lines = files.points(" ").splitlines()
         del lines[files.HOLE[0] * files.NX + files.HOLE[1]]
@@ -145,13 +152,50 @@ class Arrays(Case):
     def test_all(self):
         files.write_arrays(self.folder)
         for name, options in (("array.npy", files.IN_NM), ("array.npz", files.IN_NM),
-                              ("array.mat", files.IN_NM), ("attributes.h5", []),
+                              ("array.mat", files.IN_NM), ("matlab73.mat", files.IN_NM),
+                              ("attributes.h5", []),
                               ("two.h5", ["--channel", "first", *files.IN_NM]),
                               ("netcdf4.nc", []), ("classic.nc", [])):
             with self.subTest(name):
                 self.check_map(os.path.join(self.folder, name), *options)
         self.check_refusal(os.path.join(self.folder, "two.h5"), "1: first .*\n  2: second")
         self.check_refusal(os.path.join(self.folder, "array.npy"), "--size .* --unit")
+
+    def test_coordinates_of_netcdf(self):
+        path = os.path.join(self.folder, "map.nc")
+        x, y = 2. * np.arange(files.NX), 1. * np.arange(files.NY)
+        for step_x, step_y in ((-1, 1), (1, -1), (-1, -1)):
+            with self.subTest(step_x=step_x, step_y=step_y):
+                files.write_netcdf(path, x[::step_x], y[::step_y],
+                                   files.MICRONS[::step_y, ::step_x])
+                self.check_map(path)
+        # Coordinates that were rounded are not refused.
+        files.write_netcdf(path, x + .02 * (x % 4), y, files.MICRONS)
+        heights, *_ = self.read(path)
+        np.testing.assert_allclose(heights, files.MICRONS * 1e-6)
+        x[-1] += 60
+        files.write_netcdf(path, x, y, files.MICRONS)
+        self.check_refusal(path, "coordinates 'x' without equal steps")
+
+    def test_marks_of_missing_values(self):
+        path = os.path.join(self.folder, "map.nc")
+        tenths = np.rint(10 * files.MICRONS)
+        for mark, dtype, attributes in (
+                (-9999, "d", {"_FillValue": -9999.}),
+                (-9999, "d", {"missing_value": np.array([-8888., -9999.])}),
+                (-9999, "d", {"valid_min": -5000.}),
+                (9999, "f", {"valid_max": 5000.}),
+                (9999, "d", {"valid_range": np.array([-5000., 5000.])}),
+                (-32767, "h", {"scale_factor": .1}),
+                (-2147483647, "i", {"scale_factor": .1}),
+                (-999, "h", {"scale_factor": .1, "valid_min": np.int16(-500)}),
+                (-999, "h", {"scale_factor": .1, "valid_min": -50.})):
+            with self.subTest(dtype=dtype, **attributes):
+                values = tenths.copy() if dtype in "hi" else files.MICRONS.copy()
+                values[files.HOLE] = mark
+                files.write_netcdf(path, 2. * np.arange(files.NX), 1. * np.arange(files.NY),
+                                   values, dtype, **attributes)
+                self.check_map(path, hole=True)
 
     def test_without_gwyddion(self):
         with unittest.mock.patch("shutil.which", return_value=None):
@@ -183,6 +227,7 @@ class Result(Case):
         path = self.write("map.txt", files.COMPLETE["gwyddion.txt"])
         self.run_and_check(path)
         with netcdf_file(os.path.join(self.folder, "map.nc"), mmap=False) as file:
+            self.assertAlmostEqual(file.variables["x"].length / files.SIZE[0], 1, 14)
             self.assertEqual(file.source, b"map.txt")
             with open(path, "rb") as original:
                 self.assertEqual(file.sha256.decode(), hashlib.sha256(original.read()).hexdigest())

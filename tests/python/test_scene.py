@@ -100,6 +100,15 @@ class Runs(unittest.TestCase):
         self.assertEqual(run.table["seed"].tolist(), [3, 4])
         self.assertEqual(strait.Run(run.folder / "realisation-2").table.n_rows, 1)
 
+    def test_realisations_in_units(self):
+        scene = strait.Scene({**SMALL, "Realisations/Seeds": [3, 4], "Load programme/Pressures": 0.1,
+                              "Load programme/Find threshold": True, "Units/Length": "mm",
+                              "Units/Pressure": "MPa", "Units/Time": "s", "Surface/Size": 1,
+                              "Fluid/Inlet pressure": 0.01})
+        self.assertEqual(scene.run().unit("critical_load_lower"), "MPa")
+        table = strait.sweep(scene, [{}], table="ensemble.csv")
+        self.assertEqual(table.units["critical_load_lower"], "MPa")
+
     def test_not_converged_comes_with_its_results(self):
         with self.assertRaises(strait.NotConverged) as context:
             strait.Scene({**SMALL, "Contact/Maximum iterations": 2}).run()

@@ -31,6 +31,60 @@ TEST(Scene, EffectsThatAreNotThereAreUnknown)
     expect_in("unknown", error_of("", {name}));
 }
 
+TEST(Scene, ParametersWithoutEffectAreNamed)
+{
+  const auto warnings_of = [](const Overrides &overrides) {
+    return scene_of("", overrides).warnings();
+  };
+  EXPECT_TRUE(warnings_of({}).empty());
+  EXPECT_EQ(warnings_of({"Contact/Adhesion/Tabor number=1",
+                         "Contact/Adhesion/Surface energy=2",
+                         "Surface/Amplitude=1"}),
+            std::vector<std::string>{"without Contact/Adhesion/Enabled = true these have "
+                                     "no effect: Surface energy, Tabor number"});
+  EXPECT_EQ(warnings_of({"Surface/Detrend=tilt"}).size(), 1U);
+  EXPECT_EQ(warnings_of({"Surface/Kind=flat", "Surface/RMS value=1e-3"}),
+            std::vector<std::string>{
+              "without Surface/Kind = self-affine these have no effect: RMS value"});
+  EXPECT_TRUE(
+    warnings_of({"Contact/Zoom/Enabled=true", "Contact/Zoom/Maximum levels=2"}).empty());
+  expect_in("Surface/Kind is no file", error_of("", {"Surface/File=/a/map.nc"}));
+}
+
+TEST(Scene, WhatFollowsFromOtherValuesIsInTheResolvedScene)
+{
+  const Overrides helium = {"Fluid/State=gas", "Fluid/Gas=helium"};
+  EXPECT_NEAR(scene_of("", helium).fluid.viscosity, 1.96e-5, 1e-7);
+  const Overrides with_one = helium + Overrides{"Fluid/Viscosity=1"};
+  EXPECT_EQ(scene_of("", with_one).fluid.viscosity, 1.);
+  const Overrides body = {"Contact/Young's moduli=3", "Contact/Poisson ratios=0.5"};
+  for (const Overrides &given : {helium, with_one, body})
+    {
+      const Scene scene = scene_of("", given);
+      const Scene again = scene_of(scene.resolved);
+      EXPECT_EQ(again.resolved, scene.resolved);
+      EXPECT_EQ(again.fluid.viscosity, scene.fluid.viscosity);
+      EXPECT_EQ(again.contact.effective_modulus, scene.contact.effective_modulus);
+    }
+  EXPECT_DOUBLE_EQ(scene_of("", body).contact.effective_modulus, 4.);
+  expect_in("both given", error_of("", body + Overrides{"Contact/Effective modulus=1"}));
+}
+
+TEST(Scene, FeedbackIsOfOneSlipLength)
+{
+  const Overrides feedback = {"Fluid/Wall feedback/Enabled=true"};
+  scene_of("", feedback + Overrides{"Fluid/Slip length=-1e-3"});
+  expect_in("one path of states",
+            error_of("", feedback + Overrides{"Fluid/Slip length=0, -1e-3"}));
+}
+
+TEST(Scene, SeedsAreOfSurfacesThatDiffer)
+{
+  const Overrides seeds = {"Realisations/Seeds=1, 2"};
+  scene_of("", seeds);
+  expect_in("would be copies", error_of("", seeds + Overrides{"Surface/Kind=sine"}));
+}
+
 TEST(Scene, MeshAndWhatGoesWithIt)
 {
   EXPECT_TRUE(scene_of("").fluid.mesh_file.empty());

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -60,6 +61,23 @@ namespace strait
           EXPECT_EQ(edge.part == SealMesh::Part::right_wall, y == .25);
           EXPECT_EQ(edge.part == SealMesh::Part::left_wall, y == .75);
         }
+    }
+
+    TEST(MeshFile, ACurveMayRunTheOtherWayRoundInItsGroup)
+    {
+      const std::string text           = replaced(text_of("strip"),
+                                        "1 0.25 0 1 0.75 0 1 1 2 2 -3",
+                                        "1 0.25 0 1 0.75 0 1 -1 2 2 -3");
+      const auto        n_outlet_edges = [](const std::string &of) {
+        const SealMesh mesh = make_seal_mesh(parse_mesh_file(of, "strip"), "strip");
+        return std::count_if(mesh.edges.begin(),
+                             mesh.edges.end(),
+                             [](const SealMesh::Edge &edge) {
+                               return edge.part == SealMesh::Part::outlet;
+                             });
+      };
+      EXPECT_GT(n_outlet_edges(text), 0);
+      EXPECT_EQ(n_outlet_edges(text), n_outlet_edges(text_of("strip")));
     }
 
     TEST(MeshFile, ARingAndItsCircles)

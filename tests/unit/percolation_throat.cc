@@ -66,6 +66,35 @@ namespace strait
       EXPECT_TRUE(std::isnan(valley.length));
     }
 
+    TEST(Throat, PointsAreCountedAlongIt)
+    {
+      const double length = .3, width = .2, g0 = .01;
+      const auto   points_along = [=](const int nx, const int ny, const bool along_x) {
+        SlabField field(make_layout({nx, ny, 1., 1.}, MPI_COMM_WORLD));
+        for (int row = 0; row < field.layout().n_rows(); ++row)
+          for (int ix = 0; ix < nx; ++ix)
+            {
+              const double x = static_cast<double>(ix) / nx - .5;
+              const double y =
+                static_cast<double>(field.layout().first_row() + row) / ny - .5;
+              const double s = along_x ? x : y, t = along_x ? y : x;
+              field(ix, row) =
+                g0 * (1 + s * s / (length * length)) * (1 - t * t / (width * width));
+            }
+        return measure_throat(field, 0., {nx / 2, ny / 2}).points;
+      };
+      EXPECT_NEAR(points_along(128, 64, true) / (128 * length), 1., .01);
+      EXPECT_NEAR(points_along(128, 64, false) / (64 * length), 1., .01);
+    }
+
+    TEST(FlowPath, TheThroatIsTheLastOfTheNarrowestPoints)
+    {
+      FlowPath path;
+      path.gaps        = {1., 2., 3., 2., 1.};
+      path.resistances = {0., 1., 1.2, 1.4, 2.4};
+      EXPECT_DOUBLE_EQ(path.part_before_throat(), .5 * (1.4 + 2.4) / 2.4);
+    }
+
     TEST(Constrictions, AreDividedWhereTheChannelWidens)
     {
       const std::vector<double> gaps  = {3, 1, 1.2, 1.1, 5, 2, 2.9, 2.1, 4};

@@ -74,6 +74,10 @@ namespace
       mentions(complaint(surface_from(file), 2, 2), "Surface/Size = 0.002, 3e-05"));
     EXPECT_TRUE(mentions(complaint(surface_from(file, 2.003e-3, 3e-5), 2, 2),
                          "Surface/Size = 0.002, 3e-05"));
+    // What 1 in the file means, whatever it states.
+    auto in_cm             = surface_from(file);
+    in_cm.map.lateral_unit = "cm";
+    EXPECT_TRUE(mentions(complaint(in_cm, 2, 2), "Surface/Size = 0.02, 0.0003"));
     auto rotated   = surface_from(file, 2e-3, 3e-5);
     rotated.rotate = true;
     EXPECT_TRUE(mentions(complaint(rotated, 2, 2), "Surface/Size = 3e-05, 0.002"));

@@ -124,6 +124,21 @@ namespace
       EXPECT_NEAR(map.values[k], exact[k], 1e-8);
   }
 
+  TEST(MapFill, IsHarmonicWhereSpacingsDiffer)
+  {
+    const auto harmonic = [](double x, double y) { return x * x - 4 * y * y + x; };
+    HeightMap  map      = sampled(20, 20, harmonic);
+    map.size            = {{20., 40.}};
+    const auto exact    = map.values;
+    for (int iy = 5; iy < 12; ++iy)
+      for (int ix = 6; ix < 15; ++ix)
+        map.values[iy * 20 + ix] = NAN;
+    Remarks remarks;
+    fill_missing_points(map, 0.25, "map.txt", remarks);
+    for (std::size_t k = 0; k < exact.size(); ++k)
+      EXPECT_NEAR(map.values[k], exact[k], 1e-7);
+  }
+
   TEST(MapFill, WithoutFluxThroughTheEdges)
   {
     HeightMap map = sampled(8, 4, [](double, double y) { return y; });

@@ -165,10 +165,10 @@ namespace
                                   "m\n1 1.5\n-2 0\n");
         expect_map(map, 2, 2, {1, 1.5, -2, 0});
         EXPECT_DOUBLE_EQ(map.height_unit.metres.value(), 1e-6);
-        EXPECT_DOUBLE_EQ(map.lateral_unit.metres.value(), 1.);
+        EXPECT_DOUBLE_EQ(map.lateral_unit.metres.value(), 1e-6);
         ASSERT_TRUE(map.size);
-        EXPECT_DOUBLE_EQ((*map.size)[0], 12.34e-6);
-        EXPECT_DOUBLE_EQ((*map.size)[1], 5678.9e-9);
+        EXPECT_DOUBLE_EQ((*map.size)[0], 12.34);
+        EXPECT_DOUBLE_EQ((*map.size)[1], 5.6789);
       }
     const auto plain = read_map(header + "1 2\n3 4\n");
     EXPECT_FALSE(plain.lateral_unit.is_stated());

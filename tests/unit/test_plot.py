@@ -206,6 +206,20 @@ class Leakage(PlotTest):
                           "failed: flow-accuracy+unresolved-throat"])
         self.assertGreater(axes.get_ylim()[0], 1e-8, "a failed step stretches the scale")
 
+    def test_negative_leak_rates_are_drawn_by_their_size(self):
+        header = "pressure,leak_rate,leak_rate_lower,leak_rate_upper,theory_leak_rate,reduced_load"
+        lines = ["1,-1e-3,9e-4,1.1e-3,-2e-3,0.5", "2,-1e-5,9e-6,1.1e-5,-2e-5,0.1", "3,0,0,0,0,-1"]
+        for draw in (plot_leakage.draw_leak_rate, plot_leakage.draw_threshold):
+            axes = self.axes_of(draw, header, *lines)
+            self.assertEqual(axes.get_ylabel(), "Size of the negative leak rate (scene units)")
+            self.assertEqual(sorted(axes.lines[0].get_ydata()), [1e-5, 1e-3])
+            theory = next(line for line in axes.lines if line.get_color() == plot_common.RED)
+            self.assertEqual(sorted(theory.get_ydata()), [2e-5, 2e-3])
+            self.assertLess(axes.get_ylim()[1], 1)
+        self.assertEqual(self.axes_of(plot_leakage.draw_leak_rate, HEADER, *ROWS).get_ylabel(),
+                         "Leak rate (scene units)")
+        self.assert_draws(header, *lines)
+
     def test_fitted_exponents(self):
         path = self.folder / "fit.csv"
         path.write_text("quantity,slip_length,kind,from,to,exponent,error,points\n"
@@ -486,9 +500,21 @@ class Ensemble(PlotTest):
             pixels = imread(self.folder / "seal.png")[..., :3]
             self.assertEqual(share(pixels, (0, 114, 178)) > 1e-4, "1,0,0,0" not in rows)
 
+    def test_curves_of_an_earlier_run_are_left_out(self):
+        for number in (1, 2, 3):
+            self.write_realisation(number, 1)
+        self.write_ensemble("1,1,as is,0.2,0.3,0.4,0.2,nan,nan,ok",
+                            "3,3,as is,0.2,0.3,0.4,0.2,nan,nan,ok")
+        self.assertEqual(list(plot_ensemble.read_curves(self.folder)), [1, 3])
+
+    def test_curves_of_negative_leak_rates(self):
+        self.write_realisation(1, -1e-3)
+        _, leak, _ = plot_ensemble.read_curves(self.folder)[1]
+        np.testing.assert_allclose(leak[-1], 1e-3 * 0.5**3.45)
+
     def test_odd_ensembles(self):
         self.write_realisation(1, 1)
-        self.write_ensemble()
+        self.write_ensemble("1,1,as is,nan,nan,nan,nan,nan,nan,threshold-not-found")
         self.assertEqual(self.draw(), (0, ""))  # one curve, no threshold
         (self.folder / "realisation-1" / "leakage.csv").write_text("pressure\n1\n")
         status, message = self.draw()

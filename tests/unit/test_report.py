@@ -110,6 +110,70 @@ class Report(unittest.TestCase):
         self.assertNotIn("under 1", text.split("log.txt")[0])
         self.assertIn("leak rate at 300 kPa", text)
 
+    def test_realisations_of_an_earlier_run_are_left_out(self):
+        for k in (1, 2):
+            one = self.folder / f"realisation-{k}"
+            one.mkdir()
+            for name in ("leakage.csv", "parameters.prm"):
+                (one / name).write_text((self.folder / name).read_text())
+        (self.folder / "ensemble.csv").write_text("realisation,seed,status\n1,7,ok\n")
+        text = self.text()
+        self.assertIn("1 realisations", text)
+        self.assertNotIn("realisation-2", text)
+
+    def write_slips_and_branches(self, folder):
+        """Two loads and back, each with two slip lengths."""
+        rows = [(0.05, "loading"), (0.1, "loading"), (0.05, "unloading")]
+        (folder / "leakage.csv").write_text(
+            "step,branch,pressure,slip_length,leak_rate,leak_rate_lower,leak_rate_upper,status\n" +
+            "".join(f"{k},{branch},{load},{slip},{(k + 1)}e-6,{(k + 1)}e-6,{(k + 1)}e-6,ok\n"
+                    for k, (load, branch, slip) in enumerate(
+                        (load, branch, slip) for load, branch in rows for slip in (-0.005, 0))))
+        (folder / "run.json").unlink(missing_ok=True)
+
+    def test_slip_length_and_branch_are_named(self):
+        self.write_slips_and_branches(self.folder)
+        (self.folder / "threshold.csv").write_text(
+            "critical_load_lower,critical_load_upper,slip_length\n"
+            "0.15,0.16,-0.005\n0.19,0.2,0\n")
+        text = self.text()
+        for words in ("at a pressure of 0.05, slip length -0.005, loading: 1e-06 ±",
+                      "at a pressure of 0.05, slip length 0, unloading: 6e-06 ±",
+                      "Seals at a pressure between 0.15 and 0.16, slip length -0.005",
+                      "Seals at a pressure between 0.19 and 0.2, slip length 0",
+                      "step pressure slip length branch leak rate"):
+            self.assertIn(words, text)
+
+    def test_where_there_is_one_of_each_they_are_not(self):
+        (self.folder / "threshold.csv").write_text(
+            "critical_load_lower,critical_load_upper,slip_length\n3e5,3.1e5,0\n")
+        text = self.text()
+        self.assertIn("Seals at a pressure between 300 kPa and 310 kPa", text)
+        self.assertNotIn("slip length 0", text)
+        self.assertNotIn("loading:", text)
+        self.assertIn("step pressure kPa leak rate", text)
+
+    def test_realisations_with_several_slip_lengths(self):
+        for k in (1, 2):
+            one = self.folder / f"realisation-{k}"
+            one.mkdir()
+            (one / "parameters.prm").write_text(SCENE)
+            self.write_slips_and_branches(one)
+        (self.folder / "ensemble.csv").write_text("realisation,seed,status\n1,7,ok\n2,8,ok\n")
+        table = self.text().split("The realisations")[1].split("All of each realisation")[0]
+        for words in ("leak rate at 0.05, slip length -0.005, loading",
+                      "leak rate at 0.05, slip length 0, unloading",
+                      "1 1e-06 ± 0 % 2e-06 ± 0 % 5e-06 ± 0 % 6e-06 ± 0 % 3e-06 ± 0 % 4e-06"):
+            self.assertIn(words, table)
+
+    def test_a_limit_that_is_passed_without_a_number(self):
+        checks = [{"word": "fluid-pressure", "number": number, "most": 0.1, "holds": holds,
+                   "advice": "too high"} for number, holds in
+                  ((0.05, True), (None, False), (0.01, True))]
+        (self.folder / "run.json").write_text(json.dumps({**RECORD, "validity": [
+            {"step": k, "checks": [check]} for k, check in enumerate(checks, 1)]}))
+        self.assertIn("fluid-pressure – 2 at most 0.1 passed: too high", self.text())
+
     def test_what_is_no_result(self):
         for arguments in ([], ["--help"], [str(self.folder / "none")]):
             result = self.run_script(*arguments)

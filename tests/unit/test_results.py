@@ -36,6 +36,20 @@ class ReadsARun(unittest.TestCase):
             json.dumps({"column_units": {"leak_rate": "m³/s"}}), encoding="utf-8")
         self.assertEqual(Run(self.folder).unit("leak_rate"), "m³/s")
 
+    def test_units_of_an_ensemble_are_those_of_its_realisations(self):
+        (self.folder / "ensemble.csv").write_text(
+            "realisation,critical_load_lower,crossover_load,status\n1,0.2,0.1,ok\n")
+        self.assertEqual(Run(self.folder).unit("critical_load_lower"), "")
+        first = self.folder / "realisation-1"
+        first.mkdir()
+        (first / "run.json").write_text(json.dumps({"column_units": {
+            "pressure": "MPa", "critical_load_lower": "MPa", "status": ""}}), encoding="utf-8")
+        run = Run(self.folder)
+        self.assertEqual(run.unit("critical_load_lower"), "MPa")
+        self.assertEqual(run.table.units, {"critical_load_lower": "MPa", "crossover_load": "MPa",
+                                           "status": ""})
+        self.assertEqual(run.csv("leakage.csv").units, {"status": ""})
+
     def test_fields(self):
         with h5py.File(self.folder / "fields-2.h5", "w") as file:
             file["gap"] = np.arange(6.).reshape(2, 3)

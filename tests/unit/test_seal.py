@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of tools/seal_network.py and tools/whole_seal.py: a seal from its patches."""
 import csv
+import json
 import pathlib
 import re
 import subprocess
@@ -342,6 +343,47 @@ class OfAFolder(unittest.TestCase):
             self.assertIn(words, result.stderr)
         gone = self.assess("--check", scene=SCENE.format(**{**self.about, "profile": "/none"}))
         self.assertRegex(gone.stderr, "^Seal/Pressure profile: .*/none.*\n$")
+
+    def test_patches_of_an_earlier_run_are_left_out(self):
+        self.write([[8., 2., 0.5]] * 4)
+        (self.folder / "ensemble.csv").write_text("realisation,seed\n1,1\n2,2\n3,3\n")
+        self.assertIn("drawn from 3 along the flow", self.assess().stdout)
+
+    def test_one_slip_length_of_several_is_taken_and_named(self):
+        self.write([[8., 2., 0.5]] * 3)
+        self.assertNotIn("slip", self.assess().stdout)
+        slips = [(-0.005, 0.1), (0, 1)]
+        for ordered in (slips, slips[::-1]):
+            for path in self.folder.glob("realisation-*/leakage.csv"):
+                path.write_text("pressure,slip_length,leak_rate,leak_rate_lower,leak_rate_upper,"
+                                "status\n" + "".join(
+                                    f"{load},{slip}{f',{factor * rate}' * 3},ok\n"
+                                    for load, rate in ((0.1, 8.), (0.2, 2.), (0.4, 0.5))
+                                    for slip, factor in ordered))
+            self.assertIn("3 across, with the slip length 0, the nearest to zero of 2\n",
+                          self.assess().stdout)
+            self.assertAlmostEqual(float(self.table()[0]["leak_rate_median"]), 40, delta=0.1)
+
+    def write_errors(self, *sources):
+        """The column leak_rate_error, and what run.json says that it holds."""
+        for path in self.folder.glob("realisation-*/leakage.csv"):
+            lines = path.read_text().splitlines()
+            path.write_text("\n".join([lines[0] + ",leak_rate_error"] +
+                                      [line + ",0.2" for line in lines[1:]]) + "\n")
+            path.with_name("run.json").write_text(json.dumps({"error_budget": [
+                {"step": k, "relative_errors": dict.fromkeys(sources, 0.1)} for k in (1, 2)]}))
+
+    def test_the_error_of_the_contact_grid_is_sought_in_the_budget(self):
+        doubt = "the error of the contact grid is not in the band; "
+        self.write([[8., 2., 0.5]] * 3)
+        self.assertIn(doubt + "Output/Error budget = true", self.assess().stdout)
+        self.write_errors("mesh", "gap interpolation")  # of a grid that cannot be halved
+        said = self.assess().stdout
+        self.assertIn(doubt + "the logs of the patches say why", said)
+        self.assertIn("improve Contact/Grid points", said)
+        self.write([[8., 2., 0.5]] * 3)
+        self.write_errors("mesh", "gap interpolation", "contact grid")
+        self.assertNotIn(doubt, self.assess().stdout)
 
     def test_patches_that_failed_are_left_out(self):
         self.write([[8., 2., 0.5]] * 3)

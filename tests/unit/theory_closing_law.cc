@@ -35,6 +35,13 @@ namespace
     EXPECT_GT(law.leak_rate_exponent(1e-300), 3.05);
   }
 
+  TEST(ClosingLaw, SaysNothingWithoutAConstant)
+  {
+    const ClosingLaw unknown = ClosingLaw::fit({});
+    EXPECT_TRUE(std::isnan(unknown.leak_rate_exponent(1e-3)));
+    EXPECT_TRUE(std::isnan(unknown.width_exponent(1e-3)));
+  }
+
   TEST(ClosingLaw, FitFindsTheConstantThatExponentsWereMadeWith)
   {
     for (const double constant : {-1., -.1, 0., .7, 5.})

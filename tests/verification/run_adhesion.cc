@@ -72,11 +72,11 @@ namespace
     EXPECT_LT(mean.radius, hard.radius - .02);
   }
 
-  /** The load at which the square saddle with γ0 = 0.1 E*Δ closes, or opens again. */
-  double
-  critical_load(const double tabor, const LoadPath path)
+  /** A square saddle with γ0 = 0.1 E*Δ whose critical load is sought. */
+  Scene
+  adhesive_saddle(const int n, const double tabor, const LoadPath path)
   {
-    Scene scene                           = saddle_scene(256);
+    Scene scene                           = saddle_scene(n);
     scene.contact.tolerance               = 1e-6;
     scene.contact.adhesion.enabled        = true;
     scene.contact.adhesion.surface_energy = .1;
@@ -85,7 +85,28 @@ namespace
     scene.programme.path                  = path;
     scene.programme.find_threshold        = true;
     scene.programme.threshold_tolerance   = 1e-3;
-    return run_sweep(scene).thresholds.at(0).middle();
+    return scene;
+  }
+
+  /** The load at which it closes, or opens again. */
+  double
+  critical_load(const double tabor, const LoadPath path)
+  {
+    return run_sweep(adhesive_saddle(256, tabor, path)).thresholds.at(0).middle();
+  }
+
+  // What was asked on the way of one slip length is of another state at the next.
+  TEST(AdhesiveSaddle, EachSlipLengthHasItsOwnWay)
+  {
+    Scene scene                         = adhesive_saddle(64, 2., LoadPath::loading);
+    scene.programme.threshold_tolerance = 1e-4;
+    scene.fluid.slip_lengths            = {-.03, 0.};
+    const Transition in_a_list          = run_sweep(scene).thresholds.at(1);
+    scene.fluid.slip_lengths            = {0.};
+    const Transition alone              = run_sweep(scene).thresholds.at(0);
+    EXPECT_EQ(in_a_list.lower, alone.lower);
+    EXPECT_EQ(in_a_list.upper, alone.upper);
+    EXPECT_EQ(in_a_list.contact_area, alone.contact_area);
   }
 
   TEST(AdhesiveSaddle, ClosesAndOpensAtTheKnownLoads)

@@ -109,9 +109,17 @@ namespace strait
       EXPECT_LE(found.closing->relative_width(), 1e-3);
       EXPECT_NEAR(found.closing->upper, opening, 3e-3 * opening);
 
+      // Where it leaks by itself contact and throat are those without pressure.
+      scene.programme.find_resealing = false;
+      scene.programme.pressures      = {1.};
+      SilentSweep      open(scene);
+      const Transition leaks = open.loads.find_blow_outs().front().opening;
+      EXPECT_EQ(leaks.upper, 0.);
+      EXPECT_GT(leaks.contact_area, .1);
+      EXPECT_NEAR(leaks.bottleneck[0], .5, 2. / 64);
+
       scene.programme.find_threshold = true;
       scene.programme.path           = LoadPath::unloading;
-      scene.programme.pressures      = {1.};
       scene.fluid.inlet_pressure     = opening;
       EXPECT_NEAR(run_sweep(scene).thresholds[0].middle(), 1.5, .003);
     }

@@ -178,5 +178,18 @@ namespace strait
       EXPECT_NEAR(rows[2].mean_gap / alone.mean_gap, 1., 1e-8);
       EXPECT_NEAR(rows[2].upper / alone.upper, 1., 1e-5);
     }
+
+    TEST(ErrorBudget, SaysThatItKnowsNothingOfAnOddGrid)
+    {
+      Scene scene               = saddle_scene(63);
+      scene.programme.pressures = {1.};
+      scene.output.error_budget = true;
+      SilentSweep                    silent(scene);
+      const std::vector<std::string> warnings = silent.log.warnings();
+      ASSERT_EQ(warnings.size(), 1U);
+      EXPECT_NE(warnings[0].find("without that of the contact grid"), std::string::npos);
+      scene.contact.grid_points = {{64, 64}};
+      EXPECT_TRUE(SilentSweep(scene).log.warnings().empty());
+    }
   } // namespace
 } // namespace strait

@@ -186,6 +186,15 @@ namespace strait
       for (int column = 0; column < 4; ++column)
         std::getline(cells, cell, ',');
       EXPECT_NEAR(run_sweep(scene).thresholds[0].lower / std::stod(cell), 1., 1e-12);
+
+      // Fewer of them leave nothing of the others behind.
+      const Overrides one = {overrides.front(), "Realisations/Seeds=5"};
+      Log             anew(MPI_COMM_WORLD, true);
+      EXPECT_TRUE(
+        run_all_realisations(scene_file, one, read_scene(scene_file, one), anew));
+      EXPECT_EQ(lines_of(folder + "/all/ensemble.csv").size(), 3U);
+      EXPECT_FALSE(lines_of(folder + "/all/realisation-2/leakage.csv").empty());
+      EXPECT_TRUE(lines_of(folder + "/all/realisation-3/leakage.csv").empty());
     }
 
     /** The tables of an ensemble, word by word. */
@@ -248,6 +257,27 @@ namespace strait
       EXPECT_THROW(
         run_all_realisations(scene_file, bad, read_scene(scene_file, bad), log, false),
         InputError);
+    }
+
+    TEST(Ensemble, OfTheTheoryAloneKnowsItsLimits)
+    {
+      const test::TemporaryFolder temporary;
+      const std::string           folder     = temporary.path();
+      const std::string           scene_file = folder + "/scene.prm";
+      std::ofstream(scene_file) << "";
+      const Overrides overrides = {"Output/Directory=" + folder + "/all",
+                                   "Output/Pictures=false",
+                                   "Contact/Enabled=false",
+                                   "Contact/Hardness=0.5",
+                                   "Fluid/Enabled=false",
+                                   "Theory/Enabled=true",
+                                   "Realisations/Seeds=1, 2"};
+      Log             log(MPI_COMM_WORLD, true);
+      EXPECT_TRUE(run_all_realisations(
+        scene_file, overrides, read_scene(scene_file, overrides), log));
+      const auto rows = lines_of(folder + "/all/ensemble.csv");
+      ASSERT_EQ(rows.size(), 3U);
+      EXPECT_NE(rows[1].find("plastic"), std::string::npos) << rows[1];
     }
   } // namespace
 } // namespace strait

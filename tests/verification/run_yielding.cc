@@ -48,6 +48,26 @@ namespace strait
       EXPECT_EQ(around[2].leak_rate, 0.);
     }
 
+    // The way back closes at another load than the one that is known.
+    TEST(YieldingSeal, TheWayBackHasNoReducedLoad)
+    {
+      Scene scene                    = yielding_scene(.3);
+      scene.contact.grid_points      = {{64, 64}};
+      scene.programme.find_threshold = true;
+      scene.programme.path           = LoadPath::cycle;
+      scene.programme.pressures      = {.03, .06};
+      SilentSweep silent(scene);
+      silent.loads.find_thresholds();
+      int n_on_the_way_back = 0;
+      EXPECT_TRUE(silent.loads.run([&](const Step &step) {
+        const bool is_back = step.branch == "unloading";
+        n_on_the_way_back += is_back ? 1 : 0;
+        EXPECT_NE(step.reduced_load.has_value(), is_back);
+        return true;
+      }));
+      EXPECT_EQ(n_on_the_way_back, 1);
+    }
+
     // It opens again at a lower load than it closed at, the lower the larger the load
     // was.
     TEST(YieldingSeal, OpensWhereTheLargestLoadSays)

@@ -55,6 +55,23 @@ namespace strait
       }));
     }
 
+    // Another layer at the walls moves the throat.
+    TEST(ZoomedSurface, EachSlipLengthHasItsOwnWindows)
+    {
+      Scene scene;
+      scene.surface.short_cut_off_wavelength = .1;
+      scene.contact.grid_points              = {{64, 64}};
+      scene.programme.pressures              = {.15};
+      scene.fluid.slip_lengths               = {0., -.0045};
+      scene                                  = zoomed(scene);
+      const std::vector<Row> both            = sweep(scene);
+      ASSERT_EQ(both.size(), 2U);
+      EXPECT_GE(both[1].points, 12.);
+      scene.fluid.slip_lengths = {-.0045};
+      const Row alone          = sweep(scene).front();
+      EXPECT_NEAR(both[1].leak_rate / alone.leak_rate, 1., both[1].error + alone.error);
+    }
+
     // Against grids of 3456² and 1024² points everywhere.
     TEST(ZoomedSaddle, ClosesAsOnAFineGridParallel)
     {

@@ -20,6 +20,24 @@ def _plain(attribute):
     return float(value) if np.issubdtype(type(value), np.number) else None
 
 
+# Attributes that say which values are none, in the numbers that are stored.
+_MARKS = ("_FillValue", "missing_value", "valid_min", "valid_max", "valid_range")
+# NetCDF's own marks of integers that were never written, where no attribute names another.
+_UNWRITTEN = {"i2": -32767, "i4": -2147483647, "u2": 65535, "u4": 4294967295}
+
+
+def _read_attributes(attributes):
+    """Text or one number of each; of those that mark values, an array of numbers."""
+    return {name: _numbers(value) if name in _MARKS else _plain(value)
+            for name, value in attributes}
+
+
+def _numbers(attribute):
+    """An attribute as an array of numbers, which is empty if it is anything else."""
+    value = np.asarray(attribute).reshape(-1)
+    return value if value.dtype.kind in "iuf" else np.zeros(0)
+
+
 def _first(attributes, *names):
     for name in names:
         if name in attributes and attributes[name] is not None:
@@ -28,16 +46,31 @@ def _first(attributes, *names):
 
 
 def _interpret(values, attributes):
-    """Fill values become nan; scale and offset are applied."""
-    result = np.asarray(values, dtype=float)
+    """Values marked as missing become nan; scale and offset are applied."""
+    stored = np.asarray(values)
+    is_packed = stored.dtype.kind in "iu"
+
+    def marks(name):
+        found = attributes.get(name, np.zeros(0))
+        with np.errstate(over="ignore"):
+            return found if is_packed else found.astype(stored.dtype)
+
+    # NetCDF's own mark of what was never written, and then those of the file.
+    result = stored.astype(float)
+    is_missing = abs(result) >= 9.96e36
     for name in ("_FillValue", "missing_value"):
-        fill = attributes.get(name)
-        if isinstance(fill, float):
-            result = np.where(result == fill, np.nan, result)
-    # NetCDF's own mark of what was never written.
-    result = np.where(abs(result) >= 9.96e36, np.nan, result)
+        is_missing |= np.isin(stored, marks(name))
     scale, offset = attributes.get("scale_factor"), attributes.get("add_offset")
-    return result * (1. if scale is None else scale) + (offset or 0.)
+    result = result * (1. if scale is None else scale) + (offset or 0.)
+    for name, is_outside in (("valid_min", np.less), ("valid_max", np.greater)):
+        bound = marks(name)
+        if not bound.size and marks("valid_range").size == 2:
+            bound = marks("valid_range")[:1] if name == "valid_min" else marks("valid_range")[1:]
+        if bound.size == 1:
+            # Beside packed integers, a bound with a point is one of the unpacked numbers.
+            is_unpacked = is_packed and bound.dtype.kind == "f"
+            is_missing |= is_outside(result if is_unpacked else stored, bound[0])
+    return np.where(is_missing, np.nan, result)
 
 
 def _map(name, values, attributes, of_file=None):
@@ -73,17 +106,35 @@ def _side(n, coordinate):
     return length, metres, bool(attributes.get("periodic"))
 
 
+def _is_regular(values):
+    """Whether coordinates keep to equal steps, to a twentieth, as points of a grid must."""
+    line = np.linspace(values[0], values[-1], len(values))
+    return bool((abs(values - line) <= abs(line[1] - line[0]) / 20).all())
+
+
 def _netcdf_channel(name, values, dimensions, attributes, coordinates):
-    """The dimension called x, or else the last, runs along x."""
+    """The dimension called x, or else the last, runs along x; both are turned to go up."""
+    attributes = {"_FillValue": _numbers(_UNWRITTEN.get(values.dtype.str[1:], "")), **attributes}
     if dimensions[0] == "x":
         values, dimensions = values.T, dimensions[::-1]
+    refusal = ""
+    for axis, dimension in enumerate(dimensions):
+        along = np.asarray(coordinates[dimension][0], float) if dimension in coordinates else (
+            np.zeros(0))
+        # Equal numbers are those of a dimension to which none were written.
+        if len(along) > 1 and (along != along[0]).any():
+            if not _is_regular(along):
+                refusal = (f"has coordinates '{dimension}' without equal steps, which no map has: "
+                           "resample it to a regular grid")
+            elif along[0] > along[-1]:
+                values = np.flip(values, axis)
     lx, metres_x, periodic_x = _side(values.shape[1], coordinates.get(dimensions[1]))
     ly, metres_y, periodic_y = _side(values.shape[0], coordinates.get(dimensions[0]))
     channel = _map(name, values, attributes)
     if lx and ly:
         channel.extent = lx, ly
         channel.size = (lx * metres_x, ly * metres_y) if metres_x and metres_y else None
-    channel.periodic = periodic_x and periodic_y
+    channel.periodic, channel.refusal = periodic_x and periodic_y, refusal
     return channel
 
 
@@ -91,7 +142,7 @@ def read_classic_netcdf(path):
     from scipy.io import netcdf_file
 
     with netcdf_file(path, "r", mmap=False, maskandscale=False) as file:
-        attributes = {name: {key: _plain(value) for key, value in variable._attributes.items()}
+        attributes = {name: _read_attributes(variable._attributes.items())
                       for name, variable in file.variables.items()}
         coordinates = {name: (variable[:], attributes[name])
                        for name, variable in file.variables.items() if len(variable.shape) == 1}
@@ -107,8 +158,9 @@ def read_classic_netcdf(path):
 # HDF5, and NetCDF-4, which is HDF5.
 
 def _attributes(thing):
-    return {key: _plain(value) for key, value in thing.attrs.items()
-            if getattr(value, "dtype", None) is None or value.dtype.kind in "SUOifub"}
+    return _read_attributes(
+        (key, value) for key, value in thing.attrs.items()
+        if getattr(value, "dtype", None) is None or value.dtype.kind in "SUOifub")
 
 
 def _dimensions(data):
@@ -169,3 +221,9 @@ def read_matlab(path):
 
     return [channel for name, values in loadmat(path).items() if not name.startswith("__")
             for channel in _bare(name, values)]
+
+
+def read_matlab_hdf5(path):
+    """MATLAB 7.3: its arrays are stored by columns, and so HDF5 shows them transposed."""
+    return [channel for stored in read_hdf5(path)
+            for channel in _bare(stored.name, stored.values.T)]

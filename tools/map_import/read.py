@@ -78,7 +78,7 @@ def _read(path, options, scratch, is_unpacked=False):
     if start.startswith((b"CDF\1", b"CDF\2")):
         return arrays.read_classic_netcdf(path)
     if start.startswith(b"MATLAB 7.3"):
-        return arrays.read_hdf5(path)
+        return arrays.read_matlab_hdf5(path)
     if start.startswith(b"MATLAB 5.0"):
         return arrays.read_matlab(path)
     if start.startswith(b"GWYP"):

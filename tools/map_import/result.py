@@ -14,7 +14,7 @@ def write_map(path, channel, facts):
         for axis, n, length in (("x", nx, channel.size[0]), ("y", ny, channel.size[1])):
             file.createDimension(axis, n)
             coordinate = file.createVariable(axis, "d", (axis,))
-            coordinate.length = float(length)
+            coordinate.length = np.float64(length)   # scipy stores a plain float in 32 bits
             coordinate.unit = b"m"
             coordinate.periodic = np.int32(channel.periodic)
             coordinate[:] = np.arange(n) * length / n

@@ -50,6 +50,8 @@ def settle(channel, options):
     size = _parse_size(options.size) if options.size else None
     xy_unit, unit = _parse_unit(options.xy_unit), _parse_unit(options.unit)
     notes = [channel.note] if channel.note else []
+    if channel.refusal:
+        raise Refused(channel.refusal)
     ny, nx = channel.values.shape
     check_extents(nx, ny, channel.values.nbytes)
     if min(nx, ny) < 2:

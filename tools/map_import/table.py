@@ -99,6 +99,19 @@ def separator_of(line):
     return "," if "," in line else None
 
 
+def may_be_thousands(word):
+    """Whether the commas of a number may separate thousands as well as decimals."""
+    return re.fullmatch(r"\s*[-+]?[1-9]\d{0,2}(,\d{3})+\s*", word) is not None
+
+
+def last_digits(words):
+    """What one in the last digit of each printed number is; 0 of what is no number."""
+    found = [re.fullmatch(r"[-+]?\d*(?:[.,](\d*))?(?:[eE]([-+]?\d{1,4}))?", word.strip())
+             for word in words]
+    return np.array([float(f"1e{int(match[2] or 0) - len(match[1] or '')}") if match else 0.
+                     for match in found])
+
+
 def _decimal_sign(block, separator, options):
     """The decimal sign, from the first rows and the user."""
     rows = block.lines[:200]
@@ -109,8 +122,7 @@ def _decimal_sign(block, separator, options):
     words = [word for line in rows for word in line.split(separator) if "," in word]
     if not words:
         return "."
-    if any("." in word for word in words) or all(
-            re.fullmatch(r"\s*[-+]?[1-9]\d{0,2}(,\d{3})+\s*", word) for word in words):
+    if any("." in word for word in words) or all(map(may_be_thousands, words)):
         raise Refused("has commas that may be decimal signs or separate thousands, as in "
                       f"'{words[0].strip()}': --decimal comma or --decimal point says which")
     return ","

@@ -11,16 +11,26 @@ import re
 import numpy as np
 
 from .channel import Channel, MOST_POINTS, Refused, metres_in
-from .table import Block, blocks_of, separator_of, table_of
-from .text_header import TextHeader
+from .table import Block, blocks_of, last_digits, separator_of, table_of
+from .text_header import TextHeader, take_apart
 
 
-def _is_uniform(values):
-    """Whether values go up or down by equal steps, as those of an axis do."""
+def _is_uniform(values, words, share=1.):
+    """Whether values go up or down by equal steps, as those of an axis do.
+
+    As they are printed, in words, they may be off by one in the last digit, but not by more than
+    this share of a step.
+    """
     steps = np.diff(values)
     with np.errstate(all="ignore"):
-        return bool(len(steps) > 2 and np.isfinite(steps).all() and abs(steps[0]) > 0
-                    and (abs(steps - steps.mean()) < 1e-3 * abs(steps.mean())).all())
+        step = abs(steps.mean()) if len(steps) > 2 else 0.
+        if not (0 < step < math.inf and abs(np.sign(steps).sum()) == len(steps)):
+            return False
+        off = abs(values - np.linspace(values[0], values[-1], len(values)))
+        # A millionth is for the arithmetic.
+        digits = last_digits(words) if len(words) == len(values) else 0.
+        allowed = np.minimum(digits, share * step) + 1e-6 * step
+        return bool((abs(abs(steps) - step) < 1e-3 * step).all() or (off <= allowed).all())
 
 
 def _grid_indices(coordinates):
@@ -66,38 +76,71 @@ def _points(table):
 def _column_names(header, separator, n_columns):
     """The names above the columns, if there is one for each."""
     for line in reversed(header):
-        words = [word.strip() for word in line.lstrip("#% ").split(separator)]
+        line = line.lstrip("#% ")
+        if separator is None:   # then a unit behind a name would be a word of its own
+            line = re.sub(r"\s+(?=[\[(])", "", line)
+        words = [word.strip(" \t,;") for word in line.split(separator)]
         if len(words) == n_columns:
             return words
     return [""] * n_columns
 
 
 def _unit_of_column(name):
+    """The unit in the name of a column, or nothing."""
     match = re.search(r"[\[(/]\s*([^\])]+)[\])]?$|\s(?:in)\s+(\S+)$", name)
-    return metres_in(match[1] or match[2]) if match else None
+    return (match[1] or match[2]) if match else ""
 
 
-def _as_points(table, header, names):
+def _metres_of_column(name, of_header):
+    """What the unit of a column is in metres, and whether name and header contradict each other."""
+    unit = _unit_of_column(name)
+    own = metres_in(unit) if unit else None
+    differs = unit and of_header and (own is None or abs(own / of_header - 1) > 1e-9)
+    return own or of_header, bool(differs)
+
+
+def _in_order(table, names):
+    """The table and its names with x and y in front, where names say which columns these are."""
+    meant = [re.match(r"[^\W\d_]*", name.lower())[0] for name in names]
+    for x, y in (("x", "y"), ("column", "row")):
+        if x in meant and y in meant:
+            front = [meant.index(x), meant.index(y)]
+            order = front + [i for i in range(len(names)) if i not in front]
+            return table[:, order], [names[i] for i in order]
+    return table, names
+
+
+def _as_points(table, header, names, options):
     """Channels of a table of points; None if it is none."""
     if names[0].lower() in ("index", "i", "#", "no", "no.", "nr", "nr."):
         table, names = table[:, 1:], names[1:]
     if table.shape[1] < 3:
         _refuse_profile(*table.shape)
+    table, names = _in_order(table, names)
     found = _points(table)
     if not found:
         return None
     maps, spacing = found
-    lateral = [header.coordinate or _unit_of_column(name) for name in names[:2]]
+    lateral = []
+    for name in names[:2]:
+        unit, differs = _metres_of_column(name, header.coordinate)
+        if differs and not (options.xy_unit or options.size):
+            raise Refused(f"names a column '{name}' and states another unit of coordinates in its "
+                          "header: --xy-unit or --size says what holds")
+        lateral.append(unit)
     channels = []
     for values, name in zip(maps, names[2:]):
-        unit = header.metres or _unit_of_column(name)
+        unit, differs = _metres_of_column(name, header.metres)
+        refusal = "" if options.unit or not differs else (
+            f"names a column '{name}' and states another unit of heights in its header: --unit "
+            "says what holds")
         ny, nx = values.shape
         extent = nx * spacing[0], ny * spacing[1]
         size = None if None in lateral else (extent[0] * lateral[0], extent[1] * lateral[1])
         if len(maps) > 1:
             name = name or f"column {len(channels) + 3}"
         channels.append(Channel(name or header.name, values, size, extent, unit,
-                                header.quantity))
+                                header.quantity, refusal=refusal))
     return channels
 
 
@@ -107,14 +150,22 @@ def _refuse_profile(n_rows, n_columns):
                   "(if it is a matrix all the same: --as matrix)")
 
 
-def _without_axes(table):
+def _edges(block, separator):
+    """The words of the first two rows, and of the first two columns."""
+    rows = [line.rstrip().split(separator) for line in block.lines[:2]]
+    return rows, list(zip(*(line.split(separator, 2)[:2] for line in block.lines)))
+
+
+def _without_axes(table, edges):
     """A matrix below a row of x, and beside a column of y where there is one."""
-    column = _is_uniform(table[1:, 0])
-    y = table[1:, 0] if column else None
-    x = table[0, 1:] if column else table[0]
-    if not _is_uniform(x):
-        raise Refused("has no first row of equal steps, which --as axes needs")
-    values = table[1:, 1:] if column else table[1:]
+    y, words_y = table[1:, 0], edges[1][0][1:]
+    column = _is_uniform(y, words_y)
+    x, words_x = table[0, int(column):], edges[0][0][int(column):table.shape[1]]
+    # Steps that are printed more coarsely may as well have a gap among them.
+    if not _is_uniform(x, words_x, .3) or (column and not _is_uniform(y, words_y, .3)):
+        raise Refused("has no first row, or first column, of equal steps to three tenths of one, "
+                      "which --as axes needs")
+    values = table[1:, int(column):]
     ny, nx = values.shape
     dx = abs(x[-1] - x[0]) / (nx - 1)
     extent = nx * dx, ny * (abs(y[-1] - y[0]) / (ny - 1) if column else dx)
@@ -123,18 +174,21 @@ def _without_axes(table):
     return (values[::-1] if column and y[0] > y[-1] else values), extent
 
 
-def _check_for_axes(table, header, corner):
+def _check_for_axes(table, header, corner, edges):
     """Refuse a matrix whose first row or column may be an axis."""
     n_rows, n_columns = table.shape
-    if header.is_gwyddion or (header.rows, header.columns) == (n_rows, n_columns):
+    if (header.rows, header.columns) == (n_rows, n_columns):
         return
     if n_rows < 4 or n_columns < 4:
         return
-    row = corner is not None or (
-        (_is_uniform(table[0]) and not _is_uniform(table[1]))
-        or (_is_uniform(table[0, 1:]) and not _is_uniform(table[1, 1:])))
-    column = ((_is_uniform(table[:, 0]) and not _is_uniform(table[:, 1]))
-              or (_is_uniform(table[1:, 0]) and not _is_uniform(table[1:, 1])))
+
+    def stands_out(lines, words):
+        """Whether the first line goes by equal steps, with its first number or without."""
+        return any(_is_uniform(lines[0, i:], words[0][i:lines.shape[1]])
+                   and not _is_uniform(lines[1, i:], words[1][i:lines.shape[1]]) for i in (0, 1))
+
+    row = corner is not None or stands_out(table[:2], edges[0])
+    column = stands_out(table.T[:2], edges[1])
     if row:
         raise Refused("begins with a row of equal steps: it may be the x of the columns (--as axes) "
                       "or part of the map (--as matrix)")
@@ -157,14 +211,14 @@ def _check_promise(table, header):
 
 def _read_block(block, header_lines, options):
     """The channels of a block under its header."""
-    header = TextHeader(header_lines)
+    header = TextHeader(header_lines, options)
     separator = separator_of(max(block.lines[:20], key=len))
     table, corner = table_of(block, separator, options)
     n_rows, n_columns = table.shape
     reading = options.reading
     names = _column_names(header_lines, separator, n_columns)
     if reading == "points" or (reading is None and n_columns >= 3 and not header.side):
-        channels = _as_points(table, header, names)
+        channels = _as_points(table, header, names, options)
         if channels:
             return channels
         if reading == "points" or n_columns == 3:
@@ -175,12 +229,14 @@ def _read_block(block, header_lines, options):
         _refuse_profile(*table.shape)
     if reading is None and names[0].lower() in ("index", "x"):
         raise Refused("names its columns as a profile or a list of points that form no grid")
-    size, extent = header.size(table.shape[1], table.shape[0]), None
+    extent = None
     if reading == "axes" or (reading is None and corner is not None and "/" in corner):
-        table, extent = _without_axes(table)
-        size = tuple(side * header.coordinate for side in extent) if header.coordinate else size
+        table, extent = _without_axes(table, _edges(block, separator))
     elif reading is None:
-        _check_for_axes(table, header, corner)
+        _check_for_axes(table, header, corner, _edges(block, separator))
+    size = header.size(table.shape[1], table.shape[0])
+    if extent and header.coordinate:
+        size = tuple(side * header.coordinate for side in extent)
     return [Channel(header.name, table, size, extent, header.metres, header.quantity)]
 
 
@@ -198,6 +254,12 @@ def _join(blocks, options):
     return blocks
 
 
+def _without_statements(common, own):
+    """The lines of a header for all tables, but for what that of one table states anew."""
+    keys = {found[0] for found in map(take_apart, own) if found}
+    return [line for line in common if (take_apart(line) or ("",))[0] not in keys]
+
+
 def read_text(text, options):
     """The channels of a text file; raises Refused."""
     blocks = blocks_of(text)
@@ -209,9 +271,9 @@ def read_text(text, options):
         raise Refused(f"falls into {len(blocks)} tables between lines of words")
     channels, common = [], blocks[0].header
     for i, block in enumerate(blocks):
-        lines = block.header if i == 0 or TextHeader(block.header).size(1, 1) else (
-            common + block.header)
         try:
+            lines = block.header if i == 0 or TextHeader(block.header, options).size(1, 1) else (
+                _without_statements(common, block.header) + block.header)
             channels += _read_block(block, lines, options)
         except Refused as reason:
             if len(blocks) > 1:

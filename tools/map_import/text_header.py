@@ -3,6 +3,7 @@
 import re
 
 from .channel import Refused, metres_in
+from .table import may_be_thousands
 
 # Gwyddion writes its header in the language of its user.
 _WIDTH = ("width breite largeur ancho anchura larghezza largura šířka ширина szerokość bredd "
@@ -14,13 +15,16 @@ _SPACING = {"pixel size": "xy", "xy calibration": "xy", "pixel pitch": "xy", "sp
             "y pixel size": "y", "y spacing": "y", "dy": "y"}
 _VALUE_UNIT = ("value units", "value unit", "height unit", "height units", "z unit", "z units",
                "z-unit", "data unit", "unit", "werteinheiten")
+# A key of nothing but these words, with one of scaling among them, multiplies the heights.
+_SCALING = set("scale scaling factor conversion multiplier".split())
+_HEIGHTS = set("z height heights value values data of the".split())
 _COLUMNS = ("x-pixels", "x pixels", "columns")
 _ROWS = ("y-pixels", "y pixels", "rows")
 
 
-def _number(text):
+def _number(text, has_thousands=False):
     try:
-        value = float(text.replace(",", "."))
+        value = float(text.replace(",", "" if has_thousands else "."))
     except ValueError:
         return None
     return value if 0 < value < 1e300 and "_" not in text else None
@@ -38,35 +42,65 @@ def take_apart(line):
     return (match[1].lower(), *(parts.groups() if parts else (value, "")))
 
 
-class TextHeader:
-    """Sizes in metres; None where the header does not state them."""
+def _scales_heights(key, value, unit):
+    """Whether a statement is a factor of the heights, other than 1."""
+    words = set(re.split(r"[\s_-]+", key))
+    return bool(words & _SCALING and words <= _SCALING | _HEIGHTS
+                and _number(value.lstrip("+-")) and (unit or _number(value) != 1))
 
-    def __init__(self, lines):
-        self.side, self.spacing = {}, {}
+
+class TextHeader:
+    """Sizes in metres; None where the header does not state them.
+
+    Raises Refused where it contradicts itself or can be read in several ways, unless an option
+    of the user settles that.
+    """
+
+    def __init__(self, lines, options):
+        self._options = options
+        self._stated = {}          # length and text of each statement that must not be contradicted
+        self.side = {}
+        self.spacing = {}          # along x, y or, unless these are there, xy
         self.metres = None         # of a value of 1
         self.quantity = ""         # of values that are no length
         self.coordinate = None     # metres of a coordinate of 1
         self.rows = self.columns = None
-        self.is_gwyddion = False   # then no column is an axis
         self.name = ""
-        self._default = None       # of lengths that come without a unit
+        self._default = {}         # metres of lengths along x and y that come without a unit
         self._has_factor = False
         statements = [found for found in map(take_apart, lines) if found]
         for key, value, _ in statements:
             if key in ("x-unit", "y-unit"):
-                self._default = metres_in(value)
+                self._default[key[0]] = metres_in(value)
+                self._agree(f"the unit along {key[0]}", metres_in(value), value, "--size")
         keys = [key for key, _, _ in statements]
         if "bit2nm" in keys:
-            if self._default is None:
-                self._default = 1e-9   # of SPIP
+            self._default = self._default or {"x": 1e-9, "y": 1e-9}   # of SPIP
             if any(key == "z-unit" and value != "nm" for key, value, _ in statements):
                 raise Refused("states both Bit2nm and another unit of heights")
         for line in lines:
             self._read_line(line)
         self._read_gwyddion(lines)
 
-    def _length(self, value, unit):
-        number, metres = _number(value), metres_in(unit) if unit else self._default
+    def _agree(self, what, length, text, *options):
+        """Refuse a statement that contradicts an earlier one, unless the user settles it."""
+        earlier, as_text = self._stated.setdefault(what, (length, text))
+        is_same = earlier == length or (
+            None not in (earlier, length) and abs(earlier - length) <= 1e-3 * abs(length))
+        if not is_same and not any(getattr(self._options, option.lstrip("-").replace("-", "_"))
+                                   for option in options):
+            raise Refused(f"states {what} as '{as_text}' and as '{text}' in its header: "
+                          f"{' or '.join(options)} says what it is")
+
+    def _length(self, value, unit, axes=""):
+        """Metres of a length along the axes; None if its unit is not known."""
+        if may_be_thousands(value) and not self._options.decimal:
+            raise Refused(f"states the length '{value} {unit}' in its header, whose comma may be a "
+                          "decimal sign or separate thousands: --decimal comma or --decimal point "
+                          "says which")
+        number = _number(value, may_be_thousands(value) and self._options.decimal == "point")
+        defaults = {self._default.get(axis) for axis in axes}
+        metres = metres_in(unit) if unit else defaults.pop() if len(defaults) == 1 else None
         if number is None or (unit and metres is None):
             raise Refused(f"states the length '{value} {unit}' in its header, which is none")
         return None if metres is None else number * metres
@@ -78,7 +112,7 @@ class TextHeader:
         if extents:
             self.rows, self.columns = int(extents[1]), int(extents[2])
         elif factor:
-            self.metres, self._has_factor = self._length(factor[2], factor[1]), True
+            self._read_factor(factor[2], factor[1])
         else:
             statement = take_apart(line)
             if statement:
@@ -87,28 +121,40 @@ class TextHeader:
     def _read_statement(self, key, value, unit):
         if unit.lower() in ("px", "pixel", "pixels"):   # an image of so many, no length
             return
-        if key in _WIDTH:
-            self.side["x"] = self._length(value, unit)
-        elif key in _HEIGHT:
-            self.side["y"] = self._length(value, unit)
+        text = f"{value} {unit}" if unit else value
+        if key in _WIDTH or key in _HEIGHT:
+            axis = "x" if key in _WIDTH else "y"
+            self.side[axis] = self._length(value, unit, axis)
+            self._agree(f"its side along {axis}", self.side[axis], text, "--size")
         elif key in _SPACING:
-            for axis in _SPACING[key]:
-                self.spacing[axis] = self._length(value, unit)
+            axes = _SPACING[key]
+            self.spacing[axes] = self._length(value, unit, axes)
+            self._agree(f"its spacing along {' and '.join(axes)}", self.spacing[axes], text,
+                        "--size")
         elif key in _VALUE_UNIT and value and not self._has_factor:
-            text = f"{value} {unit}" if unit else value
             self.metres = metres_in(text)
             self.quantity = "" if self.metres else text
-        elif key in ("xy unit", "xy units", "x unit", "lateral unit"):
+            self._agree("the unit of its heights", self.metres, text, "--unit")
+        elif key in ("xy unit", "xy units", "x unit", "y unit", "lateral unit"):
             self.coordinate = metres_in(value)
+            self._agree("the unit of its coordinates", self.coordinate, value, "--xy-unit",
+                        "--size")
         elif key in _COLUMNS and value.isdecimal():
             self.columns = int(value)
         elif key in _ROWS and value.isdecimal():
             self.rows = int(value)
         elif key == "bit2nm":
-            self.metres = self._length(value, "nm")
-            self._has_factor = True
+            self._read_factor(value, "nm")
         elif key in ("channel", "title"):
             self.name = value
+        elif _scales_heights(key, value, unit) and not self._options.unit:
+            raise Refused(f"states '{key}' as '{text}' in its header, by which heights may have to "
+                          "be multiplied: --unit says what a value of 1 is, such as --unit "
+                          "\"63.1 nm\"")
+
+    def _read_factor(self, value, unit):
+        self.metres, self._has_factor = self._length(value, unit), True
+        self._agree("the factor of its heights", self.metres, f"{value} {unit}", "--unit")
 
     def _read_gwyddion(self, lines):
         """Gwyddion's four lines in a language that the lists do not know: by their order."""
@@ -119,7 +165,6 @@ class TextHeader:
         if rest or not (_number(wide) and _number(high) and metres_in(unit_x)
                         and metres_in(unit_y)):
             return
-        self.is_gwyddion = True
         self.side = {"x": self._length(wide, unit_x), "y": self._length(high, unit_y)}
         self.metres = metres_in(unit)
         self.quantity = "" if self.metres else unit
@@ -129,6 +174,5 @@ class TextHeader:
         """lx, ly of so many points; None if not both are stated."""
         if self.side.get("x") and self.side.get("y"):
             return self.side["x"], self.side["y"]
-        if self.spacing.get("x") and self.spacing.get("y"):
-            return nx * self.spacing["x"], ny * self.spacing["y"]
-        return None
+        dx, dy = (self.spacing.get(axis, self.spacing.get("xy")) for axis in "xy")
+        return (nx * dx, ny * dy) if dx and dy else None

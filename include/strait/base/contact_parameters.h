@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace strait
@@ -130,11 +131,9 @@ namespace strait
       return adhesion.enabled || yields();
     }
 
-    /**
-     * Where Young's moduli are given, take the effective modulus that follows from them.
-     * Throws InputError where they contradict the other values.
-     */
-    void take_elastic_constants();
+    /** The effective modulus that Young's moduli and Poisson ratios make, if they are
+     *  given. Throws InputError where they do not fit each other. */
+    std::optional<double> modulus_of_bodies() const;
   };
 } // namespace strait
 

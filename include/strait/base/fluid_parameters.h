@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -149,11 +150,12 @@ namespace strait
 
     void bind(ParameterSection section);
 
-    /**
-     * Where a gas is named, take its molar mass and, unless the scene gives one, its
-     * viscosity in the scene's @p units; of any gas find the thermal speed. Throws
-     * InputError where that contradicts the other values.
-     */
+    /** The viscosity that is known of a named gas, in the scene's @p units. Throws
+     *  InputError at another temperature. */
+    std::optional<double> viscosity_of_gas(const UnitParameters &units) const;
+
+    /** Where a gas is named, take its molar mass; of any gas find the thermal speed.
+     *  Throws InputError where that contradicts the other values. */
     void take_gas(const UnitParameters &units);
     void check() const;
 

@@ -28,6 +28,12 @@ namespace strait
     std::string keyword = {}; // in place of a path
     std::string meaning = {}; // with the unit
 
+    // It counts only if the parameter of this name in its section has one of these
+    // values; always if there is no name.
+    std::string              decider = {};
+    std::vector<std::string> needed  = {};
+    std::string              usual   = {}; // the default
+
     /** "Section/Subsection/Name". */
     std::string path() const;
   };
@@ -41,6 +47,7 @@ namespace strait
     Parameter &
     add(Parameter parameter)
     {
+      parameter.usual = parameter.value;
       return parameters.emplace_back(std::move(parameter));
     }
 
@@ -52,6 +59,10 @@ namespace strait
      */
     void assign(const SceneEntry &entry);
 
+    /** One sentence for each effect that is off but has parameters which are not at their
+     *  defaults. */
+    std::vector<std::string> without_effect() const;
+
     /** A scene file with all values; with the documentation if @p explained. */
     std::string scene(bool explained) const;
 
@@ -61,6 +72,7 @@ namespace strait
   private:
     void       check_section(const SceneEntry &entry) const;
     Parameter &find(const SceneEntry &entry);
+    bool       counts(const Parameter &parameter) const;
 
     std::vector<Parameter> parameters;
   };
@@ -82,6 +94,11 @@ namespace strait
     /** A section within this one. */
     ParameterSection subsection(const std::string &name) const;
 
+    /** The same section for parameters that count only if its parameter @p decider has
+     *  one of the values @p needed. */
+    ParameterSection when(const std::string              &decider,
+                          const std::vector<std::string> &needed) const;
+
     /** Whether or not. */
     [[nodiscard]] Parameter &add(const std::string &name, bool &variable);
 
@@ -95,13 +112,13 @@ namespace strait
     [[nodiscard]] Parameter &
     add(const std::string &name, Value &variable, const Values &values)
     {
-      return table.add({names,
-                        name,
-                        values.text(variable),
-                        values.words(std::is_integral<Value>::value, false),
-                        [&variable, values](const std::string &text) {
-                          return values.read(text, variable);
-                        }});
+      return append({names,
+                     name,
+                     values.text(variable),
+                     values.words(std::is_integral<Value>::value, false),
+                     [&variable, values](const std::string &text) {
+                       return values.read(text, variable);
+                     }});
     }
 
     /** A list, which may be empty. */
@@ -113,13 +130,13 @@ namespace strait
       texts.reserve(variable.size());
       for (const Value &value : variable)
         texts.push_back(values.text(value));
-      return table.add({names,
-                        name,
-                        join(texts, ", "),
-                        values.words(std::is_integral<Value>::value, true),
-                        [&variable, values](const std::string &text) {
-                          return read_list(text, values, variable);
-                        }});
+      return append({names,
+                     name,
+                     join(texts, ", "),
+                     values.words(std::is_integral<Value>::value, true),
+                     [&variable, values](const std::string &text) {
+                       return read_list(text, values, variable);
+                     }});
     }
 
     /** One value for each direction; if they are the same, one stands for both. */
@@ -128,7 +145,7 @@ namespace strait
     add(const std::string &name, std::array<Value, 2> &variable, const Values &values)
     {
       const std::string first = values.text(variable[0]);
-      return table.add(
+      return append(
         {names,
          name,
          variable[0] == variable[1] ? first : first + ", " + values.text(variable[1]),
@@ -157,8 +174,12 @@ namespace strait
       return true;
     }
 
+    Parameter &append(Parameter parameter);
+
     ParameterTable          &table;
     std::vector<std::string> names;
+    std::string              decider = {};
+    std::vector<std::string> needed  = {};
   };
 } // namespace strait
 

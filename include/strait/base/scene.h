@@ -66,6 +66,9 @@ namespace strait
     /** The scene file, with every default filled in. */
     std::string resolved;
 
+    /** One sentence for each effect that is off but has parameters all the same. */
+    std::vector<std::string> without_effect;
+
     /** Bind all parameters; this scene must then stay where it is. */
     void bind(ParameterTable &table);
     /** Checks of each section and across sections; throws InputError. */
@@ -86,7 +89,7 @@ namespace strait
    * (naming file, line and the nearest known name), a value that is not allowed, or
    * sections that contradict each other.
    */
-  Scene make_scene(const std::vector<SceneEntry> &entries);
+  Scene make_scene(std::vector<SceneEntry> entries);
 
   /**
    * The entries of the scene file @p path, which rank 0 of MPI_COMM_WORLD reads, and the

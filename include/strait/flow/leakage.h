@@ -4,6 +4,7 @@
 
 #include <strait/base/fluid_parameters.h>
 
+#include <limits>
 #include <string>
 
 namespace strait
@@ -20,11 +21,11 @@ namespace strait
     /** K Δp/|Q| at a uniform conductivity K: of the box its length over its width. */
     double aspect = 1.;
 
-    /** Of a rarefied gas: relative width of the bracket that the last mesh leaves if the
-     *  gas has the weight that was found, mean free path over gap in the throat, and
-     * which lower bound is the larger one, `any-order` or `two-gases`. */
-    double      mesh_width = 0.;
-    double      knudsen    = 0.;
+    /** Of a rarefied gas that leaks: relative width of the bracket that the last mesh
+     *  leaves if the gas has the weight that was found, mean free path over gap in the
+     * throat, and which lower bound is the larger one, `any-order` or `two-gases`. */
+    double      mesh_width = std::numeric_limits<double>::quiet_NaN();
+    double      knudsen    = std::numeric_limits<double>::quiet_NaN();
     std::string bound      = "none";
 
     /** What the linear solver leaves over, relative. */

@@ -6,6 +6,7 @@
 #include <strait/spectral/slab_field.h>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace strait
@@ -32,8 +33,9 @@ namespace strait
     double
     part_before_throat() const
     {
-      const std::size_t throat = static_cast<std::size_t>(
-        std::min_element(gaps.begin(), gaps.end()) - gaps.begin());
+      // Of points of the same gap the last one, as the bottleneck is.
+      const auto        narrowest = std::min_element(gaps.rbegin(), gaps.rend());
+      const std::size_t throat    = std::distance(narrowest, gaps.rend()) - 1;
       return .5 *
              (resistances[throat == 0 ? 0 : throat - 1] +
               resistances[std::min(throat + 1, gaps.size() - 1)]) /

@@ -32,7 +32,10 @@ namespace strait
     double width           = 0.;
     double doubling_length = std::numeric_limits<double>::quiet_NaN();
 
-    /** Spacings of its level from there to where the gap has doubled: 0 if the points do
+    /** Of the points of its level, along the channel. */
+    double spacing = 0.;
+
+    /** Such spacings from there to where the gap has doubled: 0 if the points do
      *  not tell, infinite if the gap does not grow along the channel. */
     double points = 0.;
   };

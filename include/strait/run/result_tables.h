@@ -32,17 +32,6 @@ namespace strait
     unsigned long long seed        = 0;
     Orientation        orientation = Orientation::as_is;
     std::string        failure     = {}; // why it failed, if it did
-
-    double
-    crossover_load() const
-    {
-      return (1 - crossover) * critical_load();
-    }
-    double
-    theory_crossover_load() const
-    {
-      return (1 - theory_crossover) * critical_load();
-    }
   };
 
   /** How a quantity scatters over the realisations: a row of ensemble_summary.csv. */

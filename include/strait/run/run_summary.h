@@ -20,10 +20,11 @@ namespace strait
     double contact_area        = std::nan("");
 
     // Of the leak rate at the smallest slip length.
-    double crossover        = std::nan(""); // reduced load, see crossover_reduced_load()
-    double theory_crossover = std::nan(""); // that of the theory's
-    double exponent         = std::nan("");
-    double exponent_error   = std::nan("");
+    double crossover             = std::nan(""); // see crossover_reduced_load()
+    double crossover_load        = std::nan(""); // the load of that
+    double theory_crossover_load = std::nan(""); // that of the theory's leak rate
+    double exponent              = std::nan("");
+    double exponent_error        = std::nan("");
 
     std::string status   = "ok"; // words of all steps, and of what is not known for them
     std::string validity = "ok"; // words of all steps
@@ -44,7 +45,8 @@ namespace strait
                       critical_load_upper,
                       contact_area,
                       crossover,
-                      theory_crossover,
+                      crossover_load,
+                      theory_crossover_load,
                       exponent,
                       exponent_error,
                       status,

@@ -14,6 +14,7 @@ namespace strait
   class StateArchive;
   struct RunSummary;
   struct Step;
+  struct Transition;
 
   /**
    * Exponents of leak rate and throat against 1 − L/L_c. Collects the steps that
@@ -36,10 +37,11 @@ namespace strait
     void transfer(StateArchive &archive);
 
     /** Tell @p summary the exponent and the crossover of the leak rate at the smallest
-     *  slip, and the crossover of what the theory says at the same steps. Its status gets
-     *  words for what could not be told of the leak rate because too few of the steps it
-     *  takes are resolved: no-exponent, no-crossover. */
-    void summarise(RunSummary &summary) const;
+     *  slip, whose critical load is among @p thresholds, and the crossover of what the
+     *  theory says at the same steps. Its status gets words for what could not be told of
+     * the leak rate because too few of the steps it takes are resolved: no-exponent,
+     * no-crossover. */
+    void summarise(const std::vector<Transition> &thresholds, RunSummary &summary) const;
 
     /** The local slopes of each quantity, and its fit over all steps that are trusted,
      *  which goes to @p log as well, with a warning of what is missing. Collective. */

@@ -46,7 +46,7 @@ namespace strait
    * load and slip length and write the results. Makes heights on a grid only to measure
    * their spectrum, where the scene asks for that.
    */
-  void run_theory(const Scene &scene, Log &log, MPI_Comm comm);
+  RunSummary run_theory(const Scene &scene, Log &log, MPI_Comm comm);
 
   /** What describe() does there; computes nothing but the surface. Collective. */
   void describe_theory(const Scene &scene, Log &log);

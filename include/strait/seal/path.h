@@ -6,6 +6,7 @@
 #include <strait/base/log.h>
 #include <strait/seal/seal_model.h>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -30,6 +31,13 @@ namespace strait
     PathPoint after;               // without meaning at a pull-off
     double    dissipated  = 0;     // energy per area
     bool      is_pull_off = false; // the surfaces part
+
+    /** In what varies along the path. */
+    double
+    width() const
+    {
+      return std::abs(after.target - before.target);
+    }
   };
 
   /** In either direction. Collective. */

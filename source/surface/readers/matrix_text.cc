@@ -36,6 +36,7 @@ namespace strait
       LengthUnit            width_unit, height_unit, value_unit;
     };
 
+    /** The number of a side, and its unit as it stands. */
     double
     parse_side(const std::string &text, LengthUnit &unit, const std::string &file)
     {
@@ -48,9 +49,8 @@ namespace strait
         reject_for_import(file,
                           "states the side '" + text +
                             "' in its header, which is no positive length");
-      // Sides may have different units; what is kept is in metres.
-      unit = own.is_stated() ? LengthUnit{"m", 1.} : own;
-      return *value * own.metres.value_or(1.);
+      unit = own;
+      return *value;
     }
 
     void
@@ -139,6 +139,9 @@ namespace strait
         "10 um' would");
     if (header.width_unit.is_stated() != header.height_unit.is_stated())
       reject_for_import(file, "states a unit for one of its sides only");
+    // Sides may have different units; what 1 in the file means is said of the first.
+    if (header.width_unit.is_stated())
+      *header.height *= *header.height_unit.metres / *header.width_unit.metres;
     map.size         = {{*header.width, *header.height}};
     map.lateral_unit = header.width_unit;
     map.height_unit  = header.value_unit;
