@@ -113,19 +113,22 @@ namespace strait
     zoom.bind(section.subsection("Zoom"));
   }
 
-  std::optional<double>
-  ContactParameters::modulus_of_bodies() const
+  void
+  ContactParameters::take_elastic_constants()
   {
     if (young_moduli.empty() && poisson_ratios.empty())
-      return {};
+      return;
     if (young_moduli.size() != poisson_ratios.size() || young_moduli.size() > 2)
       throw InputError("Contact/Young's moduli and Poisson ratios have " +
                        std::to_string(young_moduli.size()) + " and " +
                        std::to_string(poisson_ratios.size()) +
                        " entries; give one of each for each elastic body, one or two.");
+    if (effective_modulus != ContactParameters().effective_modulus)
+      throw InputError(
+        "Contact/Effective modulus and Young's moduli are both given; remove one.");
     double compliance = 0; // 1/E* = Σ (1 − ν²)/E
     for (std::size_t i = 0; i < young_moduli.size(); ++i)
       compliance += (1 - poisson_ratios[i] * poisson_ratios[i]) / young_moduli[i];
-    return 1 / compliance;
+    effective_modulus = 1 / compliance;
   }
 } // namespace strait

@@ -128,7 +128,7 @@ namespace strait
                 }})
       .meaning =
       "Gives a gas its molar mass, and its viscosity at 293.15 K unless Viscosity is "
-      "given. The column validity then tells where it is rarefied.";
+      "given and not 1. The column validity then tells where it is rarefied.";
     section.add("Molar mass", molar_mass, not_negative).meaning =
       "M: of a gas that Gas does not know; 0: not known [kg/mol].";
     section.when("State", {"gas"}).add("Temperature", temperature, positive).meaning =
@@ -151,8 +151,8 @@ namespace strait
       "across a meniscus in the throat with the one that drives the flow; 0: not known "
       "[energy/area].";
     section.add("Viscosity", viscosity, positive).meaning =
-      "eta: dynamic viscosity of the fluid; of a named Gas it may be left out [pressure "
-      "* time].";
+      "eta: dynamic viscosity of the fluid; at its default that of a named Gas is taken "
+      "[pressure * time].";
     section.add("Inlet pressure", inlet_pressure, any_number).meaning =
       "Fluid pressure at the inlet, x = 0 or y = 0 [pressure].";
     section.add("Outlet pressure", outlet_pressure, any_number).meaning =
@@ -207,19 +207,13 @@ namespace strait
     if (molar_mass > 0.)
       thermal_speed = std::sqrt(2. * gas_constant * temperature / molar_mass) *
                       seconds_in(units.time).value_or(1.) / units.length_in_metres();
-  }
-
-  std::optional<double>
-  FluidParameters::viscosity_of_gas(const UnitParameters &units) const
-  {
-    const Gas *const known = find_gas(gas);
-    if (known == nullptr)
-      return {};
+    if (known == nullptr || viscosity != FluidParameters().viscosity)
+      return;
     if (temperature != FluidParameters().temperature)
       throw InputError("Fluid/Gas knows the viscosity of " + gas +
                        " at 293.15 K only; give Fluid/Viscosity at the temperature.");
-    return known->viscosity / (pascals_in(units.pressure).value_or(1.) *
-                               seconds_in(units.time).value_or(1.));
+    viscosity = known->viscosity / (pascals_in(units.pressure).value_or(1.) *
+                                    seconds_in(units.time).value_or(1.));
   }
 
   void

@@ -3,14 +3,11 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/parameter_table.h>
 #include <strait/base/scene.h>
-#include <strait/base/text.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <ostream>
 
 namespace strait
@@ -70,35 +67,18 @@ namespace strait
   }
 
   Scene
-  make_scene(std::vector<SceneEntry> entries)
+  make_scene(const std::vector<SceneEntry> &entries)
   {
-    Scene      scene    = parse_scene(entries);
-    const auto is_given = [&entries](const std::string &section, const char *name) {
-      return std::any_of(entries.begin(), entries.end(), [&](const SceneEntry &entry) {
-        return entry.section == std::vector<std::string>{section} && entry.name == name;
-      });
-    };
-    // What follows from other values counts as given, so that the resolved scene says it.
-    const auto give = [&entries](const char *section, const char *name, double value) {
-      entries.push_back({{section}, name, format("%.17g", value), section, ""});
-    };
-    if (const std::optional<double> modulus = scene.contact.modulus_of_bodies())
-      {
-        constexpr double rounding = 1e-9;
-        if (is_given("Contact", "Effective modulus") &&
-            std::abs(scene.contact.effective_modulus / *modulus - 1.) > rounding)
-          throw InputError(
-            "Contact/Effective modulus and Young's moduli are both given; remove one.");
-        give("Contact", "Effective modulus", *modulus);
-      }
-    if (!is_given("Fluid", "Viscosity"))
-      if (const std::optional<double> viscosity =
-            scene.fluid.viscosity_of_gas(scene.units))
-        give("Fluid", "Viscosity", *viscosity);
-    scene = parse_scene(entries);
+    Scene scene = parse_scene(entries);
+    scene.contact.take_elastic_constants();
     scene.fluid.take_gas(scene.units);
     scene.check();
-    if (!is_given("Surface", "Size") && !scene.units.length.empty() &&
+    const bool has_size =
+      std::any_of(entries.begin(), entries.end(), [](const SceneEntry &entry) {
+        return entry.section == std::vector<std::string>{"Surface"} &&
+               entry.name == "Size";
+      });
+    if (!has_size && !scene.units.length.empty() &&
         scene.surface.kind != SurfaceKind::file)
       throw InputError("Units/Length = " + scene.units.length +
                        " is stated, but not how large the surface is; set Surface/Size "

@@ -74,7 +74,8 @@ namespace strait
   {
     const PeriodicGrid &grid = layout.grid();
     const auto [x, y]        = layout.position(point.window, point.ix, point.iy);
-    // A window may cross the seam, whose points are those at its far end.
+    // Windows may cross the seams of the box; a point on one counts as that at the far
+    // end of the period, where the outlet is.
     const auto within = [](const double at, const double period) {
       constexpr double rounding = 1e-9;
       return at - period * (std::ceil(at / period - rounding) - 1.);

@@ -169,12 +169,14 @@ namespace strait
           throw InputError(
             "The output directory '" + folder +
             "' cannot be written; choose another with Output/Directory or --output.");
+        const bool had_realisations = fs::exists(fs::path(folder) / "ensemble.csv");
         for (const fs::path &file : results_in(folder))
           fs::remove(file, error);
-        // Those of realisations, of which there may be fewer now.
+        // There may be fewer realisations now.
         static const std::regex realisation("realisation-[0-9]+");
         for (const auto &entry : fs::directory_iterator(folder, error))
-          if (std::regex_match(entry.path().filename().string(), realisation))
+          if (had_realisations &&
+              std::regex_match(entry.path().filename().string(), realisation))
             for (const fs::path &file : results_in(entry.path().string()))
               fs::remove(file, error);
       });

@@ -53,6 +53,10 @@ namespace strait
       for (const std::string &warning : check_resolution(scene.surface, grid))
         log.warn(warning);
       warn_of_odd_grid(scene, log);
+      if (!scene.fluid.gas.empty())
+        log.line(format("gas: %s, viscosity %.6g",
+                        scene.fluid.gas.c_str(),
+                        scene.fluid.viscosity));
       const int n_ranks = n_ranks_in(comm);
       log.line(format("grid %d × %d on a box of %.6g × %.6g, %d %s",
                       grid.nx,

@@ -33,8 +33,9 @@ namespace strait
   public:
     Iteration(CoupledSeal &seal, const Control &control, const SealState *from);
 
-    /** Contact and flow that agree to the accuracy of a verdict. */
-    void settle();
+    /** Contact and flow that agree to the accuracy of a verdict; roughly if the channel
+     * is open and @p open_is_enough. */
+    void settle(bool open_is_enough);
 
     /** The same to that of a leak rate. */
     void find_mesh();
@@ -78,7 +79,7 @@ namespace strait
     if (aim == Aim::leak_rate)
       iteration.find_mesh();
     else
-      iteration.settle();
+      iteration.settle(aim == Aim::seal);
     return std::move(iteration.state);
   }
 
@@ -115,7 +116,7 @@ namespace strait
   }
 
   void
-  CoupledSeal::Iteration::settle()
+  CoupledSeal::Iteration::settle(const bool open_is_enough)
   {
     // The verdict should not depend on what the iteration leaves over, but below that it
     // is what contact and flow leave over that counts. Half of it takes a few rounds
@@ -125,7 +126,7 @@ namespace strait
     FeedbackGoal     goal{std::min(seal.scene.fluid.feedback.tolerance,
                                std::max(share, least)),
                       std::numeric_limits<double>::infinity()};
-    goal.once_lost = looseness;
+    goal.once_open = open_is_enough ? looseness : 0.;
     agree(goal);
   }
 

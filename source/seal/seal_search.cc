@@ -180,7 +180,10 @@ namespace strait
         // Where there is no hysteresis it closes at once.
         const double leaking = result.opening.upper;
         const double step    = -scene.programme.threshold_tolerance * leaking;
-        if (!leaks_anyway)
+        // What opened there is known roughly only.
+        if (!leaks_anyway && !leaks(search.ask_at(leaking)))
+          result.closing = result.opening;
+        else if (!leaks_anyway)
           if (const auto passage = search.leave(leaking, step, leaks))
             result.closing = between(search, *passage, passage->before, begin);
       }
@@ -247,7 +250,10 @@ namespace strait
       (!model.depends_on_path() || control.target == near->control.target ||
        (path_comes_from == Side::open) == (near->control.target < control.target) ||
        (path_comes_from == Side::sealed && scene.contact.yields()));
-    SealState state = model.solve(control, is_ahead ? &*near : nullptr, Aim::verdict);
+    const Aim aim   = model.depends_on_path() && path_comes_from == Side::sealed
+                        ? Aim::seal
+                        : Aim::verdict;
+    SealState state = model.solve(control, is_ahead ? &*near : nullptr, aim);
     if (!model.depends_on_path())
       open_state.reset(); // this one takes its place
 

@@ -121,11 +121,10 @@ namespace strait
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
         const bool flips = percolated && *percolated != now.percolates;
-        began_open       = began_open.value_or(now.percolates);
         const bool agrees =
           result.agrees_within(goal) ||
-          (now.percolates && !*began_open &&
-           std::max(result.change, result.leak_change) <= goal.once_lost);
+          (now.percolates && std::max(result.change, result.leak_change) <=
+                               parameters.relaxation * goal.once_open);
         if (agrees || (!flips && stays_in_place(now, goal, result)))
           {
             result.converged = true;

@@ -173,6 +173,7 @@ REFUSED = {
     "profiles.txt": ("\n".join(f"{x} {x * x % 7} {x * x % 5} {x * x % 3}" for x in range(20)),
                      "grows by equal steps"),
     "list.txt": ("\n".join(str(x * x % 7) for x in range(20)), "profile"),
+    "commas.txt": (TWICE + rows(", ", ","), "with a blank behind them"),
     "unequal.txt": (rows(" ") + "1 2 3\n", "3 values in line 11"),
     "word.txt": (rows(" ").replace(" ", " x", 1), "is no number"),
     "words.txt": ("This is no map.\n", "no table of numbers"),

@@ -51,25 +51,6 @@ TEST(Scene, ParametersWithoutEffectAreNamed)
   expect_in("Surface/Kind is no file", error_of("", {"Surface/File=/a/map.nc"}));
 }
 
-TEST(Scene, WhatFollowsFromOtherValuesIsInTheResolvedScene)
-{
-  const Overrides helium = {"Fluid/State=gas", "Fluid/Gas=helium"};
-  EXPECT_NEAR(scene_of("", helium).fluid.viscosity, 1.96e-5, 1e-7);
-  const Overrides with_one = helium + Overrides{"Fluid/Viscosity=1"};
-  EXPECT_EQ(scene_of("", with_one).fluid.viscosity, 1.);
-  const Overrides body = {"Contact/Young's moduli=3", "Contact/Poisson ratios=0.5"};
-  for (const Overrides &given : {helium, with_one, body})
-    {
-      const Scene scene = scene_of("", given);
-      const Scene again = scene_of(scene.resolved);
-      EXPECT_EQ(again.resolved, scene.resolved);
-      EXPECT_EQ(again.fluid.viscosity, scene.fluid.viscosity);
-      EXPECT_EQ(again.contact.effective_modulus, scene.contact.effective_modulus);
-    }
-  EXPECT_DOUBLE_EQ(scene_of("", body).contact.effective_modulus, 4.);
-  expect_in("both given", error_of("", body + Overrides{"Contact/Effective modulus=1"}));
-}
-
 TEST(Scene, FeedbackIsOfOneSlipLength)
 {
   const Overrides feedback = {"Fluid/Wall feedback/Enabled=true"};

@@ -116,6 +116,10 @@ def _decimal_sign(block, separator, options):
     """The decimal sign, from the first rows and the user."""
     rows = block.lines[:200]
     if separator == ",":
+        text = "\n".join(rows)
+        if "." not in text and re.search(r"\d,\d", text) and re.search(r"\d, +[-+\d]", text):
+            raise Refused("has commas with a blank behind them and others without, which may be "
+                          "separators and decimal signs: export it with another separator")
         return "."
     if options.decimal:
         return "," if options.decimal == "comma" else "."

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace strait
@@ -131,9 +130,11 @@ namespace strait
       return adhesion.enabled || yields();
     }
 
-    /** The effective modulus that Young's moduli and Poisson ratios make, if they are
-     *  given. Throws InputError where they do not fit each other. */
-    std::optional<double> modulus_of_bodies() const;
+    /**
+     * Where Young's moduli are given, take the effective modulus that follows from them.
+     * Throws InputError where they contradict the other values.
+     */
+    void take_elastic_constants();
   };
 } // namespace strait
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -150,12 +149,11 @@ namespace strait
 
     void bind(ParameterSection section);
 
-    /** The viscosity that is known of a named gas, in the scene's @p units. Throws
-     *  InputError at another temperature. */
-    std::optional<double> viscosity_of_gas(const UnitParameters &units) const;
-
-    /** Where a gas is named, take its molar mass; of any gas find the thermal speed.
-     *  Throws InputError where that contradicts the other values. */
+    /**
+     * Where a gas is named, take its molar mass and, unless the scene gives one, its
+     * viscosity in the scene's @p units; of any gas find the thermal speed. Throws
+     * InputError where that contradicts the other values.
+     */
     void take_gas(const UnitParameters &units);
     void check() const;
 

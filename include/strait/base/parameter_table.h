@@ -59,8 +59,8 @@ namespace strait
      */
     void assign(const SceneEntry &entry);
 
-    /** One sentence for each effect that is off but has parameters which are not at their
-     *  defaults. */
+    /** One sentence for each effect that is off but has parameters that are written other
+     *  than their defaults. */
     std::vector<std::string> without_effect() const;
 
     /** A scene file with all values; with the documentation if @p explained. */

@@ -89,7 +89,7 @@ namespace strait
    * (naming file, line and the nearest known name), a value that is not allowed, or
    * sections that contradict each other.
    */
-  Scene make_scene(std::vector<SceneEntry> entries);
+  Scene make_scene(const std::vector<SceneEntry> &entries);
 
   /**
    * The entries of the scene file @p path, which rank 0 of MPI_COMM_WORLD reads, and the

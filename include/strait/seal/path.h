@@ -28,7 +28,7 @@ namespace strait
   struct Jump
   {
     PathPoint before;
-    PathPoint after;               // without meaning at a pull-off
+    PathPoint after;               // at a pull-off its gap and area mean nothing
     double    dissipated  = 0;     // energy per area
     bool      is_pull_off = false; // the surfaces part
 

@@ -11,6 +11,7 @@ namespace strait
   {
     throats,  // where its throats are, to place windows there
     verdict,  // whether a channel percolates
+    seal,     // the same; if one does, the state is lost and need not be exact
     leak_rate // how much leaks, to the accuracy that the scene asks for
   };
 

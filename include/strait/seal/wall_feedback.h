@@ -8,7 +8,6 @@
 
 #include <functional>
 #include <limits>
-#include <optional>
 
 namespace strait
 {
@@ -27,9 +26,9 @@ namespace strait
     double leak_tolerance;  // of that of the leak rate, relative
     bool   goes_on = false; // the iteration before, with a map that has changed a little
 
-    /** The same for both changes once what began closed leaks: that state is lost,
-     * however much comes through. 0 if that is wanted all the same. */
-    double once_lost = 0.;
+    /** The same for both changes of plain rounds while the channel is open, if that is
+     * all one wants to know; else 0. */
+    double once_open = 0.;
 
     /** No guess may have a larger mean pressure, such as the load. */
     double largest_mean = std::numeric_limits<double>::infinity();
@@ -132,7 +131,6 @@ namespace strait
     Walk                     walk;
     SlabField                last_image;         // of an iteration that has converged
     double                   last_leak_rate = 0; // 0: there was none
-    std::optional<bool>      began_open;         // in the first round
   };
 } // namespace strait
 
