@@ -172,6 +172,7 @@ namespace strait
         idle.back().second.push_back(parameter.name);
       }
     std::vector<std::string> sentences;
+    sentences.reserve(idle.size());
     for (const auto &[off, names] : idle)
       sentences.push_back("without " + off +
                           " these have no effect: " + join(names, ", "));
