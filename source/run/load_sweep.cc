@@ -171,15 +171,15 @@ namespace strait
     const auto start_time = Timers::Clock::now();
     const auto scope =
       timers.scope(scene.fluid.feedback.enabled ? "coupling" : "contact");
+    const StepRule rule = step_rule(scene);
     step.flow.reset(); // its mesh was made for another gap
     if (flow)
       flow->release();
-    const StepRule rule    = step_rule(scene);
-    Arrival        arrival = follow(*seal,
+    Arrival arrival = follow(*seal,
                              control,
                              is_first && !start    ? nullptr
-                                    : is_first || returns ? &*start
-                                                          : &step.state,
+                             : is_first || returns ? &*start
+                                                   : &step.state,
                              flow ? Aim::leak_rate : Aim::verdict,
                              rule);
     for (const Jump &jump : arrival.jumps)

@@ -159,9 +159,10 @@ namespace strait
     BlowOut result;
     result.load                 = load;
     const double least          = TransitionSearch::negligible * load;
-    const bool   leaks_anyway   = leaks(search.ask_at(least));
-    result.opening.contact_area = search.at(least).contact_area;
-    result.opening.bottleneck   = search.at(least).bottleneck;
+    const Probe  at_least       = search.ask_at(least);
+    const bool   leaks_anyway   = leaks(at_least);
+    result.opening.contact_area = at_least.contact_area;
+    result.opening.bottleneck   = at_least.bottleneck;
     if (!leaks_anyway)
       {
         const auto passage = holds(search.ask_at(load))
@@ -174,18 +175,18 @@ namespace strait
         result.opening = between(search, *passage, passage->beyond, begin);
       }
     if (scene.programme.find_resealing)
+      result.closing.emplace();
+    if (result.closing && !leaks_anyway)
       {
         side = Side::open;
-        result.closing.emplace();
         // Where there is no hysteresis it closes at once.
         const double leaking = result.opening.upper;
         const double step    = -scene.programme.threshold_tolerance * leaking;
         // What opened there is known roughly only.
-        if (!leaks_anyway && !leaks(search.ask_at(leaking)))
+        if (!leaks(search.ask_at(leaking)))
           result.closing = result.opening;
-        else if (!leaks_anyway)
-          if (const auto passage = search.leave(leaking, step, leaks))
-            result.closing = between(search, *passage, passage->before, begin);
+        else if (const auto passage = search.leave(leaking, step, leaks))
+          result.closing = between(search, *passage, passage->before, begin);
       }
     result.opening.n_solves = static_cast<int>(next - begin);
     const auto add_outlet   = [outlet](Transition &difference) {
