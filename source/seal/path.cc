@@ -48,7 +48,8 @@ namespace strait
               contact.nominal_pressure,
               contact.mean_gap,
               contact.contact_area,
-              contact.adhesion->total_energy};
+              contact.adhesion->total_energy,
+              contact.adhesion->detached};
     }
 
     /** The change of the energy with what is prescribed; see follow(). */
@@ -63,12 +64,13 @@ namespace strait
     {
     public:
       /** Of an adhesive contact, @p from a state @p to another. */
-      Stride(const SealState &from, const SealState &to, const ContactControl control)
+      Stride(const SealState &from, const PathPoint &to, const StepRule &rule)
         : before(point_of(from))
-        , after(point_of(to))
+        , after(to)
         , trend(from.trend)
-        , slope_before(slope_of_energy(before, control))
-        , slope_after(slope_of_energy(after, control))
+        , seeks_jumps(rule.jump_tolerance > 0)
+        , slope_before(slope_of_energy(before, rule.control))
+        , slope_after(slope_of_energy(after, rule.control))
         , change(after.target - before.target)
         , rise(after.energy - before.energy)
       {
@@ -96,12 +98,18 @@ namespace strait
                           steeper * std::abs(trend.slope * change);
       }
 
-      /** What a step that is no smooth one, and can be no shorter, may be: certainly a
-       * jump if the surfaces part in it. */
-      std::optional<Jump>
-      jump(const bool is_pull_off) const
+      /** Whether the surfaces part, or something speaks for a jump that is sought. */
+      bool
+      leaps() const
       {
-        if (is_pull_off)
+        return after.detached || (seeks_jumps && !is_smooth());
+      }
+
+      /** What a step that leaps, and can be no shorter, may be. */
+      std::optional<Jump>
+      jump() const
+      {
+        if (after.detached)
           return Jump{before, after, 0., true};
         if (rise >= least) // steep, but no jump
           return {};
@@ -127,6 +135,7 @@ namespace strait
     private:
       PathPoint       before, after;
       const PathTrend trend;
+      const bool      seeks_jumps;
       double          slope_before, slope_after, change, rise;
       double          least = 0, most = 0;
     };
@@ -161,32 +170,37 @@ namespace strait
              std::abs(a.inlet_pressure - b.inlet_pressure);
     }
 
-    /**
-     * Whether the step @p from one state @p to another passes a jump and may be halved.
-     * If it passes one and is short enough, or is the last of @p n_solves, the jump is
-     * one of @p jumps.
-     */
-    bool
-    leaps(const SealState   &from,
-          SealState         &to,
-          const StepRule    &rule,
-          int               &n_solves,
-          std::vector<Jump> &jumps)
+    /** A control on the way. */
+    struct Stop
     {
-      if (!has_energy(to))
-        return false;
-      const Stride stride(from, to, rule.control);
-      const bool   detached = has_detached(to), halves = rule.jump_tolerance > 0;
-      if (detached || (halves && !stride.is_smooth()))
-        {
-          if (halves && ++n_solves < max_solves &&
-              std::abs(to.control.target - from.control.target) > rule.jump_tolerance)
-            return true;
-          if (const auto jump = stride.jump(detached))
-            jumps.push_back(*jump);
-        }
-      to.trend = stride.trend_after();
-      return false;
+      Control                  control;
+      std::optional<PathPoint> seen =
+        {}; // there, from an earlier state than is known now
+    };
+
+    /** Whether a jump on the way from a state to @p stop is known and not enclosed. What
+     *  was seen there from an earlier state spares one that would be left again. */
+    bool
+    is_open(const SealState &from, const Stop &stop, const StepRule &rule)
+    {
+      return stop.seen && rule.jump_tolerance > 0 &&
+             std::abs(stop.control.target - from.control.target) > rule.jump_tolerance &&
+             Stride(from, *stop.seen, rule).leaps();
+    }
+
+    /** How a path goes on that passes from a state @p to another, over one of @p jumps if
+     *  the step is not smooth. */
+    PathTrend
+    pass(const SealState   &from,
+         const PathPoint   &to,
+         const StepRule    &rule,
+         std::vector<Jump> &jumps)
+    {
+      const Stride stride(from, to, rule);
+      if (stride.leaps())
+        if (const auto jump = stride.jump())
+          jumps.push_back(*jump);
+      return stride.trend_after();
     }
 
     Control
@@ -234,31 +248,40 @@ namespace strait
          const Aim        aim,
          const StepRule  &rule)
   {
-    Arrival              arrival;
-    std::vector<Control> ahead = {to};
-    Costs                spent;
-    double               uncertainty = 0.; // of steps that are taken
-    int                  n_solves    = 0;
+    Arrival           arrival;
+    std::vector<Stop> ahead = {{to}};
+    Costs             spent;
+    double            uncertainty = 0.; // of steps that are taken
+    int               n_solves    = 0;
     while (!ahead.empty())
       {
-        const SealState *here  = arrival.state ? &*arrival.state : from;
-        SealState        state = model.solve(ahead.back(), here, aim);
+        const SealState *here = arrival.state ? &*arrival.state : from;
+        if (here != nullptr && n_solves < max_solves &&
+            is_open(*here, ahead.back(), rule))
+          ahead.push_back({halfway(ahead.back().control, here->control)});
+        Stop     &next  = ahead.back();
+        SealState state = model.solve(next.control, here, aim);
+        ++n_solves;
         state.costs += spent;
         spent = state.costs;
+        if (has_energy(state))
+          next.seen = point_of(state);
         if (here != nullptr)
           {
-            const bool is_long = distance(here->control, ahead.back()) >
+            if (n_solves < max_solves && is_open(*here, next, rule))
+              continue;
+            const bool is_long = distance(here->control, next.control) >
                                  shortest * distance(from->control, to);
-            if ((is_long && cuts_off_unseen(state, rule.trapped_tolerance)) ||
-                leaps(*here, state, rule, n_solves, arrival.jumps))
+            if (is_long && cuts_off_unseen(state, rule.trapped_tolerance))
               {
-                ahead.push_back(halfway(ahead.back(), here->control));
+                ahead.push_back({halfway(next.control, here->control)});
                 continue;
               }
+            if (next.seen)
+              state.trend = pass(*here, *next.seen, rule, arrival.jumps);
           }
-        else if (has_energy(state))
-          state.trend.largest_slope =
-            std::abs(slope_of_energy(point_of(state), rule.control));
+        else if (next.seen)
+          state.trend.largest_slope = std::abs(slope_of_energy(*next.seen, rule.control));
         if (has_detached(state))
           {
             arrival.state.reset();

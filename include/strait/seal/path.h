@@ -22,6 +22,7 @@ namespace strait
     double mean_gap     = 0;
     double contact_area = 0;
     double energy       = 0; // AdhesiveState::total_energy
+    bool   detached     = false;
   };
 
   /** A discontinuity: from one state to another at almost the same load. */
