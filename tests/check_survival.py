@@ -474,6 +474,38 @@ end
             self.assert_refused("is not a whole checkpoint", scene, output)
         self.assert_refused("is not a whole checkpoint", scene, output, ranks=2)
 
+    def test_another_map(self):
+        """A map that is exchanged while an ensemble waits between two realisations."""
+        heights = self.path("heights.txt")
+        text = [" ".join(f"{math.cos(.4 * i) * math.sin(.4 * j + k):.6f}" for i in range(32))
+                for k in (0, 1) for j in range(32)]
+        def write(lines):
+            with open(heights, "w", encoding="utf-8") as file:
+                file.write("\n".join(
+                    ["# Width: 32 m", "# Height: 32 m", "# Value units: m", *lines, ""]))
+        write(text[:32])
+        scene = self.scene(f"""
+subsection Surface
+  set Kind = file
+  set File = {heights}
+end
+subsection Realisations
+  set Orientations = as is, inverted
+end
+subsection Load programme
+  set Pressures = 0.05
+end
+subsection Output
+  set Pictures = false
+end
+""", "map.prm")
+        output = self.path("map")
+        self.run_to_end(scene, output)
+        write(text[32:])
+        self.assert_refused("heights.txt.* is not the one that the run .* began with", scene, output)
+        write(text[:32])
+        self.run_to_end(scene, output, "--resume")
+
     def test_full_disk(self):
         """A file may not grow beyond a limit: of the checkpoint, then of the fields."""
         scene = self.scene(DRY)

@@ -17,7 +17,7 @@ namespace strait
   namespace
   {
     /** The first bytes. The number is another one whenever the items have changed. */
-    const std::string signature = "strait checkpoint 15\n";
+    const std::string signature = "strait checkpoint 16\n";
 
     std::uint32_t
     continued_checksum(const std::uint32_t checksum,

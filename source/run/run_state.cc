@@ -1,16 +1,49 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/run/checkpoint.h>
 #include <strait/run/earlier_results.h>
 #include <strait/run/run_state.h>
 
-#include <algorithm>
-#include <cmath>
+#include <zlib.h>
+
+#include <fstream>
 
 namespace strait
 {
   namespace
   {
+    /** The files that @p scene is made of, each with a checksum of what is in it.
+     *  Collective. */
+    std::vector<std::string>
+    files_of(const Scene &scene, MPI_Comm comm)
+    {
+      std::vector<std::string> names, files;
+      if (scene.surface.kind == SurfaceKind::file)
+        names = {scene.surface.map.file, scene.surface.map.second_file};
+      if (scene.fluid.enabled)
+        names.push_back(scene.fluid.mesh_file);
+      for (const std::string &name : names)
+        {
+          if (name.empty())
+            continue;
+          std::string checksum;
+          run_on_root(comm, [&]() {
+            std::ifstream     file(name, std::ios::binary);
+            std::vector<char> block(1 << 20);
+            uLong             sum = crc32_z(0, nullptr, 0);
+            while (file.read(block.data(), static_cast<std::streamsize>(block.size())) ||
+                   file.gcount() > 0)
+              sum = crc32_z(sum,
+                            reinterpret_cast<const Bytef *>(block.data()),
+                            static_cast<std::size_t>(file.gcount()));
+            checksum = std::to_string(sum);
+          });
+          files.push_back("'" + name + "' (checksum " + broadcast(comm, checksum) + ")");
+        }
+      return files;
+    }
+
     void
     transfer_parts(StateArchive    &archive,
                    LoadSweep       &sweep,
@@ -30,6 +63,7 @@ namespace strait
     : scene(scene_)
     , comm(comm_)
     , path(scene.output.directory + "/checkpoint")
+    , files(files_of(scene, comm))
   {
     if (!resume)
       return;
@@ -48,28 +82,18 @@ namespace strait
     if (!difference.empty())
       throw InputError("The run in '" + scene.output.directory + "' had " + difference +
                        "; restore the scene to resume, or begin anew in another folder.");
+    std::vector<std::string> then = files;
+    file.value(then);
+    for (std::size_t k = 0; k < files.size(); ++k)
+      if (k >= then.size() || then[k] != files[k])
+        throw InputError("The file " + files[k] + " is not the one that the run in '" +
+                         scene.output.directory +
+                         "' began with; restore it to resume, or begin anew in another "
+                         "folder.");
     if (transfer_presence(file, left))
       std::apply([&file](auto &...members) { file.values(members...); }, left->members());
     else
-      file.values(surface, surface_energy, has_searched);
-  }
-
-  void
-  RunState::check_surface(const SlabField &heights)
-  {
-    const std::vector<double> now = {min_value(heights),
-                                     max_value(heights),
-                                     rms(heights)};
-    // Other ranks, other rounding.
-    const double allowed = 1e-9 * std::max(std::abs(now[0]), std::abs(now[1]));
-    if (archive)
-      for (std::size_t k = 0; k < now.size(); ++k)
-        if (surface.size() != now.size() || !(std::abs(now[k] - surface[k]) <= allowed))
-          throw InputError("The surface is not the one that the run in '" +
-                           scene.output.directory +
-                           "' began with; restore Surface/File to resume, or begin anew "
-                           "in another folder.");
-    surface = now;
+      file.values(surface_energy, has_searched);
   }
 
   void

@@ -165,7 +165,6 @@ namespace strait
       const auto scope = timers.scope("surface");
       return make_heights(scene, comm, log);
     }();
-    state.check_surface(heights);
     const auto n_points = static_cast<double>(heights.grid().n_points());
 
     // The sweep takes the heights.

@@ -24,8 +24,8 @@ namespace strait
   public:
     /**
      * With @p resume the checkpoint in the output directory is opened. Collective.
-     * Throws InputError if there is none, or one of another scene; nothing is written
-     * then. @p scene must outlive this object.
+     * Throws InputError if there is none, or one of another scene or of other files
+     * that it reads; nothing is written then. @p scene must outlive this object.
      */
     RunState(const Scene &scene, MPI_Comm comm, bool resume);
 
@@ -39,10 +39,6 @@ namespace strait
     bool   has_searched   = false; // the searches that precede the steps are done
     double surface_energy = 0.;    // of the adhesion; 0 if it is not known yet
 
-    /** Note the surface. Throws InputError if it is not that of the run that is
-     *  resumed. Collective. */
-    void check_surface(const SlabField &heights);
-
     /** Put @p sweep, @p output and @p log where the run stopped. Collective. */
     void restore(LoadSweep &sweep, OutputDirectory &output, Log &log);
 
@@ -55,12 +51,12 @@ namespace strait
   private:
     void transfer(StateArchive &file);
 
-    const Scene                  &scene;
-    MPI_Comm                      comm;
-    std::string                   path;
-    std::unique_ptr<StateArchive> archive; // of the run that is resumed
-    std::optional<RunSummary>     left;    // by a run that has come to its end
-    std::vector<double>           surface; // smallest, largest and rms height
+    const Scene                   &scene;
+    MPI_Comm                       comm;
+    std::string                    path;
+    std::unique_ptr<StateArchive>  archive; // of the run that is resumed
+    std::optional<RunSummary>      left;    // by a run that has come to its end
+    const std::vector<std::string> files;   // the scene's, and what is in them
   };
 } // namespace strait
 
