@@ -369,14 +369,31 @@ class Survival(unittest.TestCase):
                 pass
             time.sleep(0.001)
 
+    @staticmethod
+    def wait_for_log(process, output, text):
+        while process.poll() is None:
+            try:
+                with open(os.path.join(output, "log.txt"), encoding="utf-8") as file:
+                    if text in file.read():
+                        return
+            except FileNotFoundError:
+                pass
+            time.sleep(0.002)
+
     def test_stopped_in_a_search(self):
         search = "subsection Load programme\n  set Threshold tolerance = 1e-4\n"
         threshold = search + "  set Find threshold = true\nend\n"
         blow_out = search + "  set Find blow-out = true\n  set Pressures = 0.2\nend\n"
+        both = (COUPLED.replace("= 0.02", "= 0.06\n  set Target accuracy = 0.2")
+                .replace("subsection Surface\n", "subsection Surface\n  set Seed = 3\n")
+                .replace("0.125", "0.25").replace("= 64", "= 32") + search.replace("1e-4", "3e-3")
+                + "  set Find threshold = true\n  set Find blow-out = true\n"
+                "  set Find re-sealing = true\n  set Pressures = 0.3\nend\n")
         for name, text in (("dry", DRY + threshold),
                            ("adhesive", ADHESIVE + threshold),
                            ("coupled", COUPLED.replace("0.02", "0.002") + threshold),
-                           ("blow-out", COUPLED + blow_out)):
+                           ("blow-out", COUPLED + blow_out),
+                           ("both", both)):
             with self.subTest(name):
                 scene = self.scene(text, name + ".prm")
                 self.run_to_end(scene, self.path(name + "-reference"), status=None)
@@ -384,7 +401,9 @@ class Survival(unittest.TestCase):
                 options = []
                 for how in (signal.SIGTERM, signal.SIGKILL):
                     with self.start(scene, output, *options) as process:
-                        self.wait_for_probes(process, output, 2)
+                        if name == "both": # the second is the one that is stopped
+                            self.wait_for_log(process, output, "threshold: critical load")
+                        self.wait_for_probes(process, output, 3)
                         process.send_signal(how)
                         message = process.communicate(timeout=60)[1]
                     self.assertEqual(process.returncode, 3 if how == signal.SIGTERM

@@ -5,9 +5,9 @@
     tools/make_example_map.py > prm/data/ground_surface.txt
     tools/make_example_map.py 512 > large.txt     # with so many points a side
 
-Not a measurement: a periodic, self-affine surface (H = 0.8, wavelengths from 8
-to 64 grid spacings, rms slope 0.1) as a matrix below a header of units, heights in
-whole nanometres. Always the same.
+Not a measurement: a periodic, self-affine surface (H = 0.8, wavelengths from 8 grid
+spacings to the size of the map, of equal power above the roll-off wavelength of 64, rms
+slope 0.1) as a matrix below a header of units, heights in whole nanometres. Always the same.
 """
 import random
 import sys
@@ -19,20 +19,20 @@ SPACING = 1e-6  # m
 NANOMETRE = 1e-9  # m
 HURST = 0.8
 RMS_SLOPE = 0.1
-LONGEST, SHORTEST = 64, 8  # wavelengths in grid spacings
+ROLL_OFF, SHORTEST = 64, 8  # wavelengths in grid spacings
 
 
 def heights(points):
     """Heights in metres: a sum of waves with random phases."""
     phases = random.Random(1)
     spectrum = numpy.zeros((points, points), dtype=complex)
-    smallest, largest = points / LONGEST, points / SHORTEST
+    roll_off, largest = points / ROLL_OFF, points / SHORTEST
     for ky in range(0, int(largest) + 1):
         for kx in range(-int(largest), int(largest) + 1):
             k = numpy.hypot(kx, ky)
             phase = phases.uniform(0., 2. * numpy.pi)
             if 1. <= k <= largest and (ky > 0 or kx > 0):
-                amplitude = max(k, smallest) ** -(1. + HURST)
+                amplitude = max(k, roll_off) ** -(1. + HURST)
                 spectrum[ky, kx] = amplitude * numpy.exp(1j * phase)
     wave = 2. * numpy.pi * numpy.fft.fftfreq(points, SPACING)
     slopes = [numpy.fft.ifft2(1j * q * spectrum).real

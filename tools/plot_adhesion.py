@@ -14,7 +14,8 @@ import h5py
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import BLUE, COLOURS, UNCERTAIN, VERMILLION, numbered, use_style
+from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, numbered,
+                         use_style)
 from plot_leakage import error_bars
 from strait_results import read_table
 
@@ -29,9 +30,9 @@ def draw_leakage(runs):
         table = read_table(folder / "leakage.csv")
         if "reduced_load" not in table:
             raise SystemExit(f"{folder}: only runs with Find threshold can be compared.")
-        leaks = (table["leak_rate"] > 0) & np.isin(table["status"], ["ok", *UNCERTAIN])
+        leaks = (table["leak_rate"] > 0) & is_trusted(table["status"])
         order = np.flatnonzero(leaks)[np.argsort(table["pressure"][leaks])]
-        hollow = order[table["status"][order] != "ok"]
+        hollow = order[is_uncertain(table["status"][order])]
         style = {"color": colours[label.replace(" opening", "")], "marker": "o",
                  "linestyle": "--" if (table["branch"] == "unloading").all() else "-"}
         for axes, name in ((left, "pressure"), (right, "reduced_load")):

@@ -118,9 +118,14 @@ def realisations(folder, pattern="realisation-*"):
     return found
 
 
+def at_load(pressures, load):
+    """Where pressures are a load, but for rounding; loads may be far below one."""
+    return np.isclose(pressures, load, rtol=1e-9, atol=0)
+
+
 def nearest_slip(table):
     """Where the slip length is that nearest to zero, which is taken of several."""
-    slips = table.get("slip_length", np.zeros(len(table["leak_rate"])))
+    slips = table.get("slip_length", np.zeros(table.n_rows))
     return slips == slips.max(initial=-np.inf)  # none is positive
 
 

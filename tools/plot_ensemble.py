@@ -10,8 +10,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, nearest_slip,
-                         readable, realisations, with_unit)
-from strait_results import read_table
+                         readable, realisations, scientific, with_unit)
+from strait_results import Table, read_table
 
 LARGEST_SUPERPOSED = 0.3
 QUANTITIES = (("critical_load", "Critical load", "pressure"),
@@ -84,6 +84,22 @@ def draw_curves(axes, curves, units):
     axes.grid(True)
 
 
+def at_nearest_slip(table, folder):
+    """The table with what threshold.csv of the realisations says of the slip length nearest to
+    zero, that of the crossover, where ensemble.csv may tell another's; and that slip length if
+    there are several, else None."""
+    table, several = Table({name: values.copy() for name, values in table.items()}), None
+    for number, path in realisations(folder, "realisation-*/threshold.csv").items():
+        threshold = read_table(path)
+        row = np.flatnonzero(nearest_slip(threshold))[:1]
+        for name in ("critical_load_lower", "critical_load_upper", "contact_area"):
+            table[name][table["realisation"] == number] = \
+                threshold[name][row] if row.size else np.nan
+        if threshold.n_rows > 1:
+            several = threshold["slip_length"][row[0]]
+    return table, several
+
+
 def samples(table, name):
     """The finite values of a quantity of ensemble.csv."""
     critical = 0.5 * (table["critical_load_lower"] + table["critical_load_upper"])
@@ -113,9 +129,11 @@ def draw_strip(axes, values, label):
 
 def draw_ensemble(path, units):
     """ensemble.png from ensemble.csv and the folders of the realisations beside it."""
-    table = read_table(path)
+    table, slip = at_nearest_slip(read_table(path), path.parent)
     curves = read_curves(path.parent)
-    strips = [strip_of(table, *quantity, units) for quantity in QUANTITIES] if table else []
+    strips = [strip_of(table, name, label if slip is None or name != "critical_load" else
+                       f"{label}, $d_0$ = {scientific(slip)}", unit, units)
+              for name, label, unit in QUANTITIES] if table else []
     strips = [strip for strip in strips if len(strip[0])]
     if not (curves or strips):
         if path.with_name("seal.csv").exists():

@@ -35,13 +35,17 @@ def draw_theory(axes, table, x, name="theory_leak_rate", label="theory"):
 
 
 def normalised(folder):
-    """(load over the critical one, leak rate over that of a gap λs everywhere, λr/λs)."""
+    """(load over the critical one, leak rate over that of a gap λs everywhere, λr/λs), without
+    slip."""
     table, scene = read_table(folder / "leakage.csv"), read_parameters(scene_in(folder))
     cut_off = float(scene["Surface/Short cut-off wavelength"])
     dimension = scene["Theory/Dimension parameter"]
     if dimension not in ("bruggeman", "critical fraction"):
         raise ValueError("Theory/Dimension parameter must be bruggeman or critical fraction")
     sealing = 0.5 if dimension == "bruggeman" else float(scene["Theory/Critical contact fraction"])
+    table = table.rows(table.get("slip_length", np.zeros(table.n_rows)) == 0)
+    if not table.n_rows:
+        raise ValueError("only rows with the slip length 0 can be compared, and there are none")
     first = np.argmin(table["pressure"])
     # The contact area is an error function of the load.
     scale = [NormalDist().inv_cdf((1 + area) / 2)

@@ -20,6 +20,17 @@ N_NETWORKS = 400
 MOST_PATCHES = 5000
 
 
+def _most_around(n_along, n_around):
+    """To how many patches around a ring is cut."""
+    return min(n_around, max(MOST_PATCHES // n_along, 2 * n_along))
+
+
+def matrix_bytes(n_along, n_around):
+    """Memory of the band that network_conductance() solves for a ring of sample_seals()."""
+    rows = n_along - 1
+    return 8 * (2 * rows + 1) * rows * _most_around(n_along, n_around)
+
+
 def _positions(n):
     """Places of n points of a ring in a row, folded so that neighbours are at most two apart."""
     first = np.arange(n)
@@ -82,6 +93,7 @@ def at_loads(loads, conductances, wanted):
     ln K is linear in the load. Between a load where a patch leaks and one where it is sealed, K
     is: an upper estimate, as it vanishes faster than that.
     """
+    wanted = np.clip(wanted, loads[0], loads[-1])  # what rounding leaves beyond the last load
     right = np.clip(np.searchsorted(loads, wanted), 1, len(loads) - 1)
     weight = (wanted - loads[right - 1]) / (loads[right] - loads[right - 1])
     a, b = conductances[:, right - 1], conductances[:, right]
@@ -100,7 +112,7 @@ def sample_seals(along, across, n_around, aspect, resampled, rng):
     do about the mean of all that there are.
     """
     n_along = along.shape[1]
-    n_around = min(n_around, max(MOST_PATCHES // n_along, 2 * n_along))
+    n_around = _most_around(n_along, n_around)
     seals = []
     for _ in range(N_NETWORKS):
         pools = [pool[rng.integers(len(pool), size=max(len(pool) - 1, 1))] if resampled else pool

@@ -59,22 +59,25 @@ class Seal:
         return (halves[::2] + halves[1::2]) / 2, (halves[1:-1:2] + halves[2::2]) / 2, mean
 
     def rows(self):
-        """The mean loads for which the patches know the pressures of the whole profile: those of
-        the patches, the least and the largest that there are, and that of the table."""
-        along, _, mean = self.columns()
+        """The mean loads for which the patches know the pressures of the whole profile, at bonds
+        along and around: those of the patches, the least and the largest that there are, and that
+        of the table."""
+        along, around, mean = self.columns()
+        bonds = np.concatenate([along, around])
+        least, most, uniform = bonds.min(), bonds.max(), np.allclose(bonds, 1)
         wanted = self.loads if mean is None else np.union1d(self.loads, [mean])
-        if not np.allclose(along, 1):
-            ends = self.loads[0] / along.min(), self.loads[-1] / along.max()
+        if not uniform:
+            ends = self.loads[0] / least, self.loads[-1] / most
             wanted = np.union1d(wanted, ends) if ends[0] < ends[1] else wanted
         # Rounding of the profile must not cost the first load and the last.
-        inside = ((wanted * along.min() >= self.loads[0] * (1 - 1e-9)) &
-                  (wanted * along.max() <= self.loads[-1] * (1 + 1e-9)))
-        if len(self.loads) < 2 and not np.allclose(along, 1):
+        inside = ((wanted * least >= self.loads[0] * (1 - 1e-9)) &
+                  (wanted * most <= self.loads[-1] * (1 + 1e-9)))
+        if len(self.loads) < 2 and not uniform:
             inside[:] = False
         if not inside.any() or (mean is not None and not inside[wanted == mean].all()):
             load = self.loads.mean() if mean is None else mean
             sys.exit(f"Under a mean pressure of {load:.6g} Seal/Pressure profile presses the "
-                     f"patches by {load * along.min():.6g} to {load * along.max():.6g}; let Load "
+                     f"patches by {load * least:.6g} to {load * most:.6g}; let Load "
                      "programme/Pressures begin below and end above that, as nothing is "
                      "extrapolated.")
         return wanted[inside]

@@ -14,10 +14,10 @@ import sys
 try:
     import numpy as np
 
-    from plot_common import (is_trusted, leak_rates, nearest_slip, read_parameters, realisations,
-                             scene_in)
+    from plot_common import (at_load, is_trusted, leak_rates, nearest_slip, read_parameters,
+                             realisations, scene_in)
     from report_results import relative_errors
-    from seal_network import Band, at_loads
+    from seal_network import Band, at_loads, matrix_bytes
     from seal_scene import Seal, box_of
     from strait_results import Run
 except ImportError as missing:
@@ -28,6 +28,19 @@ except ImportError as missing:
 # at four, waves longer than a patch, which no patch has, would carry 3 % of the variance of the
 # heights for a Hurst exponent of 0.8 and a flat spectrum beyond; 11 % at two, 0.7 % at eight.
 LEAST_WAVES = 4
+# Of the matrix of a network: 315 patches in a row, where the 800 networks of a load take hours.
+MOST_BYTES = 1e9
+
+
+def seal_of(scene):
+    """What a scene says of the seal, if its network can be held."""
+    seal = Seal(scene)
+    size = matrix_bytes(seal.n_along, seal.n_around)
+    if size > MOST_BYTES:
+        sys.exit(f"Seal/Contact width = {seal.width:.6g} is {seal.n_along} patches of "
+                 f"{seal.length:.6g}, whose network takes a matrix of {size / 1e9:.3g} GB, where "
+                 f"{MOST_BYTES / 1e9:.3g} are allowed; enlarge Surface/Size.")
+    return seal
 
 
 def in_endless_row(alone, two, error_alone, error_two):
@@ -87,7 +100,7 @@ class Patches:
         """Conductances of one patch: alone between reservoirs, and in an endless row; errors."""
         table, (length, breadth) = run.table, box
         chosen = nearest_slip(table)
-        rows = [np.flatnonzero(np.isclose(table["pressure"], load, rtol=1e-9) & chosen)[:1]
+        rows = [np.flatnonzero(at_load(table["pressure"], load) & chosen)[:1]
                 for load in seal.loads]
         for load, row in zip(seal.loads, rows):
             if not row.size or not is_trusted(table["status"][row]).all():
@@ -216,7 +229,7 @@ def write(path, header, rows):
 
 def assess(folder):
     """Write the tables and say what they mean."""
-    seal = Seal(scene_in(folder))
+    seal = seal_of(scene_in(folder))
     patches = Patches(folder, seal)
     bands = list(bands_of(seal, patches))
     write(folder / "seal.csv",
@@ -251,10 +264,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folder", metavar="OUTPUT_DIR", type=pathlib.Path, nargs="?")
     parser.add_argument("--check", action="store_true",
-                        help="only check the pressure profile of the scene on standard input")
+                        help="only check size and profile of the seal on standard input")
     options = parser.parse_args()
     if options.check:
-        Seal(sys.stdin.read()).rows()
+        seal_of(sys.stdin.read()).rows()
     elif options.folder:
         assess(options.folder)
     else:

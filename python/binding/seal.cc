@@ -10,6 +10,7 @@
 
 #include <pybind11/stl.h>
 
+#include <limits>
 #include <sstream>
 #include <tuple>
 #include <variant>
@@ -89,6 +90,7 @@ namespace strait::python
       Aim        aim() const;
       SealModel &open();
       void       require_fluid();
+      void       require_own(const SealState &state) const;
       void       free();
       void       pass_warnings_on();
 
@@ -171,6 +173,19 @@ namespace strait::python
       require(stage != nullptr, "Fluid/Enabled is false, so there is no flow.");
     }
 
+    /** That @p state is one of a seal like this. */
+    void
+    Seal::require_own(const SealState &state) const
+    {
+      const PeriodicGrid &here = layout->grid(), &there = state.gap().grid();
+      require(here.nx == there.nx && here.ny == there.ny && here.lx == there.lx &&
+                here.ly == there.ly &&
+                state.gap().layout().communicator() == communicator &&
+                state.contact.has_value() == scene.contact.enabled,
+              "The state is one of another seal: its grid, communicator or contact are "
+              "not those of this one.");
+    }
+
     void
     Seal::pass_warnings_on()
     {
@@ -210,6 +225,8 @@ namespace strait::python
       {
         SealModel &seal = open();
         const Use  use(*this);
+        if (from)
+          require_own(*from);
         state =
           std::make_shared<SealState>(seal.solve(control_of(at), from.get(), aim()));
       }
@@ -225,14 +242,17 @@ namespace strait::python
       {
         SealModel &seal = open();
         const Use  use(*this);
-        scene.programme.pressures.clear(); // the measure of the tolerance of jumps
+        if (from)
+          require_own(*from);
+        Scene of_path = scene;
+        of_path.programme.pressures.clear(); // the measure of the tolerance of jumps
         for (const LoadOrControl &at : through)
-          scene.programme.pressures.push_back(control_of(at).target);
+          of_path.programme.pressures.push_back(control_of(at).target);
         State last = from;
         for (const LoadOrControl &at : through)
           {
             Arrival arrival =
-              strait::follow(seal, control_of(at), last.get(), aim(), step_rule(scene));
+              strait::follow(seal, control_of(at), last.get(), aim(), step_rule(of_path));
             jumps.insert(jumps.end(), arrival.jumps.begin(), arrival.jumps.end());
             parted = !arrival.state;
             if (parted)
@@ -253,11 +273,18 @@ namespace strait::python
       std::shared_ptr<Flow> result;
       {
         const Use use(*this);
+        require_own(*state);
         stage->set_inlet_pressure(state->control.inlet_pressure);
         const StepFlow flow = leak_through(*state, scene, *stage);
         result = record_of(flow, state->gap().layout(), layout, stage->fluid());
         if (with_fields && flow.solution)
           add_fields(*result, *flow.solution);
+        else if (with_fields)
+          {
+            const double nowhere = std::numeric_limits<double>::quiet_NaN();
+            result->pressure.emplace(layout, nowhere);
+            result->current.emplace(layout, nowhere);
+          }
       }
       pass_warnings_on();
       return result;
@@ -272,9 +299,9 @@ namespace strait::python
       const Use  use(*this);
       SealSearch search(scene, open(), layout, stage->domain(), log);
       search.after_probe(check_signals);
-      // Rough surfaces seal at about 0.24 E* times their rms slope.
-      return search.find_critical_loads(
-        {first.value_or(.2 * contact.pressure_scale(slope))});
+      SearchStart start = search_start(scene, contact, slope);
+      start.value       = first.value_or(start.value);
+      return search.find_critical_loads(start);
     }
 
     std::vector<BlowOut>
@@ -284,9 +311,12 @@ namespace strait::python
       require(scene.fluid.feedback.enabled && scene.programme.find_threshold,
               "A blow-out pressure needs Fluid/Wall feedback/Enabled and "
               "Contact/Control = load.");
+      for (const double load : loads)
+        require(load > 0., "A blow-out pressure needs a load above 0.");
       const Use use(*this);
-      scene.programme.pressures = loads;
-      SealSearch search(scene, open(), layout, stage->domain(), log);
+      Scene     of_loads           = scene;
+      of_loads.programme.pressures = loads;
+      SealSearch search(of_loads, open(), layout, stage->domain(), log);
       search.after_probe(check_signals);
       return search.find_blow_outs();
     }

@@ -68,9 +68,13 @@ class Table(dict):
         return Table({name: values[which] for name, values in self.items()}, self.units)
 
     def groups(self, column):
-        """Each value of a column with the rows that have it, in the order of the table."""
-        values = list(dict.fromkeys(self[column].tolist()))
-        return [(value, self.rows(self[column] == value)) for value in values]
+        """Each value of a column with the rows that have it, in the order of the table; those
+        whose value is not known are one group."""
+        values = self[column]
+        known = values == values  # NaN is no number's equal, not even its own
+        found = dict.fromkeys(value if value == value else np.nan for value in values.tolist())
+        return [(value, self.rows(values == value if value == value else ~known))
+                for value in found]
 
     def to_pandas(self):
         """A DataFrame, its units in `attrs["units"]`; needs pandas."""
@@ -144,7 +148,8 @@ class Run:
                                 units.get("pressure", "")), **units}
 
     def fields(self, step):
-        """All data sets of fields-STEP.h5, and its attributes under "attributes"."""
+        """All data sets of fields-STEP.h5, those of a group as a dictionary of their own; and the
+        attributes of each under "attributes"."""
         return self._datasets(f"fields-{step}.h5")
 
     def picture(self, step):
@@ -153,10 +158,13 @@ class Run:
 
     def _datasets(self, name):
         import h5py  # not needed for tables
+
+        def contents(group):
+            return {**{key: contents(item) if isinstance(item, h5py.Group) else item[()]
+                       for key, item in group.items()}, "attributes": dict(group.attrs)}
+
         with h5py.File(self.folder / name, "r") as file:
-            result = {key: file[key][()] for key in file}
-            result["attributes"] = dict(file.attrs)
-        return result
+            return contents(file)
 
 
 def main(arguments):

@@ -17,6 +17,7 @@ from . import _core
 from .results import Run
 
 NO_FILE = os.devnull  # the empty scene file
+TEMPORARY = ""  # in place of a folder for the results
 
 
 def _plain(name: str) -> str:
@@ -151,10 +152,11 @@ class Scene(_core.Scene):
 
         Results go to the folder `output`, or where the scene says; where neither says
         anything, to a temporary folder that lasts as long as what is returned, on the first
-        rank. `verbose` shows the log, `resume` and `force` are the options of the program.
-        Ctrl-C ends the run within its step; those that are done stay, and it can be resumed.
-        Raises NotConverged, whose attribute `run` has the results, if a step did not reach
-        what was asked.
+        rank, and without pictures. A file whose Output/Directory is the default says nothing.
+        `verbose` shows the log, `resume` and `force` are the options of the program. Ctrl-C
+        ends the run within its step; those that are done stay, and it can be resumed. Raises
+        NotConverged, whose attribute `run` has the results, if a step did not reach what was
+        asked.
 
         >>> run = Scene(contact=dict(grid_points=64, enabled=False), fluid=dict(viscosity=1/12),
         ...             surface=dict(kind="expression", expression="1 + 0*x")).run()
@@ -162,7 +164,9 @@ class Scene(_core.Scene):
         [1.0]
         """
         temporary = None
-        if output is None and self["Output/Directory"] == "output":
+        says_where = (self["Output/Directory"] != "output" or
+                      any(text.startswith("Output/Directory=") for text in self.overrides))
+        if output == TEMPORARY or (output is None and not says_where):
             temporary = _core.broadcast(tempfile.mkdtemp(prefix="strait-")
                                         if _core.rank()[0] == 0 else "")
             scene = self.replace({"Output/Directory": temporary, "Output/Pictures": False})

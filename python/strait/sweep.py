@@ -17,7 +17,7 @@ import numpy as np
 
 from . import _core
 from .results import Table
-from .scene import Scene
+from .scene import TEMPORARY, Scene, _flatten
 
 
 # Variables of mpirun with which another process would take itself for this rank.
@@ -31,9 +31,10 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
     """Run a scene for all combinations of some parameters' values, or for each mapping of a
     list, and put the tables of the runs under each other.
 
-    The first columns are the parameters. `table` names the file of each run that is read;
-    `output` a folder that keeps the runs, numbered from 1; `processes` how many run side by
-    side. Steps that fail say so in the column status, as do runs that fail altogether.
+    The first columns are the parameters, with the scene's own value where a mapping has none.
+    `table` names the file of each run that is read; `output` a folder that keeps the runs,
+    numbered from 1; `processes` how many run side by side. Steps that fail say so in the
+    column status, as do runs that fail altogether.
 
     >>> scene = Scene(contact=dict(grid_points=64), fluid=dict(enabled=False),
     ...               surface=dict(short_cut_off_wavelength=0.125))
@@ -45,10 +46,12 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
         points = [dict(zip(parameters, values))
                   for values in itertools.product(*parameters.values())]
     else:
-        points = [dict(point) for point in parameters]
+        points = [dict(_flatten(point)) for point in parameters]
     jobs: list[tuple] = []
+    names = dict.fromkeys(name for point in points for name in point)
     for number, point in enumerate(points, 1):
         own = scene.replace(point)  # what is wrong with a scene is said before the first run
+        point.update({name: own[name] for name in names if name not in point})
         folder = None if output is None else pathlib.Path(output) / str(number)
         jobs.append((own.path, own.overrides, folder, table))
     if processes > 1:
@@ -63,9 +66,7 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
 
 def _run(path: str, overrides: list[str], folder: os.PathLike | None, table: str) -> Table:
     try:
-        # Without a folder of its own: no pictures, which nobody would see.
-        run = Scene._made_of(path, overrides + ([] if folder else ["Output/Directory=output"])
-                             ).run(folder, force=True)
+        run = Scene._made_of(path, overrides).run(folder or TEMPORARY, force=True)
     except _core.NotConverged as error:
         if not hasattr(error, "run"):
             return Table({"status": np.array(["failed"])})

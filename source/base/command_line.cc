@@ -107,6 +107,10 @@ namespace strait
 
     if (!output.empty())
       command.overrides.push_back("Output/Directory=" + output);
+    require(command.scene.empty() || !command.asks_for_text(),
+            "'" + command.scene +
+              "' is no scene to be run where something to read is asked for; leave it "
+              "out, or see 'strait --help' for the formats.");
     require(!command.scene.empty() || command.asks_for_text(),
             "No scene was given; try 'strait SCENE.prm' or 'strait --help'.");
     return command;

@@ -77,17 +77,20 @@ namespace strait
       "pressure, as in a seal that was assembled dry; otherwise it keeps its mass along "
       "the load path. incompressible: it keeps its volume; compressible: a liquid of "
       "Bulk modulus; gas: pressure times volume stays.";
-    effect.add("Bulk modulus", bulk_modulus, not_negative).meaning =
+    ParameterSection elastic = section.when("Trapped fluid", {"compressible"});
+    elastic.add("Bulk modulus", bulk_modulus, not_negative).meaning =
       "Of trapped fluid that is compressible, at pressure 0 [pressure].";
-    effect.add("Bulk modulus slope", bulk_modulus_slope, not_negative).meaning =
+    elastic.add("Bulk modulus slope", bulk_modulus_slope, not_negative).meaning =
       "Derivative of the bulk modulus by the pressure [1].";
-    effect.add("Vapour pressure", vapour_pressure, any_number).meaning =
+    section.when("Trapped fluid", {"incompressible", "compressible"})
+      .add("Vapour pressure", vapour_pressure, any_number)
+      .meaning =
       "Trapped liquid that has too much room forms a cavity of this pressure; it counts "
       "like all pressures from that outside the seal [pressure].";
   }
 
   void
-  FeedbackParameters::check(const bool is_gas) const
+  FeedbackParameters::check(const bool is_gas, const double least_of_reservoirs) const
   {
     if (trapped_fluid == TrappedFluidLaw::gas && !is_gas)
       throw InputError(
@@ -103,11 +106,12 @@ namespace strait
       throw InputError(
         "Fluid/Wall feedback/Trapped fluid = compressible needs Bulk "
         "modulus; give it, or set Trapped fluid = incompressible.");
-    const double least = std::min(vapour_pressure, pool_pressure);
+    const double least = std::min({vapour_pressure, pool_pressure, least_of_reservoirs});
     if (!(bulk_modulus + bulk_modulus_slope * least > 0.))
-      throw InputError(
-        "Fluid/Wall feedback/Bulk modulus is not positive at Vapour pressure or Pool "
-        "pressure; raise these or Bulk modulus.");
+      throw InputError("Fluid/Wall feedback/Bulk modulus is not positive at " +
+                       to_text(least) +
+                       ", the least of Vapour, Pool, Inlet and Outlet pressure; raise "
+                       "that or Bulk modulus.");
   }
 
   void
@@ -139,7 +143,7 @@ namespace strait
       "first order in the mean free path over the gap; transitional: from viscous to "
       "molecular flow, by the linearised BGK equation between walls that reflect "
       "diffusely. Needs Gas or Molar mass.";
-    section.when("State", {"gas"})
+    section.when("Rarefaction", {"slip", "transitional"})
       .add("Accommodation", accommodation, positive.at_most(1.))
       .meaning =
       "alpha: fraction of the molecules that the walls reflect diffusely, which makes "
@@ -244,7 +248,7 @@ namespace strait
   {
     check_rarefaction();
     if (feedback.enabled)
-      feedback.check(is_gas);
+      feedback.check(is_gas, std::min(inlet_pressure, outlet_pressure));
     if (slip_lengths.empty())
       throw InputError(
         "Fluid/Slip length is empty; give 0 for a fluid that does not slip.");

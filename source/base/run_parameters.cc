@@ -161,7 +161,8 @@ namespace strait
       "bruggeman: n = 2; critical fraction: from the fraction given below; from "
       "threshold: such that it seals at the critical load of this run (Load "
       "programme/Find threshold).";
-    effect.add("Critical contact fraction", critical_fraction, positive.below(1.))
+    section.when("Dimension parameter", {"critical fraction"})
+      .add("Critical contact fraction", critical_fraction, positive.below(1.))
       .meaning =
       "Contact fraction at which the effective medium seals, for Dimension parameter = "
       "critical fraction [1].";

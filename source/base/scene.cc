@@ -17,7 +17,8 @@ namespace strait
     std::string
     read_file(const std::string &path)
     {
-      if (std::filesystem::is_directory(path))
+      std::error_code none; // what cannot be looked at is not read either
+      if (std::filesystem::is_directory(path, none))
         throw InputError("The scene '" + path + "' is a folder; give a .prm file.");
       std::ifstream in(path);
       if (!in)

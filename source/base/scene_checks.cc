@@ -31,6 +31,12 @@ namespace strait
           "Load programme/Find blow-out raises the inlet pressure until the "
           "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
           "Contact/Control = load.");
+      if (scene.programme.find_blow_out)
+        for (const double load : scene.programme.pressures)
+          if (!(load > 0.))
+            throw InputError("Load programme/Pressures contains " + to_text(load) +
+                             ", but Find blow-out needs loads that press the seal shut; "
+                             "give positive ones.");
     }
 
     void
@@ -155,10 +161,14 @@ namespace strait
       const std::vector<unsigned long long> &seeds = scene.realisations.seeds;
       if (scene.surface.kind != SurfaceKind::file)
         {
-          if (seeds.size() > 1 && scene.surface.kind != SurfaceKind::self_affine)
+          const bool has_heights =
+            scene.surface.kind == SurfaceKind::self_affine &&
+            !(scene.is_theory_only() && scene.theory.spectrum == TheorySpectrum::model);
+          if (seeds.size() > 1 && !has_heights)
             throw InputError(
-              "Realisations/Seeds are of random surfaces and windows of maps; others "
-              "would be copies that falsify the scatter, give one seed.");
+              "Realisations/Seeds are of random surfaces and windows of maps; others, or "
+              "the theory of a model spectrum alone, would be copies that falsify the "
+              "scatter, give one seed.");
           return;
         }
       if (seeds.empty())
@@ -217,6 +227,9 @@ namespace strait
           "of them.");
       if (!scene.contact.loads())
         refuse("needs Contact/Control = load.");
+      // A window has room on a grid that is as wide as what surrounds it.
+      if (std::min(scene.contact.grid_points[0], scene.contact.grid_points[1]) < 8)
+        refuse("needs Contact/Grid points of 8 or more.");
     }
   } // namespace
 
@@ -258,6 +271,10 @@ namespace strait
       throw InputError(
         "Theory/Enabled predicts the leak rate of the whole box and not of Fluid/Mesh; "
         "switch one of them off.");
+    if (!contact.enabled && contact.adhesion.enabled && !is_theory_only())
+      throw InputError(
+        "Contact/Adhesion is of a contact, and Contact/Enabled = false; switch one of "
+        "them.");
     if (!contact.enabled && !fluid.enabled && !theory.enabled)
       throw InputError(
         "Contact/Enabled and Fluid/Enabled are both false, so there is "
@@ -278,9 +295,19 @@ namespace strait
       warnings.emplace_back(
         "whether the gas is rarefied is not checked, because neither Fluid/Gas nor Molar "
         "mass is given.");
-    if (theory.enabled && fluid.enabled && fluid.rarefaction != Rarefaction::none)
+    const auto ignores = [&](const bool effect, const std::string &name) {
+      if (theory.enabled && effect)
+        warnings.push_back("the theory knows nothing of " + name +
+                           ": its columns are those of a dry contact without adhesion, "
+                           "and of viscous flow.");
+    };
+    ignores(fluid.enabled && fluid.rarefaction != Rarefaction::none, "Fluid/Rarefaction");
+    ignores(fluid.enabled && fluid.feedback.enabled, "Fluid/Wall feedback");
+    ignores(contact.adhesion.enabled, "Contact/Adhesion");
+    if (fluid.enabled && fluid.is_gas && fluid.feedback.enabled)
       warnings.emplace_back(
-        "the theory's leak rate is of viscous flow, whatever Fluid/Rarefaction is.");
+        "a gas presses on the walls with its absolute pressure, so the loads count from "
+        "a vacuum outside the seal.");
     return warnings;
   }
 } // namespace strait

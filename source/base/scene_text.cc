@@ -64,7 +64,10 @@ namespace strait
     std::vector<SceneEntry>  entries;
     std::vector<std::string> section;
     std::vector<std::string> opened_at;
-    for (const Line &line : logical_lines(text))
+    // Some editors begin a text with a mark of its encoding.
+    const std::string mark     = "\xef\xbb\xbf";
+    const bool        has_mark = text.compare(0, mark.size(), mark) == 0;
+    for (const Line &line : logical_lines(has_mark ? text.substr(mark.size()) : text))
       {
         if (line.text.empty())
           continue;

@@ -27,11 +27,19 @@ namespace strait
     // within a factor of a million, double of it only fails later.
     constexpr int max_evaluations = 60;
 
+    /** A surface energy, and how many times the contact area without adhesion it makes.
+     */
+    struct Match
+    {
+      double surface_energy;
+      double growth;
+    };
+
     /** γ0 at which the contact area doubles, see adhesion_of_scene(). */
-    double
-    matched_surface_energy(const ContactParameters                  &scene,
-                           const std::function<AdhesionLaw(double)> &law_of,
-                           const SlabField                          &heights)
+    Match
+    match_area(const ContactParameters                  &scene,
+               const std::function<AdhesionLaw(double)> &law_of,
+               const SlabField                          &heights)
     {
       ContactParameters parameters         = scene;
       parameters.control                   = ContactControl::load;
@@ -61,13 +69,18 @@ namespace strait
         {
           const double value = excess(energy);
           if (std::abs(value) < area_tolerance)
-            return energy;
+            return {energy, 2 * (1 + value)};
           (value < 0 ? low : high)    = energy;
           (value < 0 ? below : above) = value;
           if (high == 0 || low == 0)
             energy *= high == 0 ? 2. : .5;
-          else if (high < low * (1 + 1e-6)) // the doubled area is skipped by a jump
-            return low;
+          else if (high < low * (1 + area_tolerance))
+            {
+              // A jump skips the doubled area. Nearer to it rounding would decide on
+              // which side of it the run begins.
+              energy = low / (1 + area_tolerance);
+              return {energy, 2 * (1 + excess(energy))};
+            }
           else
             energy = k % 3 == 2 ? std::sqrt(low * high)
                                 : low + (high - low) * below / (below - above);
@@ -97,9 +110,10 @@ namespace strait
                                  : unit_range(surface_energy) / adhesion.tabor_number,
               adhesion.shape};
     };
-    const AdhesionLaw law        = law_of(adhesion.matched_pressure > 0
-                                     ? matched_surface_energy(parameters, law_of, heights)
-                                     : adhesion.surface_energy);
+    const bool        is_matched = adhesion.matched_pressure > 0;
+    const Match       match      = is_matched ? match_area(parameters, law_of, heights)
+                                              : Match{adhesion.surface_energy, 2.};
+    const AdhesionLaw law        = law_of(match.surface_energy);
     const double      spacing    = std::max(heights.grid().dx(), heights.grid().dy());
     const double      resolution = -modulus / (law.at(0).curvature * spacing);
     if (resolution < unresolved_adhesion && !adhesion.accept_unresolved)
@@ -111,6 +125,6 @@ namespace strait
         law.range,
         resolution,
         resolved_adhesion / resolution));
-    return {law, unit_range(law.surface_energy) / law.range, resolution};
+    return {law, unit_range(law.surface_energy) / law.range, resolution, match.growth};
   }
 } // namespace strait

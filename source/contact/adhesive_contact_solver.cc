@@ -54,7 +54,7 @@ namespace strait
     wall.deform(fluid_pressure);
     const bool   is_dry   = fluid_pressure == nullptr;
     const double of_solid = parameters.loads() ? target - wall.fluid_load() : target;
-    SlabField    gap      = start_gap(of_solid, from, is_dry);
+    SlabField    gap      = start_gap(target, of_solid, from, is_dry);
     std::vector<double> softest;
     if (from != nullptr && from->adhesion)
       softest = from->adhesion->softest_direction;
@@ -126,9 +126,11 @@ namespace strait
   }
 
   /** Without a state @p from, that of the scene's start; else where it and the one before
-   *  it lead to. What closes there stays closed. */
+   *  it lead to. What closes there stays closed. The solid carries @p of_solid of the
+   *  @p target. */
   SlabField
   AdhesiveContactSolver::start_gap(const double        target,
+                                   const double        of_solid,
                                    const ContactState *from,
                                    const bool          is_dry) const
   {
@@ -138,11 +140,13 @@ namespace strait
       {
         ContactParameters without = parameters;
         without.tolerance         = std::max(1e-4, parameters.tolerance);
-        return ContactSolver(without, wall.heights()).solve(target).gap;
+        return ContactSolver(without, wall.heights())
+          .solve(of_solid > 0 ? of_solid : target)
+          .gap;
       }
-    const double steps   = from->approach.steps_to(target);
+    const double steps   = from->approach.steps_to(of_solid);
     const bool   is_near = is_dry && steps > 0 && steps <= 2;
-    return is_near ? from->approach.extrapolated(from->gap, target) : from->gap;
+    return is_near ? from->approach.extrapolated(from->gap, of_solid) : from->gap;
   }
 
   /** Leave a saddle point of the energy along @p v, towards smaller gaps. */

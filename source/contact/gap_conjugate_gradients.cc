@@ -28,9 +28,10 @@ namespace strait
      *  opens points again in most steps. */
     constexpr double shorter = .4;
 
-    /** What the reach of steps that close points may change by at once, and how far below
-     *  its first value, 1, it may fall. Double of it learns sooner, and is misled by a
-     *  single step; half of it never learns, and may stagnate where many points close. */
+    /** What the reach of steps that close points may change by at once; it has no least
+     *  value, for with one a single point that each step closes and opens again would
+     * keep the others from moving. Double of it learns sooner, and is misled by a single
+     * step; half of it never learns, and may stagnate where many points close. */
     constexpr double quickest_change = 2;
 
     /** Attempts end where a step is all but nothing. */
@@ -187,7 +188,7 @@ namespace strait
             const double change = std::clamp(is_convex ? ideal : INFINITY,
                                              1 / quickest_change,
                                              quickest_change);
-            reach = truncated ? std::max(reach * change, 1 / quickest_change) : 1.;
+            reach = truncated ? reach * change : 1.;
             return true;
           }
       }

@@ -78,13 +78,17 @@ namespace strait
                      const double  work,
                      const double  length)
   {
-    double *g = gap, *e = elastic.data();
+    // What rounding leaves of a point that a step closes: it would count as free, and no
+    // step that closes it again would be downhill for the others.
+    constexpr double rest = 1e-14;
+    double          *g = gap, *e = elastic.data();
     const auto [along_e, along] =
       weighted_sums<2>(problem, [=](const auto i, auto &sums) {
         sums[0] += direction[i] * e[i];
         sums[1] += direction[i];
         e[i] += length * response[i];
-        g[i] = std::max(g[i] + length * direction[i], 0.);
+        const double step = length * direction[i], next = g[i] + step;
+        g[i] = next > -rest * step ? std::max(next, 0.) : 0.;
       });
     elastic_energy += length * (along_e + .5 * length * work);
     if (!constraint.fixes_mean_gap)

@@ -12,7 +12,7 @@ namespace strait
   namespace
   {
     // Fewer points along the throat than this, and the contact grid's error exceeds a
-    // per cent: prm/quickstart.prm has 0.8 % at 3.9 points and 9 % at 2.4. Half of it
+    // per cent: prm/quickstart.prm has 0.8 % at 4.6 points and 10 % at 2.3. Half of it
     // would promise results that are off by more, double of it ask for grids four times
     // as large as are needed.
     constexpr double points_needed = 4.;

@@ -159,10 +159,9 @@ namespace strait
       "false`) are absent.");
     table.add(&Step::number, "step [1]: number of the load, from 1")
       .when(with_contact)
-      .add(
-        &Step::branch,
-        "branch: the load path, `loading` or `unloading`; with adhesion or yielding and "
-        "in a cycle the direction of the last change of the load")
+      .add(&Step::branch,
+           "branch: the load path, `loading` or `unloading`; with adhesion, yielding or "
+           "wall feedback and in a cycle the direction of the last change of the load")
       .when({"", scene.contact.enabled || theory_alone})
       .add(
         [](const Step &step) {

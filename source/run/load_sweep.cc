@@ -65,35 +65,17 @@ namespace strait
   {
     const auto scope = timers.scope("threshold");
     log.stage("critical load");
-    thresholds = search->find_critical_loads(coarser.find_critical_loads(search_start()));
+    thresholds = search->find_critical_loads(
+      coarser.find_critical_loads(search_start(scene, contact, surface.rms_slope)));
     // A channel that a fluid has opened is not closed again before the first step, the
     // throat is seen on the points that it was lost on, and what opens again keeps its
     // indentations; a path on which contacts alone remember begins without a past.
-    if ((scene.fluid.feedback.enabled && !scene.contact.adhesion.enabled) ||
-        begins_where_search_ended())
+    // Where a search for another transition goes on, the first step has its start.
+    if (!search->repeats() &&
+        ((scene.fluid.feedback.enabled && !scene.contact.adhesion.enabled) ||
+         begins_where_search_ended()))
       start = search->take_state();
     return thresholds;
-  }
-
-  /** Where the search for the first critical load begins. */
-  SearchStart
-  LoadSweep::search_start() const
-  {
-    if (!(surface.rms_slope > 0))
-      throw ComputationError(
-        "The threshold was not found: a surface without slope seals under every load.");
-    const bool unloads = scene.programme.path == LoadPath::unloading;
-    if (contact.yields() && unloads)
-      {
-        const double largest = scene.programme.pressures.front();
-        return {largest, .2, largest};
-      }
-    // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
-    // saddle at 0.229: start a little to the side that the scene names.
-    SearchStart start{(unloads ? .28 : .2) * contact.pressure_scale(surface.rms_slope)};
-    if (contact.yields())
-      start.end = contact.hardness;
-    return start;
   }
 
   /** Whether loads that are counted from a critical one begin where its search ended. */
@@ -131,7 +113,7 @@ namespace strait
         if (!press(stops[next_stop]))
           {
             log.warn(
-              format("the surfaces part under tension before the pressure %.6g: "
+              format("the surfaces part before the pressure %.6g: "
                      "%zu steps are left out",
                      stops[next_stop].target,
                      stops.size() - next_stop));

@@ -105,14 +105,11 @@ namespace strait
     if (from_ == nullptr || !from_->fluid)
       return;
     feedback.pressure() = from_->fluid->pressure;
-    // What carried another load is not to lift this one off before it was tried. The
-    // share of the load is only a start; half of it starts farther from where the fluid
-    // carries nearly all, and it must stay below one.
-    constexpr double largest_share = .99;
-    const double     fluid_load    = mean(feedback.pressure());
+    // What carried another load is not to lift this one off before it was tried.
+    const double fluid_load = mean(feedback.pressure());
     if (on_wall.is_limited_by_load() && fluid_load >= control.target)
       for (double &pressure : feedback.pressure())
-        pressure *= largest_share * control.target / fluid_load;
+        pressure *= FluidOnWall::largest_share * control.target / fluid_load;
   }
 
   void
@@ -217,7 +214,7 @@ namespace strait
           {
             last_result =
               feedback.solve([&](const SlabField &assumed) { return round(assumed); },
-                             largest_pressure > 0 ? largest_pressure : 1.,
+                             largest_pressure,
                              goal);
             meet = on_wall.settle(*state.contact, fluid_flow, feedback.pressure()) &&
                    last_result.converged;
@@ -275,7 +272,7 @@ namespace strait
     contact.nominal_pressure  = control.target;
     contact.converged         = true;
     if (seal.scene.contact.adhesion.enabled)
-      contact.adhesion.emplace();
+      contact.adhesion.emplace().detached = true; // where a path ends
     contact.mean_gap = state.mean_gap = infinite;
     // The contact that was sought until then is none of this state.
     state.costs.iterations  = 0;
@@ -284,10 +281,11 @@ namespace strait
     state.fluid->trapped.reset();
     state.fluid->converged = false;
     state.fluid->load      = control.target;
-    seal.log.warn(
-      format("the fluid alone carries a load of %.6g: the walls part and nothing "
-             "limits the leak",
-             control.target));
+    if (!contact.adhesion)
+      seal.log.warn(
+        format("the fluid alone carries a load of %.6g: the walls part and nothing "
+               "limits the leak",
+               control.target));
   }
 
   double

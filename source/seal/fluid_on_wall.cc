@@ -65,13 +65,12 @@ namespace strait
     const double outlet = flow.fluid().outlet_pressure;
     SlabField    open   = open_gap(contact.gap, control.slip_length);
     SlabField    result = assumed;
-    double       rise   = 0;
     if (found)
       {
         const SlabField  gap   = open;
         const PoolsInGap pools = pools_in(gap, fluid_flow);
         assign(result, open, fluid_flow, &pools);
-        rise = hold(result, open, contact, assumed, pools);
+        hold(result, open, contact, assumed, pools);
       }
     else
       {
@@ -84,12 +83,14 @@ namespace strait
     // and more rounds until the pressure under the contact has followed.
     constexpr double reduction = 1e-3;
     extension.extend(result, open, inlet, outlet, reduction);
-    // A pool that is too full does not lift the wall off: its pressure falls as soon as
-    // the wall has given way.
-    if (is_limited_by_load() && rise > 0 && mean(result) >= control.target)
+    // Neither a pool that is too full lifts the wall off nor fluid before a channel that
+    // is closed: its pressure falls as soon as the wall has given way. Not until the
+    // solid carries next to nothing is it certain that the wall does not.
+    const double before = mean(assumed);
+    if (is_limited_by_load() && mean(result) >= control.target &&
+        before < largest_share * control.target)
       {
-        const double before = mean(assumed);
-        const double part   = .5 * (control.target - before) / (mean(result) - before);
+        const double part = .5 * (control.target - before) / (mean(result) - before);
         for (std::size_t k = 0; k < result.size(); ++k)
           result[k] = assumed[k] + part * (result[k] - assumed[k]);
       }
@@ -151,9 +152,8 @@ namespace strait
       }
   }
 
-  /** The pressures at which @p pools hold their fluid; returns by how much these raise
-   * the mean pressure. */
-  double
+  /** The pressures at which @p pools hold their fluid. */
+  void
   FluidOnWall::hold(SlabField          &pressure,
                     SlabField          &open_gap,
                     const ContactState &contact,
@@ -161,11 +161,9 @@ namespace strait
                     const PoolsInGap   &pools) const
   {
     const FeedbackParameters &parameters = scene.fluid.feedback;
-    const auto                n_points   = static_cast<double>(assumed.grid().n_points());
     const std::vector<double> now        = pools.in_the_wide(assumed);
     const std::vector<double> on_shut    = pools.in_the_wide(contact.pressure);
     std::vector<double>       next(now);
-    double                    rise = 0;
     for (std::size_t r = 0; r < next.size(); ++r)
       if (r < known.pools.size())
         {
@@ -174,17 +172,9 @@ namespace strait
           const double volume =
             pools.volume(r) > 0. ? pools.volume(r) : -pool.compliance * on_shut[r];
           next[r] = pressure_to_hold(parameters, pool, volume, now[r]);
-          rise += std::max(0., next[r] - now[r]) * pools.n_points(r) / n_points;
         }
       else if (!has_extended)
         next[r] = parameters.pool_pressure;
-    // Half of the room that the load leaves may be taken at once: more might lift the
-    // wall off before it has given way, less takes more rounds.
-    const double room  = .5 * std::max(0., control.target - mean(assumed));
-    const double share = is_limited_by_load() && rise > room ? room / rise : 1.;
-    for (std::size_t r = 0; r < known.pools.size(); ++r)
-      if (next[r] > now[r])
-        next[r] = now[r] + share * (next[r] - now[r]);
     for (std::size_t k = 0; k < pressure.size(); ++k)
       if (const int r = pools.region(k); r >= 0)
         {
@@ -192,7 +182,6 @@ namespace strait
           // Any gap will do for a pool that is shut: its points count as open.
           open_gap[k] = std::max(open_gap[k], std::numeric_limits<double>::min());
         }
-    return rise;
   }
 
   bool

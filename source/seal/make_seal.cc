@@ -98,7 +98,8 @@ namespace strait
     {
       if (parameters.adhesion.matched_pressure > 0)
         log.line("adhesion: a surface energy is sought that doubles the contact area");
-      const auto [law, tabor_number, resolution] = adhesion_of_scene(parameters, heights);
+      const auto [law, tabor_number, resolution, growth] =
+        adhesion_of_scene(parameters, heights);
       log.line(
         format("adhesion: surface energy %.5g, range %.5g, Tabor number %.4g, E*/(k a) = "
                "%.3g",
@@ -113,6 +114,12 @@ namespace strait
                  "of jumps depend on the grid",
                  resolution,
                  resolved_adhesion));
+      if (growth < 1.99)
+        log.warn(format(
+          "no surface energy doubles the contact area at a pressure of %.6g, for it jumps "
+          "over that: with this one it is %.3g times as large, and jumps from there",
+          parameters.adhesion.matched_pressure,
+          growth));
       return law.surface_energy;
     }
 
@@ -136,7 +143,7 @@ namespace strait
                    Log             &log)
   {
     ContactParameters parameters = scene.contact;
-    if (scene.programme.find_threshold)
+    if (scene.programme.find_threshold || scene.programme.find_blow_out)
       // The verdict must not depend on what the solver leaves over.
       parameters.tolerance =
         std::min(parameters.tolerance, .01 * scene.programme.threshold_tolerance);

@@ -74,6 +74,10 @@ namespace strait
         , change(after.target - before.target)
         , rise(after.energy - before.energy)
       {
+        rounding = 4 * std::numeric_limits<double>::epsilon() *
+                   std::max(std::abs(before.energy), std::abs(after.energy));
+        // The largest slope of the path before: this state may be beyond a jump.
+        noise = slope_noise * trend.largest_slope * std::abs(change) + rounding;
         // How much the energy changes without dissipation, by the slope at either end.
         std::tie(least, most) =
           std::minmax({slope_before * change, slope_after * change});
@@ -83,8 +87,6 @@ namespace strait
       bool
       is_smooth() const
       {
-        // The largest slope of the path before: this state may be beyond a jump.
-        const double noise = slope_noise * trend.largest_slope * std::abs(change);
         if (rise < least - noise || std::abs(rise - .5 * (least + most)) >
                                       largest_skewness * (most - least) + noise)
           return false;
@@ -111,7 +113,7 @@ namespace strait
       {
         if (after.detached)
           return Jump{before, after, 0., true};
-        if (rise >= least) // steep, but no jump
+        if (rise >= least - rounding) // steep, but no jump
           return {};
         // The load of the jump is unknown within the step: the middle of the slopes.
         return Jump{before, after, .5 * (least + most) - rise, false};
@@ -138,6 +140,7 @@ namespace strait
       const bool      seeks_jumps;
       double          slope_before, slope_after, change, rise;
       double          least = 0, most = 0;
+      double          rounding = 0, noise = 0; // of energies
     };
 
     bool

@@ -34,6 +34,28 @@ namespace strait
     return nullptr;
   }
 
+  SearchStart
+  search_start(const Scene             &scene,
+               const ContactParameters &contact,
+               const double             rms_slope)
+  {
+    if (!(rms_slope > 0))
+      throw ComputationError(
+        "The threshold was not found: a surface without slope seals under every load.");
+    const bool unloads = scene.programme.path == LoadPath::unloading;
+    if (contact.yields() && unloads)
+      {
+        const double largest = scene.programme.pressures.front();
+        return {largest, .2, largest};
+      }
+    // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
+    // saddle at 0.229: start a little to the side that the scene names.
+    SearchStart start{(unloads ? .28 : .2) * contact.pressure_scale(rms_slope)};
+    if (contact.yields())
+      start.end = contact.hardness;
+    return start;
+  }
+
   SealSearch::SealSearch(const Scene         &scene_,
                          SealModel           &model_,
                          const SlabLayoutPtr &layout_,
@@ -65,7 +87,7 @@ namespace strait
           {
             search.emplace(ask_load, tolerance);
             // Each path comes from nowhere, unless a search goes on that had begun so.
-            if (next == answers.size())
+            if (!repeats())
               open_state = sealed_state = std::nullopt;
           }
         result.push_back(critical_load(*search, first, slip_length));
@@ -121,7 +143,7 @@ namespace strait
     for (const double load : scene.programme.pressures)
       {
         // The pressure rises from nothing, unless a search goes on that had begun so.
-        if (next == answers.size())
+        if (!repeats())
           open_state = sealed_state = std::nullopt;
         result.push_back(blow_out(load));
         const BlowOut &found = result.back();
@@ -226,7 +248,7 @@ namespace strait
   Probe
   SealSearch::ask(const Control &control, const Side path_comes_from)
   {
-    if (next == answers.size())
+    if (!repeats())
       {
         answers.push_back(probe(control, path_comes_from));
         look_up();

@@ -63,6 +63,9 @@ namespace strait
     transfer_all(archive, trapped.pools, [&archive](Pool &pool) {
       archive.values(pool.volume, pool.pressure, pool.compliance, pool.is_guess);
     });
-    archive.values(trapped.area, trapped.guessed_area, trapped.pressure);
+    archive.values(trapped.area,
+                   trapped.guessed_area,
+                   trapped.pressure,
+                   trapped.uncertainty);
   }
 } // namespace strait

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace strait
@@ -96,9 +95,9 @@ namespace strait
                       const double        largest_pressure,
                       const FeedbackGoal &goal)
   {
-    FeedbackResult      result;
-    int                 changes_of_verdict = 0;
-    std::optional<bool> percolated; // in the round before, if the verdict may flip
+    FeedbackResult result;
+    int            changes_of_verdict = 0;
+    bool           may_flip = false, percolated = false; // of the round before
     if (goal.goes_on && !last_image.empty())
       {
         propose(last_image, 0, goal);
@@ -116,11 +115,13 @@ namespace strait
         FeedbackRound now = round(assumed);
         ++result.iterations;
         // Trapped fluid may have a higher pressure than the reservoirs.
-        scale         = std::max(largest_pressure, root_mean_square(now.fluid_pressure));
+        scale         = std::max({largest_pressure,
+                                  root_mean_square(now.fluid_pressure),
+                                  root_mean_square(assumed)});
         result.change = size(difference(now.fluid_pressure, assumed));
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
-        const bool flips = percolated && *percolated != now.percolates;
+        const bool flips = may_flip && percolated != now.percolates;
         const bool agrees =
           result.agrees_within(goal) ||
           (now.percolates && std::max(result.change, result.leak_change) <=
@@ -137,6 +138,7 @@ namespace strait
             walk = Walk();
             ++changes_of_verdict;
           }
+        may_flip                                   = true;
         percolated                                 = now.percolates;
         last_leak_rate                             = now.leak_rate;
         (now.percolates ? open_side : closed_side) = assumed;
@@ -147,8 +149,8 @@ namespace strait
         else
           {
             changes_of_verdict = 0;
-            percolated.reset();
-            walk = Walk();
+            may_flip           = false;
+            walk               = Walk();
             fixed_point.restart(parameters.relaxation);
           }
       }
@@ -295,6 +297,6 @@ namespace strait
   double
   WallFeedback::size(const SlabField &change) const
   {
-    return root_mean_square(change) / scale;
+    return scale > 0 ? root_mean_square(change) / scale : 0.;
   }
 } // namespace strait

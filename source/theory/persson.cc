@@ -84,7 +84,7 @@ namespace strait
         elastic += n % 2 == 1 ? 2 * term : 0.;
         plastic -= n % 2 == 1 ? term : -term;
         if (.5 * decay * decay > vanishing)
-          return {elastic, plastic};
+          return {elastic, std::max(plastic, 0.)}; // less is rounding
       }
   }
 

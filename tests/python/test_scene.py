@@ -3,6 +3,7 @@
 """Scenes, runs and sweeps from Python."""
 import doctest
 import importlib
+import os
 import pathlib
 import pickle
 import subprocess
@@ -84,6 +85,36 @@ class Runs(unittest.TestCase):
         self.assertEqual(run.table["status"].tolist(), ["ok", "ok"])
         del run
         self.assertFalse(folder.exists())
+
+    def test_a_folder_that_is_asked_for_lasts_whatever_its_name(self):
+        before = pathlib.Path.cwd()
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            try:
+                scene = strait.Scene({**SMALL, "Output/Directory": "output",
+                                      "Output/Pictures": False})
+                self.assertEqual(scene.run().folder, pathlib.Path("output"))
+                self.assertTrue((pathlib.Path(folder) / "output" / "run.json").exists())
+                # Of a sweep only the table lasts, wherever its scene would go alone.
+                strait.sweep(scene.replace({"Output/Directory": "other"}), [{}])
+                self.assertFalse(pathlib.Path("other").exists())
+            finally:
+                os.chdir(before)
+
+    def test_groups_of_fields(self):
+        import h5py
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "leakage.csv").write_text("step\n1\n")
+            with h5py.File(pathlib.Path(folder) / "fields-1.h5", "w") as file:
+                file["gap"] = np.ones((2, 3))
+                file.attrs["lx"] = 3.
+                file["window-1/gap"] = np.ones((4, 5))
+                file["window-1"].attrs["lx"] = 0.5
+            fields = strait.Run(folder).fields(1)
+        self.assertEqual(fields["gap"].shape, (2, 3))
+        self.assertEqual(fields["attributes"], {"lx": 3.})
+        self.assertEqual(fields["window-1"]["gap"].shape, (4, 5))
+        self.assertEqual(fields["window-1"]["attributes"], {"lx": 0.5})
 
     def test_folder_of_another_scene_is_left_alone(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -176,6 +207,19 @@ class Sweeps(unittest.TestCase):
         for column in ("Surface/Seed", "pressure", "leak_rate", "status"):
             np.testing.assert_array_equal(alone[column], together[column])
         self.assertEqual(len(alone.groups("Surface/Seed")), 3)
+
+    def test_a_parameter_that_a_mapping_leaves_out_is_the_scenes(self):
+        scene = strait.Scene({**SMALL, "Surface/Seed": 7, "Load programme/Pressures": 0.1})
+        table = strait.sweep(scene, [{"Surface/Invert": True}, {"surface": {"seed": 3}}])
+        self.assertEqual(table["Surface/Invert"].tolist(), [True, False])
+        self.assertEqual(table["surface/seed"].tolist(), [7, 3])
+        self.assertEqual([rows.n_rows for _, rows in table.groups("surface/seed")], [1, 1])
+
+    def test_what_is_not_known_is_one_group(self):
+        table = strait.Table({"a": np.array([np.nan, 2., np.nan, 2.]), "row": np.arange(4)})
+        groups = table.groups("a")
+        self.assertEqual([rows["row"].tolist() for _, rows in groups], [[0, 2], [1, 3]])
+        self.assertTrue(np.isnan(groups[0][0]))
 
     def test_other_table_and_output(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -53,6 +53,22 @@ class Seals(unittest.TestCase):
         self.assertAlmostEqual(gap.mean(), mean, 12)
         self.assertAlmostEqual(self.seal.solve(0.1).pressure.mean(), 0.1, 9)
 
+    def test_states_of_another_seal_are_refused(self):
+        state = self.seal.solve(0.1)
+        finer = strait.Seal(strait.Scene({**SMALL, "Contact/Grid points": 128}))
+        given = strait.Seal(strait.Scene({**SMALL, "Contact/Enabled": False}))
+        for other in (finer.solve(0.1), given.solve()):
+            for use in (self.seal.flow, lambda s: self.seal.solve(0.1, from_=s),
+                        lambda s: self.seal.follow([0.2], from_=s)):
+                with self.assertRaisesRegex(ValueError, "another seal"):
+                    use(other)
+        self.assertGreater(self.seal.flow(state).leak_rate, 0.)
+
+    def test_fields_of_a_sealed_gap_are_not_a_number(self):
+        flow = self.seal.flow(self.seal.solve(2.), fields=True)
+        self.assertFalse(flow.percolates)
+        self.assertTrue(np.isnan(flow.pressure).all() and np.isnan(flow.current).all())
+
     def test_what_there_is_not_is_none(self):
         state = self.seal.solve(0.1)
         for name in ("fluid_pressure", "indentation", "adhesive_energy", "fluid_load"):

@@ -74,6 +74,8 @@ TEST(CommandLine, WrongUse)
   for (const std::vector<const char *> &wrong : {std::vector<const char *>{},
                                                  {"--quiet"},
                                                  {"a.prm", "b.prm"},
+                                                 {"--parameters", "txt"},
+                                                 {"--columns", "csv"},
                                                  {"a.prm", "--set"},
                                                  {"a.prm", "--output"},
                                                  {"a.prm", "--output="},

@@ -97,9 +97,14 @@ TEST(Scene, TrappedFluidNeedsWhatItsLawNeeds)
   const Overrides stiff =
     liquid + Overrides{feedback + "Bulk modulus=2", feedback + "Bulk modulus slope=7"};
   EXPECT_EQ(scene_of("", stiff).fluid.feedback.bulk_modulus, 2.);
-  for (const char *pressure : {"Vapour pressure=-1", "Pool pressure=-1"})
-    expect_in("Bulk modulus is not positive",
-              error_of("", stiff + Overrides{feedback + pressure}));
+  for (const std::string pressure : {"Fluid/Wall feedback/Vapour pressure=-1",
+                                     "Fluid/Wall feedback/Pool pressure=-1",
+                                     "Fluid/Outlet pressure=-1"})
+    expect_in("Bulk modulus is not positive", error_of("", stiff + Overrides{pressure}));
+  // The law decides which parameters count.
+  EXPECT_EQ(scene_of("", enabled + Overrides{feedback + "Bulk modulus=2"}).warnings(),
+            std::vector<std::string>{"without Fluid/Wall feedback/Trapped fluid = "
+                                     "compressible these have no effect: Bulk modulus"});
 }
 
 TEST(Scene, RealisationsOfAMapAreItsWindows)
@@ -198,6 +203,51 @@ TEST(Scene, RarefactionAndWhatGoesWithIt)
     expect_in("molecules", error_of("", unknown));
 }
 
+TEST(Scene, BlowOutNeedsLoadsThatPress)
+{
+  expect_in("Find blow-out needs loads that press",
+            error_of("",
+                     {"Contact/Adhesion/Enabled=true",
+                      "Contact/Adhesion/Surface energy=0.01",
+                      "Contact/Adhesion/Tabor number=1",
+                      "Fluid/Wall feedback/Enabled=true",
+                      "Load programme/Find blow-out=true",
+                      "Load programme/Pressures=0.1, 0"}));
+}
+
+TEST(Scene, ZoomNeedsRoomForWindows)
+{
+  expect_in("Grid points of 8 or more",
+            error_of("", {"Contact/Zoom/Enabled=true", "Contact/Grid points=4, 32"}));
+}
+
+TEST(Scene, AdhesionIsOfAContact)
+{
+  expect_in("Contact/Enabled = false",
+            error_of("",
+                     {"Contact/Enabled=false",
+                      "Contact/Adhesion/Enabled=true",
+                      "Contact/Adhesion/Surface energy=0.01",
+                      "Contact/Adhesion/Tabor number=1"}));
+}
+
+TEST(Scene, TheoryTellsWhatItLeavesOut)
+{
+  const auto n_warnings = [](const Overrides &overrides) {
+    return scene_of("", overrides + Overrides{"Theory/Enabled=true"}).warnings().size();
+  };
+  EXPECT_EQ(n_warnings({}), 0U);
+  EXPECT_EQ(n_warnings({"Fluid/Wall feedback/Enabled=true"}), 1U);
+  EXPECT_EQ(n_warnings({"Contact/Adhesion/Enabled=true",
+                        "Contact/Adhesion/Surface energy=0.01",
+                        "Contact/Adhesion/Tabor number=1"}),
+            1U);
+  expect_in("a vacuum outside",
+            scene_of("", {"Fluid/State=gas", "Fluid/Wall feedback/Enabled=true"})
+              .warnings()
+              .back());
+}
+
 TEST(Scene, Theory)
 {
   const Overrides on    = {"Theory/Enabled=true"};
@@ -216,6 +266,8 @@ TEST(Scene, Theory)
   expect_in("nothing to compute", error_of(alone));
   expect_in("at which the theory has no contact",
             error_of(alone, {"Theory/Enabled=true", "Load programme/Pressures=0"}));
+  expect_in("a model spectrum alone",
+            error_of(alone, {"Theory/Enabled=true", "Realisations/Seeds=1, 2"}));
   expect_in("needs a simulation",
             error_of(alone,
                      {"Theory/Enabled=true", "Theory/Gap distribution=simulated"}));
@@ -339,4 +391,11 @@ TEST(Scene, UnreadableFiles)
 {
   EXPECT_THROW(read_scene("/no/such/scene.prm"), InputError);
   EXPECT_THROW(read_scene("/"), InputError);
+  EXPECT_THROW(read_scene(std::string(5000, 'a')), InputError);
+}
+
+TEST(Scene, MarkOfTheEncodingIsPassedOver)
+{
+  EXPECT_EQ(scene_of("\xef\xbb\xbfsubsection Surface\n set Seed = 7\nend\n").surface.seed,
+            7U);
 }

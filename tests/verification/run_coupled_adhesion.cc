@@ -91,10 +91,9 @@ namespace strait
         statuses.push_back(step.status());
         return true;
       });
-      ASSERT_EQ(statuses.size(), 3u);
+      // The path ends there, as that of a dry contact does.
+      ASSERT_EQ(statuses.size(), 1u);
       EXPECT_EQ(statuses[0], "ok");
-      EXPECT_EQ(statuses[1], "lifted-off");
-      EXPECT_EQ(statuses[2], "ok"); // pressed together again
     }
   } // namespace
 } // namespace strait

@@ -271,6 +271,9 @@ namespace strait
                                    "Contact/Hardness=0.5",
                                    "Fluid/Enabled=false",
                                    "Theory/Enabled=true",
+                                   "Theory/Spectrum=surface",
+                                   "Surface/Short cut-off wavelength=0.125",
+                                   "Contact/Grid points=32",
                                    "Realisations/Seeds=1, 2"};
       Log             log(MPI_COMM_WORLD, true);
       EXPECT_TRUE(run_all_realisations(

@@ -111,11 +111,32 @@ namespace strait
       compare(path_of(scene), {when_trapped, 10., 7.});
     }
 
+    TEST(Trapped, FluidIsTheSameInAnyUnitOfPressure)
+    {
+      // Reservoirs without pressure give none to compare with.
+      Scene scene = trapped_wave(128, TrappedFluidLaw::incompressible, 0.);
+      const std::vector<Point> in_one = path_of(scene);
+      constexpr double         unit   = 1e-4;
+      scene.contact.effective_modulus *= unit;
+      for (double &load : scene.programme.pressures)
+        load *= unit;
+      const std::vector<Point> in_other = path_of(scene);
+      ASSERT_EQ(in_one.size(), in_other.size());
+      for (std::size_t k = 0; k < in_one.size(); ++k)
+        {
+          EXPECT_NEAR(in_other[k].pressure / unit, in_one[k].pressure, 1e-4) << k;
+          EXPECT_NEAR(in_other[k].mean_gap, in_one[k].mean_gap, 1e-4) << k;
+        }
+      EXPECT_GT(in_one[4].pressure, 4.);
+    }
+
     TEST(Trapped, GasKeepsPressureTimesVolume)
     {
       Scene scene                        = trapped_wave(512, TrappedFluidLaw::gas, 0.);
       scene.fluid.feedback.pool_pressure = .1 * pi;
-      const std::vector<Point> points    = path_of(scene);
+      // Of the pressure; the gap, which it changes little, is known less well.
+      scene.fluid.feedback.tolerance  = 1e-6;
+      const std::vector<Point> points = path_of(scene);
       for (const Point &point : points)
         EXPECT_NEAR(point.pressure * point.mean_gap,
                     points[0].pressure * points[0].mean_gap,

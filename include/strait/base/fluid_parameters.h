@@ -45,7 +45,7 @@ namespace strait
     double          vapour_pressure    = 0.;
 
     void bind(ParameterSection section);
-    void check(bool is_gas) const;
+    void check(bool is_gas, double least_of_reservoirs) const;
   };
 
   /** Where the mean flow goes; the box is periodic across it. */

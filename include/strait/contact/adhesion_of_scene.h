@@ -29,6 +29,10 @@ namespace strait
      * to the grid.
      */
     double resolution;
+
+    /** How many times larger it makes the contact area at `Match area at pressure`: twice
+     *  to a relative 0.1 %, or less where the area jumps over that. */
+    double growth;
   };
 
   /** Smallest resolution without a warning. At half of it contact lines that begin to
@@ -39,10 +43,10 @@ namespace strait
   /**
    * The adhesion of the scene, with Adhesion/Enabled; collective. The range is given or
    * follows from the Tabor number. With `Match area at pressure` the surface energy is
-   * sought for which adhesion doubles the contact area at that nominal pressure, to a
-   * relative 0.1 %. Throws InputError if the Tabor number is given and the surface is
-   * flat, if twice the area is more than the whole, or if the range is not resolved by
-   * the grid and the scene does not insist.
+   * sought for which adhesion doubles the contact area at that nominal pressure, or the
+   * largest one below a jump over that. Throws InputError if the Tabor number is given
+   * and the surface is flat, if twice the area is more than the whole, or if the range is
+   * not resolved by the grid and the scene does not insist.
    */
   SceneAdhesion adhesion_of_scene(const ContactParameters &parameters,
                                   const SlabField         &heights);

@@ -34,8 +34,8 @@ namespace strait
 
     /**
      * See ContactModel. Under load control the target may be negative, but not without a
-     * state to start from. A `detached` state is no equilibrium, and none to start from.
-     * Collective.
+     * state to start from when loading. A `detached` state is no equilibrium, and none to
+     * start from. Collective.
      */
     ContactState solve(double              target,
                        const ContactState *from           = nullptr,
@@ -45,8 +45,11 @@ namespace strait
   private:
     std::unique_ptr<GapOptimiser> make_optimiser(double target);
     void                          check(double target, const ContactState *from) const;
-    SlabField start_gap(double target, const ContactState *from, bool is_dry) const;
-    void      push_off(const std::vector<double> &v, SlabField &gap) const;
+    SlabField                     start_gap(double              target,
+                                            double              of_solid,
+                                            const ContactState *from,
+                                            bool                is_dry) const;
+    void push_off(const std::vector<double> &v, SlabField &gap) const;
     ContactState
     state_of(const GapOptimiser &optimiser, const GapSolution &, SlabField gap) const;
 

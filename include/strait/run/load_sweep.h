@@ -150,11 +150,10 @@ namespace strait
     }
 
   private:
-    SearchStart search_start() const;
-    bool        begins_where_search_ended() const;
-    bool        press(const LoadStop &stop);
-    void        leak();
-    void        judge(const LoadStop &stop);
+    bool begins_where_search_ended() const;
+    bool press(const LoadStop &stop);
+    void leak();
+    void judge(const LoadStop &stop);
 
     const Scene                      &scene;
     Log                              &log;

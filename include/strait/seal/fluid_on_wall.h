@@ -66,6 +66,11 @@ namespace strait
   class FluidOnWall
   {
   public:
+    /** Of the load: what fluid may carry without a doubt that the solid carries the rest.
+     *  Half as much of a rest takes one round more before walls part, double of it may
+     *  part walls that the rest would have held near each other. */
+    static constexpr double largest_share = .99;
+
     /** On the way to the state under @p control from the state @p from, or without a past
      *  if that is null. All of them must outlive this object. */
     FluidOnWall(const Scene       &scene,
@@ -107,7 +112,7 @@ namespace strait
                       SlabField        &open_gap,
                       const StepFlow   &fluid_flow,
                       const PoolsInGap *pools) const;
-    double     hold(SlabField          &pressure,
+    void       hold(SlabField          &pressure,
                     SlabField          &open_gap,
                     const ContactState &contact,
                     const SlabField    &assumed,
