@@ -271,10 +271,11 @@ namespace strait
       throw InputError(
         "Theory/Enabled predicts the leak rate of the whole box and not of Fluid/Mesh; "
         "switch one of them off.");
-    if (!contact.enabled && contact.adhesion.enabled && !is_theory_only())
+    if (!contact.enabled && !is_theory_only() &&
+        (contact.adhesion.enabled || contact.yields()))
       throw InputError(
-        "Contact/Adhesion is of a contact, and Contact/Enabled = false; switch one of "
-        "them.");
+        "Contact/Adhesion and Yielding are of a contact, and Contact/Enabled = false; "
+        "switch either off, or the contact on.");
     if (!contact.enabled && !fluid.enabled && !theory.enabled)
       throw InputError(
         "Contact/Enabled and Fluid/Enabled are both false, so there is "

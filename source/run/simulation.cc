@@ -117,6 +117,34 @@ namespace strait
                       adhesion.resolution));
     }
 
+    /** What is simulated beside the surface. */
+    std::vector<std::string>
+    effects_of(const Scene &scene)
+    {
+      const ContactParameters &contact = scene.contact;
+      const FluidParameters   &fluid   = scene.fluid;
+
+      std::vector<std::string> names = {contact.enabled ? "contact"
+                                                        : "the surface as the gap"};
+      for (const auto &[is_on, name] :
+           {std::pair{contact.enabled && contact.yields(), "yielding"},
+            {contact.enabled && contact.adhesion.enabled, "adhesion"},
+            {contact.zoom.enabled, "windows of finer points"},
+            {fluid.enabled, fluid.is_gas ? "gas" : "liquid"},
+            {fluid.enabled && fluid.has_slip(), "slip"},
+            {fluid.enabled && fluid.rarefaction != Rarefaction::none, "rarefaction"},
+            {fluid.feedback.enabled, "fluid on the walls"},
+            {fluid.feedback.enabled &&
+               fluid.feedback.trapped_fluid != TrappedFluidLaw::drained,
+             "trapped fluid"},
+            {scene.theory.enabled, "theory"},
+            {scene.output.error_budget, "error budget"},
+            {scene.seal.enabled, "whole seal"}})
+        if (is_on)
+          names.emplace_back(name);
+      return names;
+    }
+
     /** Thrown where a search is left because a signal asks for it. */
     struct StoppedInSearch
     {
@@ -248,15 +276,11 @@ namespace strait
     const int               n_ranks = n_ranks_in(MPI_COMM_WORLD);
     const int n_grids = each.empty() ? 1 : std::max(1, n_ranks / each.front());
     log.line(format(
-      "memory for the grid, without the mesh: about %.3g of %.3g GB that are free; contact "
-      "%s, fluid %s; %zu steps",
+      "memory for the grid, without the mesh: about %.3g of %.3g GB that are free; %zu steps",
       1e-9 * n_grids * memory_of_grid(scene),
       1e-9 * free_memory(),
-      !scene.contact.enabled   ? "off (the surface is the gap)"
-      : scene.contact.yields() ? "on, yields"
-                               : "on",
-      scene.fluid.enabled ? "on" : "off",
       plan_stops(scene, {}).size()));
+    log.line("on are: " + join(effects_of(scene), ", "));
     if (scene.programme.find_threshold)
       log.line("the threshold is searched to a relative width of " +
                to_text(scene.programme.threshold_tolerance) + "; " +

@@ -173,12 +173,11 @@ namespace strait
              std::abs(a.inlet_pressure - b.inlet_pressure);
     }
 
-    /** A control on the way. */
+    /** A control on the way, and what was found there from an earlier state. */
     struct Stop
     {
       Control                  control;
-      std::optional<PathPoint> seen =
-        {}; // there, from an earlier state than is known now
+      std::optional<PathPoint> seen = {};
     };
 
     /** Whether a jump on the way from a state to @p stop is known and not enclosed. What

@@ -221,8 +221,13 @@ TEST(Scene, ZoomNeedsRoomForWindows)
             error_of("", {"Contact/Zoom/Enabled=true", "Contact/Grid points=4, 32"}));
 }
 
-TEST(Scene, AdhesionIsOfAContact)
+TEST(Scene, AdhesionAndYieldingAreOfAContact)
 {
+  expect_in("Contact/Enabled = false",
+            error_of("",
+                     {"Contact/Enabled=false",
+                      "Contact/Yielding=cut-off",
+                      "Contact/Hardness=1"}));
   expect_in("Contact/Enabled = false",
             error_of("",
                      {"Contact/Enabled=false",
