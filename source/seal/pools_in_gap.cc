@@ -103,15 +103,10 @@ namespace strait
     for (std::size_t k = 0; k < gap.size(); ++k)
       if (known.owner[k] >= 0 && volumes[static_cast<int>(known.owner[k])] == 0)
         regions[k] = static_cast<int>(known.owner[k]);
-    counts.resize(n);
     widest.resize(n);
     for (std::size_t k = 0; k < gap.size(); ++k)
       if (const int r = regions[k]; r >= 0)
-        {
-          ++counts[r];
-          widest[r] = std::max(widest[r], gap[k]);
-        }
-    sum_in_place(comm, counts.data(), n);
+        widest[r] = std::max(widest[r], gap[k]);
     MPI_Allreduce(MPI_IN_PLACE, widest.data(), n, MPI_DOUBLE, MPI_MAX, comm);
   }
 

@@ -34,28 +34,6 @@ namespace strait
     return nullptr;
   }
 
-  SearchStart
-  search_start(const Scene             &scene,
-               const ContactParameters &contact,
-               const double             rms_slope)
-  {
-    if (!(rms_slope > 0))
-      throw ComputationError(
-        "The threshold was not found: a surface without slope seals under every load.");
-    const bool unloads = scene.programme.path == LoadPath::unloading;
-    if (contact.yields() && unloads)
-      {
-        const double largest = scene.programme.pressures.front();
-        return {largest, .2, largest};
-      }
-    // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
-    // saddle at 0.229: start a little to the side that the scene names.
-    SearchStart start{(unloads ? .28 : .2) * contact.pressure_scale(rms_slope)};
-    if (contact.yields())
-      start.end = contact.hardness;
-    return start;
-  }
-
   SealSearch::SealSearch(const Scene         &scene_,
                          SealModel           &model_,
                          const SlabLayoutPtr &layout_,

@@ -7,6 +7,7 @@
 #include <strait/seal/flow_stage.h>
 #include <strait/seal/path.h>
 #include <strait/seal/seal_model.h>
+#include <strait/seal/transition_search.h>
 
 #include <memory>
 
@@ -33,6 +34,11 @@ namespace strait
                                        SlabField                heights,
                                        FlowStage               *flow,
                                        Log                     &log);
+
+  /** Where the search for the first critical load of a surface of this slope begins, with
+   *  @p contact in place of that of @p scene. Throws ComputationError if it has none. */
+  SearchStart
+  search_start(const Scene &scene, const ContactParameters &contact, double rms_slope);
 
   /** Which steps are too long for the accuracy that the scene asks for. */
   StepRule step_rule(const Scene &scene);

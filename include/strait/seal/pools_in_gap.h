@@ -52,13 +52,6 @@ namespace strait
       return volumes[r];
     }
 
-    /** Number of its grid points. */
-    double
-    n_points(const std::size_t r) const
-    {
-      return counts[r];
-    }
-
     /** The mean of @p field over the widest points of each region: those that are open by
      *  half of its largest gap, where the fluid's own pressure is known. Collective. */
     std::vector<double> in_the_wide(const SlabField &field) const;
@@ -117,7 +110,7 @@ namespace strait
     std::vector<std::int64_t>       labels;
     std::map<std::int64_t, Cluster> trapped; // by label
     std::vector<int>                regions;
-    std::vector<double>             volumes, counts, widest;
+    std::vector<double>             volumes, widest;
   };
 } // namespace strait
 

@@ -48,11 +48,6 @@ namespace strait
   /** All of them, in either direction. Collective. */
   void transfer(StateArchive &archive, std::vector<Transition> &transitions);
 
-  /** Where the search for the first critical load of a surface of this slope begins, with
-   *  @p contact in place of that of @p scene. Throws ComputationError if it has none. */
-  SearchStart
-  search_start(const Scene &scene, const ContactParameters &contact, double rms_slope);
-
   /** The inlet pressures at which a seal under a load opens and closes again. */
   struct BlowOut
   {
