@@ -204,9 +204,14 @@ namespace strait
     constexpr int most_meetings = 4;
     if (on_wall.is_limited_by_load())
       goal.largest_mean = control.target;
-    const double largest_pressure = std::max(std::abs(flow.fluid().inlet_pressure),
-                                             std::abs(flow.fluid().outlet_pressure));
-    FluidState  &fluid            = *state.fluid;
+    double largest_pressure = std::max(std::abs(flow.fluid().inlet_pressure),
+                                       std::abs(flow.fluid().outlet_pressure));
+    // Reservoirs without pressure give none to compare that of trapped fluid with.
+    if (largest_pressure == 0.)
+      largest_pressure = seal.scene.contact.loads() ? std::abs(control.target)
+                         : near != nullptr          ? std::abs(near->nominal_pressure)
+                                                    : 0.;
+    FluidState &fluid = *state.fluid;
     try
       {
         bool meet = true;

@@ -115,9 +115,7 @@ namespace strait
         FeedbackRound now = round(assumed);
         ++result.iterations;
         // Trapped fluid may have a higher pressure than the reservoirs.
-        scale         = std::max({largest_pressure,
-                                  root_mean_square(now.fluid_pressure),
-                                  root_mean_square(assumed)});
+        scale         = std::max(largest_pressure, root_mean_square(now.fluid_pressure));
         result.change = size(difference(now.fluid_pressure, assumed));
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
@@ -297,6 +295,7 @@ namespace strait
   double
   WallFeedback::size(const SlabField &change) const
   {
-    return scale > 0 ? root_mean_square(change) / scale : 0.;
+    const double of_all = root_mean_square(change);
+    return of_all > 0 ? of_all / scale : 0.;
   }
 } // namespace strait

@@ -91,8 +91,8 @@ namespace strait
 
     /**
      * Iterate from pressure() on. The last call of @p round is for the pressure()
-     * that is left. Changes are measured by @p largest_pressure, that of a reservoir,
-     * or by that of the fluid on the walls (rms) if that is more. Collective.
+     * that is left. Changes are measured by @p largest_pressure, that of a reservoir or
+     * the load, or by that of the fluid on the walls (rms) if that is more. Collective.
      */
     FeedbackResult
     solve(const Round &round, double largest_pressure, const FeedbackGoal &goal);
