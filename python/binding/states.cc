@@ -200,7 +200,9 @@ namespace strait::python
         .def_readonly("before", &Jump::before)
         .def_readonly("after", &Jump::after, "Without meaning at a pull-off.")
         .def_readonly("dissipated", &Jump::dissipated, "Energy per area.")
-        .def_readonly("is_pull_off", &Jump::is_pull_off, "Whether the surfaces part.");
+        .def_property_readonly("is_pull_off",
+                               &Jump::is_pull_off,
+                               "Whether the surfaces part.");
     }
   } // namespace
 

@@ -152,7 +152,7 @@ namespace strait
     // After a pull-off there is no state.
     const auto after = [](double PathPoint::*value) {
       return [value](const Jump &jump) {
-        return jump.is_pull_off ? std::nan("") : jump.after.*value;
+        return jump.is_pull_off() ? std::nan("") : jump.after.*value;
       };
     };
     Table<Jump> table("jumps.csv",
@@ -163,7 +163,7 @@ namespace strait
     table
       .add(
         [](const Jump &jump) -> std::string {
-          return jump.is_pull_off                                     ? "pull-off"
+          return jump.is_pull_off()                                   ? "pull-off"
                  : jump.after.contact_area > jump.before.contact_area ? "closing"
                                                                       : "opening";
         },

@@ -63,7 +63,8 @@ namespace strait
     : scene(scene_)
     , comm(comm_)
     , path(scene.output.directory + "/checkpoint")
-    , files(files_of(scene, comm))
+    , files(resume || scene.output.checkpoint ? files_of(scene, comm)
+                                              : std::vector<std::string>())
   {
     if (!resume)
       return;

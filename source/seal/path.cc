@@ -112,11 +112,11 @@ namespace strait
       jump() const
       {
         if (after.detached)
-          return Jump{before, after, 0., true};
+          return Jump{before, after, 0.};
         if (rise >= least - rounding) // steep, but no jump
           return {};
         // The load of the jump is unknown within the step: the middle of the slopes.
-        return Jump{before, after, .5 * (least + most) - rise, false};
+        return Jump{before, after, .5 * (least + most) - rise};
       }
 
       /** How the path goes on if it is smooth. */
@@ -222,14 +222,15 @@ namespace strait
                      point->pressure,
                      point->mean_gap,
                      point->contact_area,
-                     point->energy);
-    archive.values(jump.dissipated, jump.is_pull_off);
+                     point->energy,
+                     point->detached);
+    archive.value(jump.dissipated);
   }
 
   std::string
   describe(const Jump &jump)
   {
-    if (jump.is_pull_off)
+    if (jump.is_pull_off())
       return format("the surfaces part between the nominal pressures %.6g and %.6g",
                     jump.before.target,
                     jump.after.target);

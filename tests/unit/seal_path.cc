@@ -135,7 +135,7 @@ namespace
     path.to(.2);
     EXPECT_FALSE(path.to(-2.).state);
     ASSERT_EQ(path.jumps.size(), 1u);
-    EXPECT_TRUE(path.jumps[0].is_pull_off);
+    EXPECT_TRUE(path.jumps[0].is_pull_off());
     EXPECT_NEAR(path.jumps[0].before.target, -.5, 1e-3);
     EXPECT_TRUE(path.to(-.4).state);
   }

@@ -48,7 +48,7 @@ namespace
     const Arrival   parted   = go(-2.2 * unit, &unloaded);
     const double    area     = unloaded.contact->contact_area_corrected;
     EXPECT_FALSE(parted.state);
-    EXPECT_TRUE(parted.jumps.back().is_pull_off);
+    EXPECT_TRUE(parted.jumps.back().is_pull_off());
     return {-parted.jumps.back().before.pressure / unit,
             std::sqrt(area / pi) * box / jkr_radius};
   }

@@ -21,17 +21,23 @@ namespace strait
     double pressure     = 0;
     double mean_gap     = 0;
     double contact_area = 0;
-    double energy       = 0; // AdhesiveState::total_energy
-    bool   detached     = false;
+    double energy       = 0;     // AdhesiveState::total_energy
+    bool   detached     = false; // gap and area mean nothing
   };
 
   /** A discontinuity: from one state to another at almost the same load. */
   struct Jump
   {
     PathPoint before;
-    PathPoint after;               // at a pull-off its gap and area mean nothing
-    double    dissipated  = 0;     // energy per area
-    bool      is_pull_off = false; // the surfaces part
+    PathPoint after;
+    double    dissipated = 0; // energy per area
+
+    /** Whether the surfaces part. */
+    bool
+    is_pull_off() const
+    {
+      return after.detached;
+    }
 
     /** In what varies along the path. */
     double
