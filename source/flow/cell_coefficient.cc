@@ -61,7 +61,7 @@ namespace strait
           for (std::size_t c = 0; c < cells.size(); ++c)
             known.emplace(cells[c], c);
         revision = gap.revision();
-        find_cells();
+        find_cells(gap.layout().grid());
         std::vector<GridCell> others;
         for (const GridCell &cell : cells)
           if (known.count(cell) == 0)
@@ -113,14 +113,17 @@ namespace strait
       }
 
     private:
+      /** In spacings of @p grid, which is that of the mesh or a coarser one. */
       void
-      find_cells()
+      find_cells(const PeriodicGrid &grid)
       {
+        const int coarser = mesh.grid().n_halvings() - grid.n_halvings();
         cells.clear();
         for (const auto &cell : mesh.triangulation().active_cell_iterators())
           if (cell->is_locally_owned())
             {
-              const GridCell here = mesh.grid_cell(*cell);
+              GridCell here = mesh.grid_cell(*cell);
+              here.exponent -= coarser;
               if (!of_children)
                 cells.push_back(here);
               for (int child = 0; of_children && child < 4; ++child)

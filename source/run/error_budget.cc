@@ -9,16 +9,15 @@ namespace strait
 {
   namespace
   {
-    /** The leak rate through @p gap; 0 if it seals. */
+    /** By how much the leak rate through @p gap differs, relative, from that of
+     *  @p step. */
     double
-    leak_rate_of(const FluidParameters &fluid,
-                 const SlabField       &gap,
-                 const double           slip_length)
+    change_to(const SlabField &gap, const Step &step, const FluidParameters &fluid)
     {
       Log       silent(gap.layout().communicator(), true);
       Timers    timers;
       FlowStage flow(fluid, gap.layout_pointer(), silent, timers);
-      return flow.solve(gap, slip_length).leakage.rate;
+      return flow.change_to(gap, step.state.control.slip_length, *step.flow);
     }
 
     void
@@ -30,6 +29,7 @@ namespace strait
     {
       // On every second and every fourth point as far as there are such grids, 0 if it
       // seals there.
+      const double        fine = step.flow->leakage.rate;
       std::vector<double> leaks;
       for (int h = 1; h <= std::min(coarser.size(), n_compared_grids(scene)); ++h)
         {
@@ -37,11 +37,10 @@ namespace strait
             coarser.gap(h,
                         step.state.control,
                         by_reduced_load ? step.reduced_load : std::nullopt);
-          leaks.push_back(leak_rate_of(scene.fluid, gap, step.state.control.slip_length));
+          leaks.push_back(fine * (1. + change_to(gap, step, scene.fluid)));
         }
       if (leaks.empty())
         return;
-      const double fine  = step.flow->leakage.rate;
       const double first = (fine - leaks[0]) / fine;
       double       error = std::abs(first);
       // Two grids tell no order: at the first, and with the factor of safety of the grid

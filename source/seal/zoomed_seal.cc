@@ -159,8 +159,10 @@ namespace strait
   std::vector<ZoomWindow>
   ZoomedSeal::windows_for(const SealState &state, const Aim aim, bool &is_trimmed) const
   {
-    const SlabLayout  &layout  = state.gap().layout();
-    const unsigned int n_paths = aim == Aim::verdict ? 1 : n_paths_wanted;
+    const SlabLayout &layout = state.gap().layout();
+    // Where half of the digits have told all throats, the others tell of the first path.
+    const bool         is_known = aim == Aim::leak_rate && is_trimmed;
+    const unsigned int n_paths  = aim == Aim::verdict || is_known ? 1 : n_paths_wanted;
     const Channel      channel =
       make_channel(state.gap(), state.control.slip_length, direction, n_paths);
     // Half of the digits do not tell a barrier from a throat that is about to close.

@@ -54,6 +54,14 @@ namespace strait
      * before, is kept as a start. Collective. */
     void take_coefficient(const GapField &gap);
 
+    /** Take the solution of @p other, the same problem of another gap on the same mesh,
+     * as a start. */
+    void
+    start_from(const PotentialProblem &other)
+    {
+      distributed = other.distributed;
+    }
+
     /** Multiply the conductivity of each owned cell with one of @p weights. */
     void
     set_weights(const std::vector<double> &weights)

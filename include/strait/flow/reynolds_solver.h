@@ -65,8 +65,9 @@ namespace strait
     double solve_pressure();
 
     /** By how much the leak rate would change, relative, if the gap were that of @p
-     * other: the change of the pressure problem's energy on the mesh of run(), infinite
-     * if the linear solver fails. Collective. */
+     * other, on the mesh of run(): from the energies of both problems, of which one is
+     * too large and the other as much too small; infinite if the linear solver fails.
+     * Collective. */
     double change_in(const GapField &other);
 
     /** The fluid's pressure where the solution of the pressure problem is @p potential.

@@ -54,6 +54,11 @@ namespace strait
      * other way. Collective. */
     double change_by_interpolation(const StepFlow &flow) const;
 
+    /** By how much, relative, the leak rate through @p gap would differ from that of
+     * @p flow, which a stage for the same box has found and which is not zero, with a
+     * grid of as many points or more, by halvings; −1 if it seals. Collective. */
+    double change_to(const SlabField &gap, double slip_length, const StepFlow &flow);
+
     /**
      * Bring @p flow, which may be new, up to date with a gap that differs a little
      * from its own: verdict, pressure, and the upper bound of the leak rate, on the
@@ -113,6 +118,10 @@ namespace strait
     void    read_mesh(const SlabLayoutPtr &layout);
     Channel find_channel(const SlabField &gap, double slip_length);
     void    fill(GapField &bridge, const Channel &channel, bool with_bounds) const;
+    double  change_through(const StepFlow        &flow,
+                           const FluidParameters &fluid,
+                           const Channel         &channel,
+                           GapField              &bridge) const;
     void    mesh_and_bracket(StepFlow          &flow,
                              double             tolerance_factor,
                              unsigned long long most_unknowns);
