@@ -5,14 +5,11 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <boost/functional/hash.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
-#include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -50,33 +47,34 @@ namespace strait
       void
       update(const GapField &gap) override
       {
-        const auto hash = [](const GridCell &cell) {
-          return boost::hash_value(std::make_tuple(cell.exponent, cell.i, cell.j));
-        };
         // What is known of the same gap from the mesh before is not asked again: most of
         // its cells are still there.
-        std::unordered_map<GridCell, std::size_t, decltype(hash)> known(cells.size(),
-                                                                        hash);
-        if (gap.revision() == revision)
-          for (std::size_t c = 0; c < cells.size(); ++c)
-            known.emplace(cells[c], c);
+        const bool                is_same = gap.revision() == revision;
+        const std::vector<Sorted> before =
+          is_same ? sorted_cells() : std::vector<Sorted>();
         revision = gap.revision();
         find_cells(gap.layout().grid());
-        std::vector<GridCell> others;
-        for (const GridCell &cell : cells)
-          if (known.count(cell) == 0)
-            others.push_back(cell);
-        const int         n_moments = gap.moment_set().size();
-        const CellAnswers found     = gap.ask(coefficient, others);
-        CellAnswers       all(cells.size(), n_moments);
-        std::size_t       n_others = 0;
-        for (std::size_t c = 0; c < cells.size(); ++c)
+        const std::vector<Sorted> now       = sorted_cells();
+        const int                 n_moments = gap.moment_set().size();
+        CellAnswers               all(cells.size(), n_moments);
+        std::vector<GridCell>     others;
+        std::vector<std::size_t>  numbers; // of those
+        auto                      known = before.begin();
+        for (const auto &[name, c] : now)
           {
-            const auto    before = known.find(cells[c]);
-            const double *answer =
-              before == known.end() ? &found(n_others++, 0) : &answers(before->second, 0);
-            std::copy_n(answer, n_moments, &all(c, 0));
+            while (known != before.end() && known->first < name)
+              ++known;
+            if (known != before.end() && known->first == name)
+              std::copy_n(&answers(known->second, 0), n_moments, &all(c, 0));
+            else
+              {
+                others.push_back(cells[c]);
+                numbers.push_back(c);
+              }
           }
+        const CellAnswers found = gap.ask(coefficient, others);
+        for (std::size_t o = 0; o < others.size(); ++o)
+          std::copy_n(&found(o, 0), n_moments, &all(numbers[o], 0));
         answers = std::move(all);
       }
 
@@ -113,6 +111,24 @@ namespace strait
       }
 
     private:
+      using Sorted = std::pair<std::uint64_t, std::uint32_t>; // a cell's name and number
+
+      /** By names, which are those of places and sizes: FlowMesh has 29 bits for a place
+       *  along one axis. */
+      std::vector<Sorted>
+      sorted_cells() const
+      {
+        std::vector<Sorted> result;
+        result.reserve(cells.size());
+        for (const auto &[exponent, i, j] : cells)
+          result.emplace_back(static_cast<std::uint64_t>(exponent + 32) << 58 |
+                                static_cast<std::uint64_t>(j) << 29 |
+                                static_cast<std::uint64_t>(i),
+                              static_cast<std::uint32_t>(result.size()));
+        std::sort(result.begin(), result.end());
+        return result;
+      }
+
       /** In spacings of @p grid, which is that of the mesh or a coarser one. */
       void
       find_cells(const PeriodicGrid &grid)

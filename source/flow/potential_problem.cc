@@ -21,6 +21,7 @@ namespace strait
     , fe(set.degree())
     , dofs(mesh.triangulation())
     , coefficient(make_coefficient(mesh, set, fe, coefficient_))
+    , cell_matrix(fe.n_dofs_per_cell(), fe.n_dofs_per_cell())
   {
   }
 
@@ -113,11 +114,11 @@ namespace strait
   }
 
   void
-  PotentialProblem::background(const Iterator &cell, std::vector<double> &values) const
+  PotentialProblem::add_background(const Iterator      &cell,
+                                   std::vector<double> &values) const
   {
-    values.assign(fe.n_dofs_per_cell(), 0.);
     if (angles.size() > 0)
-      background_values(angles, cell, values);
+      add_background_values(angles, cell, values);
     if (is_pressure() || mesh.seal() != nullptr)
       return;
     // The corner of the cell is as good an origin as any other, and keeps the
@@ -127,7 +128,7 @@ namespace strait
     const double step   = across == 1 ? height / mesh.grid().ly : -width / mesh.grid().lx;
     const auto  &points = fe.get_unit_support_points();
     for (unsigned int i = 0; i < values.size(); ++i)
-      values[i] = step * points[i][across];
+      values[i] += step * points[i][across];
   }
 
   void
@@ -150,7 +151,7 @@ namespace strait
     const unsigned int                   n = fe.n_dofs_per_cell();
     FullMatrix<double>                   local_matrix(n, n);
     dealii::Vector<double>               local_rhs(n);
-    std::vector<double>                  affine(n);
+    std::vector<double>                  affine;
     std::vector<types::global_dof_index> indices(n);
     for (std::size_t c = 0; c < owned_cells.size(); ++c)
       if (is_active(c))
@@ -158,7 +159,8 @@ namespace strait
           const Iterator &cell = owned_cells[c];
           coefficient->stiffness(c, local_matrix);
           local_matrix *= coefficient_weight(c);
-          background(cell, affine);
+          affine.assign(n, 0.);
+          add_background(cell, affine);
           for (unsigned int i = 0; i < n; ++i)
             {
               local_rhs(i) = 0;
@@ -245,20 +247,17 @@ namespace strait
   void
   PotentialProblem::cell_values(const std::size_t cell, std::vector<double> &values) const
   {
-    background(owned_cells[cell], values);
-    dealii::Vector<double> periodic(fe.n_dofs_per_cell());
-    owned_cells[cell]->get_dof_values(ghosted, periodic);
-    for (unsigned int i = 0; i < values.size(); ++i)
-      values[i] += periodic(i);
+    values.resize(fe.n_dofs_per_cell());
+    owned_cells[cell]->get_dof_values(ghosted, values.begin(), values.end());
+    add_background(owned_cells[cell], values);
   }
 
   double
   PotentialProblem::cell_energy(const std::size_t          cell,
                                 const std::vector<double> &values) const
   {
-    FullMatrix<double> local_matrix(fe.n_dofs_per_cell(), fe.n_dofs_per_cell());
-    coefficient->stiffness(cell, local_matrix);
-    return coefficient_weight(cell) * ElementMatrix::energy(local_matrix, values);
+    coefficient->stiffness(cell, cell_matrix);
+    return coefficient_weight(cell) * ElementMatrix::energy(cell_matrix, values);
   }
 
   double

@@ -52,13 +52,13 @@ namespace strait
   }
 
   void
-  background_values(const UnknownsVector                      &background,
-                    const DoFHandler<2>::active_cell_iterator &cell,
-                    std::vector<double>                       &values)
+  add_background_values(const UnknownsVector                      &background,
+                        const DoFHandler<2>::active_cell_iterator &cell,
+                        std::vector<double>                       &values)
   {
     dealii::Vector<double> turns(values.size());
     cell->get_dof_values(background, turns);
     for (unsigned int i = 0; i < values.size(); ++i)
-      values[i] = shorter_way(turns(i) - turns(0));
+      values[i] += shorter_way(turns(i) - turns(0));
   }
 } // namespace strait

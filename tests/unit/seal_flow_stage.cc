@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/contact/grid_transfer.h>
 #include <strait/seal/flow_stage.h>
 
 #include <gtest/gtest.h>
@@ -59,6 +60,42 @@ namespace strait
       const auto plates = [](double, double) { return .3; };
       EXPECT_NEAR(leak(GapInterpolation::monotone_cubic, plates).change, 0., 1e-9);
       EXPECT_NEAR(leak(GapInterpolation::bilinear, plates).change, 0., 1e-9);
+    }
+
+    // On the mesh of the finer grid where the throat is wide, and on one of its own where
+    // every second point sees another throat; with nothing open on these, all of it.
+    TEST(FlowStage, ChangeToEverySecondPointIsThatOfTwoSolutions)
+    {
+      std::ostringstream  said;
+      Log                 log(MPI_COMM_WORLD, said, Log::Screen::silent);
+      Timers              timers;
+      FluidParameters     fluid;
+      const SlabLayoutPtr layout = make_layout({64, 64, 1., 1.}, MPI_COMM_WORLD);
+      // Between (1/2 + shift, 1/2) and the nearest point of the coarser grid.
+      const auto change = [&](const double narrowest, const double shift) {
+        const SlabField gap = sample(layout, [&](const double x, const double y) {
+          return narrowest + .5 * (1. + std::cos(2 * M_PI * (x - shift))) *
+                               (1.2 + std::cos(2 * M_PI * (y - shift)));
+        });
+        FlowStage       flow(fluid, layout, log, timers);
+        const StepFlow  solved = flow.solve(gap, 0.);
+        const SlabField coarse = restrict_by_injection(gap);
+        FlowStage       other(fluid, coarse.layout_pointer(), log, timers);
+        const double    said_of_it = other.change_to(coarse, 0., solved);
+        const double    found =
+          other.solve(coarse, 0.).leakage.rate / solved.leakage.rate - 1.;
+        EXPECT_NEAR(said_of_it, found, .1 * fluid.target_accuracy + .02 * found)
+          << narrowest;
+        SlabField closed = coarse;
+        for (double &value : closed)
+          value = -1.;
+        EXPECT_EQ(other.change_to(closed, 0., solved), -1.);
+        return found;
+      };
+      fluid.target_accuracy = .02;
+      EXPECT_LT(std::abs(change(.3, 0.)), .5 * fluid.target_accuracy);
+      fluid.target_accuracy = .005;
+      EXPECT_GT(change(2e-3, 1. / 64.), .1);
     }
   } // namespace
 } // namespace strait

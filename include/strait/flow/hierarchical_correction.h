@@ -20,19 +20,26 @@ namespace strait
     double              total = 0.; // of all ranks
   };
 
-  /** The nodes that a correction frees, as a cell sees them. */
+  /** The nodes that a correction frees, as cells see them, one cell after the other. */
   struct FreedNodes
   {
     /** A node on the rim of the cell depends on this freed one. */
     struct Dependence
     {
       unsigned int node;
-      unsigned int column; // position in indices
+      unsigned int column; // position among the indices of the cell
       double       weight;
+    };
+
+    /** Where the part of a cell begins, and that of the cell before it ends. */
+    struct Begin
+    {
+      std::size_t index = 0, dependence = 0;
     };
 
     std::vector<unsigned int> indices; // positions in this rank's part of a vector
     std::vector<Dependence>   dependences;
+    std::vector<Begin>        begins; // of all cells, and of one after the last
   };
 
   /**
@@ -64,7 +71,7 @@ namespace strait
     dealii::DoFHandler<2>                                             dofs;
     dealii::AffineConstraints<double>                                 constraints;
     Vector                                                            layout;
-    std::vector<FreedNodes>                                           nodes; // of cells
+    FreedNodes                                                        nodes;
     std::map<GapField::Coefficient, std::unique_ptr<CellCoefficient>> on_children;
   };
 } // namespace strait

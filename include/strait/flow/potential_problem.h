@@ -188,19 +188,21 @@ namespace strait
     void pin_one_value(UnknownsMatrix &matrix) const;
     void pin_unreached_rows(UnknownsMatrix &matrix);
 
-    void background(const Iterator &cell, std::vector<double> &values) const;
+    /** Add what the potential has besides the solution. */
+    void add_background(const Iterator &cell, std::vector<double> &values) const;
 
-    GapField::Coefficient             kind_of_coefficient;
-    FlowMesh                         &mesh;
-    dealii::FE_Q<2>                   fe;
-    dealii::DoFHandler<2>             dofs;
-    std::vector<Iterator>             owned_cells;
-    dealii::AffineConstraints<double> constraints;
-    Vector                            distributed, ghosted; // the solution
-    std::unique_ptr<CellCoefficient>  coefficient;
-    std::vector<double>               conductivity_weights; // empty: all one
-    Vector                            angles; // of the stream function of a ring
-    dealii::types::global_dof_index   n_active_unknowns = 0;
+    GapField::Coefficient              kind_of_coefficient;
+    FlowMesh                          &mesh;
+    dealii::FE_Q<2>                    fe;
+    dealii::DoFHandler<2>              dofs;
+    std::vector<Iterator>              owned_cells;
+    dealii::AffineConstraints<double>  constraints;
+    Vector                             distributed, ghosted; // the solution
+    std::unique_ptr<CellCoefficient>   coefficient;
+    mutable dealii::FullMatrix<double> cell_matrix;          // at work
+    std::vector<double>                conductivity_weights; // empty: all one
+    Vector                             angles; // of the stream function of a ring
+    dealii::types::global_dof_index    n_active_unknowns = 0;
 
     using Transfer = dealii::parallel::distributed::SolutionTransfer<2, Vector>;
     std::unique_ptr<Transfer> transfer; // to the mesh that is being made

@@ -23,10 +23,11 @@ namespace strait
                                  const dealii::DoFHandler<2>       &dofs,
                                  dealii::AffineConstraints<double> &constraints);
 
-  /** The @p values on @p cell of such a @p background, less that at its first unknown. */
-  void background_values(const UnknownsVector                              &background,
-                         const dealii::DoFHandler<2>::active_cell_iterator &cell,
-                         std::vector<double>                               &values);
+  /** Add to the @p values on @p cell those of such a @p background, less that at its
+   * first unknown. */
+  void add_background_values(const UnknownsVector &background,
+                             const dealii::DoFHandler<2>::active_cell_iterator &cell,
+                             std::vector<double>                               &values);
 } // namespace strait
 
 #endif
