@@ -199,7 +199,7 @@ namespace strait
     dealii::AffineConstraints<double>  constraints;
     Vector                             distributed, ghosted; // the solution
     std::unique_ptr<CellCoefficient>   coefficient;
-    mutable dealii::FullMatrix<double> cell_matrix;          // at work
+    mutable dealii::FullMatrix<double> cell_matrix;          // for cell_energy()
     std::vector<double>                conductivity_weights; // empty: all one
     Vector                             angles; // of the stream function of a ring
     dealii::types::global_dof_index    n_active_unknowns = 0;

@@ -54,9 +54,9 @@ namespace strait
      * other way. Collective. */
     double change_by_interpolation(const StepFlow &flow) const;
 
-    /** By how much, relative, the leak rate through @p gap would differ from that of
-     * @p flow, which a stage for the same box has found and which is not zero, with a
-     * grid of as many points or more, by halvings; −1 if it seals. Collective. */
+    /** By how much, relative, the leak rate through @p gap differs from that of @p flow,
+     * which is not zero and which a stage for the same box has found, whose grid has as
+     * many points each way or 2, 4 … times as many; −1 if the gap seals. Collective. */
     double change_to(const SlabField &gap, double slip_length, const StepFlow &flow);
 
     /**
