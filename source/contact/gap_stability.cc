@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/contact/gap_optimisation.h>
 
-#include <deal.II/base/symmetric_tensor.h>
-
 #include <array>
 #include <cmath>
 #include <utility>
@@ -19,16 +17,35 @@ namespace strait
     using Matrix = std::array<std::array<double, 3>, 3>;
     using Vector = std::array<double, 3>;
 
-    /** x with |x| = 1 in the first @p n dimensions that makes x·Ax least. */
+    /** x with |x| = 1 that makes x·Ax least, by Jacobi's rotations. */
     Vector
-    lowest_eigenvector(dealii::SymmetricTensor<2, 3> a, const int n)
+    lowest_eigenvector(Matrix a, const int n)
     {
-      const double beyond = 1. + 3. * a.norm(); // all of its eigenvalues
-      for (int k = n; k < 3; ++k)
-        a[k][k] = beyond;
-      const auto lowest =
-        eigenvectors(a, dealii::SymmetricTensorEigenvectorMethod::jacobi).back().second;
-      return {lowest[0], lowest[1], lowest[2]};
+      Matrix v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+      for (int sweep = 0; sweep < 30; ++sweep)
+        for (int p = 0; p < n; ++p)
+          for (int q = p + 1; q < n; ++q)
+            if (a[p][q] != 0)
+              {
+                const double theta  = .5 * std::atan2(2 * a[p][q], a[q][q] - a[p][p]);
+                const auto   rotate = [c = std::cos(theta),
+                                     s = std::sin(theta)](double &x, double &y) {
+                  const double old = x;
+                  x                = c * old - s * y;
+                  y                = s * old + c * y;
+                };
+                for (int k = 0; k < n; ++k)
+                  {
+                    rotate(a[k][p], a[k][q]);
+                    rotate(v[k][p], v[k][q]);
+                  }
+                for (int k = 0; k < n; ++k)
+                  rotate(a[p][k], a[q][k]);
+              }
+      int least = 0;
+      for (int k = 1; k < n; ++k)
+        least = a[k][k] < a[least][least] ? k : least;
+      return {v[0][least], v[1][least], v[2][least]};
     }
 
     /** The combination of n vectors that makes the quotient of A and B least, by
@@ -64,9 +81,9 @@ namespace strait
             value /= std::sqrt(norm);
           basis[n_basis++] = x;
         }
-      dealii::SymmetricTensor<2, 3> small;
+      Matrix small{};
       for (int k = 0; k < n_basis; ++k)
-        for (int l = 0; l <= k; ++l)
+        for (int l = 0; l < n_basis; ++l)
           small[k][l] = product(a, basis[k], basis[l]);
       const Vector y = lowest_eigenvector(small, n_basis);
       Vector       x{};
