@@ -30,13 +30,6 @@ namespace strait
       explicit RimSystems(const FreedNodes &nodes_)
         : nodes(nodes_)
       {
-        std::size_t n_entries = 0;
-        for (std::size_t c = 1; c < nodes.begins.size(); ++c)
-          {
-            const std::size_t m = nodes.begins[c].index - nodes.begins[c - 1].index;
-            n_entries += m * m;
-          }
-        matrices.reserve(n_entries);
       }
 
       /**

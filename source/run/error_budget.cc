@@ -27,9 +27,8 @@ namespace strait
                      CoarserSeals &coarser,
                      StepErrors   &errors)
     {
-      // On every second and every fourth point as far as there are such grids, 0 if it
-      // seals there.
-      const double        fine = step.flow->leakage.rate;
+      // On every second and every fourth point as far as there are such grids, over that
+      // on all; 0 if it seals there.
       std::vector<double> leaks;
       for (int h = 1; h <= std::min(coarser.size(), n_compared_grids(scene)); ++h)
         {
@@ -37,11 +36,11 @@ namespace strait
             coarser.gap(h,
                         step.state.control,
                         by_reduced_load ? step.reduced_load : std::nullopt);
-          leaks.push_back(fine * (1. + change_to(gap, step, scene.fluid)));
+          leaks.push_back(1. + change_to(gap, step, scene.fluid));
         }
       if (leaks.empty())
         return;
-      const double first = (fine - leaks[0]) / fine;
+      const double first = 1. - leaks[0];
       double       error = std::abs(first);
       // Two grids tell no order: at the first, and with the factor of safety of the grid
       // convergence index (Roache, J. Fluids Eng. 116, 1994). With two of it a finer
@@ -50,14 +49,15 @@ namespace strait
         error *= 3.;
       if (leaks.size() > 1 && leaks[0] != 0)
         {
-          const double second = (leaks[0] - leaks[1]) / fine;
+          const double second = leaks[0] - leaks[1];
           const double order  = std::log2(std::abs(second / first));
           // One order of magnitude more than that is no convergence but chance.
           if (second * first > 0 && order > .5 && order < 4.)
             {
+              const double beyond = first / (std::exp2(order) - 1.);
               errors.grid_order   = order;
-              errors.extrapolated = fine * (1. + first / (std::exp2(order) - 1.));
-              error               = std::abs(*errors.extrapolated / fine - 1.);
+              errors.extrapolated = step.flow->leakage.rate * (1. + beyond);
+              error               = std::abs(beyond);
             }
         }
       errors.items.push_back({"contact grid", error, "Contact/Grid points"});

@@ -160,7 +160,8 @@ namespace strait
   ZoomedSeal::windows_for(const SealState &state, const Aim aim, bool &is_trimmed) const
   {
     const SlabLayout &layout = state.gap().layout();
-    // Where half of the digits have told all throats, the others tell of the first path.
+    // Where half of the digits have found the windows, all of them only check the first
+    // path.
     const bool         is_known = aim == Aim::leak_rate && is_trimmed;
     const unsigned int n_paths  = aim == Aim::verdict || is_known ? 1 : n_paths_wanted;
     const Channel      channel =

@@ -71,7 +71,7 @@ namespace strait
       Timers              timers;
       FluidParameters     fluid;
       const SlabLayoutPtr layout = make_layout({64, 64, 1., 1.}, MPI_COMM_WORLD);
-      // Between (1/2 + shift, 1/2) and the nearest point of the coarser grid.
+      // The gap is narrowest on the line x = 1/2 + shift.
       const auto change = [&](const double narrowest, const double shift) {
         const SlabField gap = sample(layout, [&](const double x, const double y) {
           return narrowest + .5 * (1. + std::cos(2 * M_PI * (x - shift))) *

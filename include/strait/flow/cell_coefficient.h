@@ -19,7 +19,8 @@ namespace strait
   public:
     virtual ~CellCoefficient() = default;
 
-    /** Take it from @p gap on all cells of the current mesh. Collective. */
+    /** Take it from @p gap, on the grid of the mesh or one with half, a quarter … of its
+     * points each way, on all cells of the current mesh. Collective. */
     virtual void update(const GapField &gap) = 0;
 
     /** Its mean over a cell; zero where nothing flows. */

@@ -65,7 +65,8 @@ namespace strait
     double solve_pressure();
 
     /** By how much the leak rate would change, relative, if the gap were that of @p
-     * other, on the mesh of run(): from the energies of both problems, of which one is
+     * other, which may be known on every second, fourth … point only, on the mesh of
+     * run(): from the energies of both problems, of which one is
      * too large and the other as much too small; infinite if the linear solver fails.
      * Collective. */
     double change_in(const GapField &other);

@@ -33,8 +33,9 @@ namespace strait
    *   distance from the critical load is as far from that of the coarser grid: most of
    *   what a grid does is to shift both;
    * - gap interpolation: bilinear in place of monotone cubic, or the reverse.
-   * Both are found on the mesh of the step, or on one of their own where that changes
-   * more than the target accuracy.
+   *
+   * The last two are found on the mesh of the step, or on one of their own where that
+   * changes more than the target accuracy.
    *
    * Near a critical load:
    * - critical load: what half of its bracket's width changes at such a load, by
