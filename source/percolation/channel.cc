@@ -127,11 +127,12 @@ namespace strait
   make_channel(const SlabField   &gap,
                const double       slip_length,
                const FlowDomain  &domain,
-               const unsigned int n_paths)
+               const unsigned int n_paths,
+               const bool         tells_trapped)
   {
     Channel   channel;
     SlabField open   = open_gap(gap, slip_length);
-    channel.clusters = find_clusters(open, domain);
+    channel.clusters = find_clusters(open, domain, tells_trapped);
     if (!channel.percolates())
       return channel;
     channel.gap   = percolating_gap(std::move(open), channel.clusters, domain);

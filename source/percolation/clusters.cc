@@ -249,7 +249,9 @@ namespace strait
   }
 
   Clusters
-  find_clusters(const SlabField &open_gap, const FlowDomain &domain)
+  find_clusters(const SlabField  &open_gap,
+                const FlowDomain &domain,
+                const bool        tells_trapped)
   {
     const FlowLattice      lattice(open_gap, domain);
     const Labels           labels(lattice);
@@ -268,26 +270,14 @@ namespace strait
       }
     for_each_value(open_gap.layout(), lattice, [&](const std::size_t k) {
       clusters.states.push_back(labels.state(k));
+      if (tells_trapped)
+        clusters.trapped.push_back(
+          clusters.states.back() == NodeState::trapped ? labels[k] : no_label);
     });
     // On the outermost points of windows the gap itself may be closed.
     for (std::size_t k = 0; k < open_gap.size(); ++k)
       if (!(open_gap[k] > 0))
         clusters.states[k] = NodeState::closed;
     return clusters;
-  }
-
-  std::vector<std::int64_t>
-  trapped_labels(const SlabField    &open_gap,
-                 const Clusters     &clusters,
-                 const FlowDirection direction)
-  {
-    const FlowLattice         lattice(open_gap, direction);
-    const Labels              labels(lattice);
-    std::vector<std::int64_t> result;
-    for_each_value(open_gap.layout(), lattice, [&](const std::size_t k) {
-      const bool is_trapped = clusters.states[result.size()] == NodeState::trapped;
-      result.push_back(is_trapped ? labels[k] : no_label);
-    });
-    return result;
   }
 } // namespace strait

@@ -23,6 +23,36 @@ namespace strait
       flow.leakage.rate = flow.leakage.upper = std::numeric_limits<double>::infinity();
       return flow;
     }
+    /** What the bracket of the leak rate in @p state may take of the target accuracy,
+     * when the fluid's pressure on the wall has taken its own. */
+    double
+    share_of_bracket(const SealState &state, const double target_accuracy)
+    {
+      return state.fluid
+               ? std::max(mesh_share, 1. - 2. * state.fluid->mesh_error / target_accuracy)
+               : 1.;
+    }
+
+    /** Widen the bracket @p result of the leak rate in the gap of @p fluid by what the
+     *  fluid's pressure on the wall leaves uncertain of that gap. */
+    void
+    allow_for_feedback(Leakage          &result,
+                       const FluidState &fluid,
+                       const double      target_accuracy)
+    {
+      result.lower *= std::max(0., 1. - fluid.mesh_error);
+      result.upper *= 1. + fluid.mesh_error;
+      if (fluid.undecided)
+        {
+          result.lower = 0; // it is closed at times
+          result.rate *= fluid.open_share;
+        }
+      else if (result.status == "ok" && result.relative_width() > target_accuracy)
+        {
+          result.status = "flow-accuracy";
+          result.reason = "the fluid's pressure on the wall still changes with the mesh";
+        }
+    }
   } // namespace
 
   StepFlow

@@ -243,8 +243,7 @@ namespace strait
         of_costs(&Costs::rounds),
         "feedback_iterations [1]: rounds of contact and flow, in all parts of a halved step")
       .when({"with `Trapped fluid` other than `drained`",
-             scene.fluid.feedback.enabled &&
-               scene.fluid.feedback.trapped_fluid != TrappedFluidLaw::drained})
+             scene.fluid.feedback.keeps_trapped_fluid()})
       .add(
         of_trapped(&TrappedFluid::area),
         "trapped_area [1]: of open regions that no reservoir reaches, over the nominal "

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/build_info.h>
 #include <strait/base/exceptions.h>
-#include <strait/base/json.h>
 #include <strait/run/disk_space.h>
 #include <strait/run/earlier_results.h>
 #include <strait/run/field_output.h>
@@ -9,52 +8,67 @@
 #include <strait/run/scripts.h>
 #include <strait/run/validity.h>
 
+#include <nlohmann/json.hpp>
+
 #include <vector>
 
 namespace strait
 {
   namespace
   {
+    using RunRecord = nlohmann::ordered_json; // members stay in their order
+
     /** The quantities whose unit the plotting scripts ask for. */
-    Json
+    RunRecord
     units_of_plots(const UnitParameters &units)
     {
-      Json result = Json::object();
-      result.set("length", units.length)
-        .set("pressure", units.pressure)
-        .set("time", units.time)
-        .set("leak_rate", in_units_of("length³/time", units))
-        .set("current", in_units_of("length²/time", units));
-      return result;
+      return {{"length", units.length},
+              {"pressure", units.pressure},
+              {"time", units.time},
+              {"leak_rate", in_units_of("length³/time", units)},
+              {"current", in_units_of("length²/time", units)}};
     }
 
     /** Those of all tables of a run; a name has the same unit wherever it stands. */
-    Json
+    RunRecord
     units_of_columns(const Scene &scene)
     {
-      Json result = Json::object();
+      RunRecord result = RunRecord::object();
       for (const TableInfo &table : all_tables(scene))
         for (const ColumnInfo &column : table.columns)
           if (column.is_written)
-            result.set(column.name, in_units_of(column.unit, scene.units));
+            result[column.name] = in_units_of(column.unit, scene.units);
       return result;
     }
 
     /** The errors of a step's leak rate. */
-    Json
+    RunRecord
     error_record(const Step &step)
     {
-      Json relative = Json::object();
+      RunRecord relative = RunRecord::object();
       for (const ErrorItem &item : step.errors.items)
-        relative.set(item.source, item.relative);
-      Json record = Json::object();
-      record.set("step", step.number).set("relative_errors", relative);
+        relative[item.source] = item.relative;
       const ErrorItem &largest = step.errors.items.front();
-      record.set("largest", largest.source).set("reduced_by", largest.parameter);
+      RunRecord        record  = {{"step", step.number},
+                                  {"relative_errors", relative},
+                                  {"largest", largest.source},
+                                  {"reduced_by", largest.parameter}};
       if (step.errors.extrapolated)
-        record.set("contact_grid_order", *step.errors.grid_order)
-          .set("leak_rate_extrapolated", *step.errors.extrapolated);
+        {
+          record["contact_grid_order"]     = *step.errors.grid_order;
+          record["leak_rate_extrapolated"] = *step.errors.extrapolated;
+        }
       return record;
+    }
+
+    /** An array of such @p records. */
+    RunRecord
+    of_steps(const std::vector<std::string> &records)
+    {
+      RunRecord all = RunRecord::array();
+      for (const std::string &text : records)
+        all.push_back(RunRecord::parse(text));
+      return all;
     }
   } // namespace
 
@@ -109,8 +123,8 @@ namespace strait
   OutputDirectory::write(const Step &step, const bool is_last)
   {
     if (!step.errors.items.empty())
-      error_budget.push_back(error_record(step).text());
-    validity.push_back(validity_record(step).text());
+      error_budget.push_back(error_record(step).dump());
+    validity.push_back(validity_record(step));
     add_words(words_of_status, step.status());
     add_words(words_of_validity, step.validity());
     run_on_root(comm, [&]() {
@@ -158,34 +172,33 @@ namespace strait
   {
     if (scene.programme.find_threshold)
       write_table(fit_table(scene), scaling.fits(log));
-    Json seconds = Json::object();
+    RunRecord seconds = RunRecord::object();
     for (const Timers::Part &part : timers.table())
-      seconds.set(part.path, part.seconds);
-    Json grid = Json::object();
-    grid.set("nx", scene.contact.grid_points[0]).set("ny", scene.contact.grid_points[1]);
-    grid.set("lx", scene.surface.size[0]).set("ly", scene.surface.size[1]);
-    const auto of_steps = [](const std::vector<std::string> &records) {
-      Json all = Json::array();
-      for (const std::string &text : records)
-        all.append(Json::verbatim(text));
-      return all;
-    };
-    Json record = Json::object();
-    record.set("program", "strait")
-      .set("version", version())
-      .set("ranks", n_ranks_in(comm))
-      .set("grid", grid)
-      .set("bytes_per_grid_point", bytes_per_point)
-      .set("seconds", seconds)
-      .set("error_budget", of_steps(error_budget))
-      .set("validity", of_steps(validity))
-      .set("warnings", Json(log.warnings()))
-      .set("parameters", scene.resolved);
+      seconds[part.path] = part.seconds;
+    RunRecord record = {{"program", "strait"},
+                        {"version", version()},
+                        {"ranks", n_ranks_in(comm)},
+                        {"grid",
+                         {{"nx", scene.contact.grid_points[0]},
+                          {"ny", scene.contact.grid_points[1]},
+                          {"lx", scene.surface.size[0]},
+                          {"ly", scene.surface.size[1]}}},
+                        {"bytes_per_grid_point", bytes_per_point},
+                        {"seconds", seconds},
+                        {"error_budget", of_steps(error_budget)},
+                        {"validity", of_steps(validity)},
+                        {"warnings", log.warnings()},
+                        {"parameters", scene.resolved}};
     if (scene.units.are_complete())
-      record.set("units", units_of_plots(scene.units))
-        .set("column_units", units_of_columns(scene));
+      {
+        record["units"]        = units_of_plots(scene.units);
+        record["column_units"] = units_of_columns(scene);
+      }
+    // Names of files may be no text.
+    const std::string text =
+      record.dump(2, ' ', false, RunRecord::error_handler_t::replace);
     run_on_root(comm, [&]() {
-      write_text(path + "/run.json", record.text());
+      write_text(path + "/run.json", text);
       draw_results(scene, log);
     });
   }

@@ -134,9 +134,7 @@ namespace strait
             {fluid.enabled && fluid.has_slip(), "slip"},
             {fluid.enabled && fluid.rarefaction != Rarefaction::none, "rarefaction"},
             {fluid.feedback.enabled, "fluid on the walls"},
-            {fluid.feedback.enabled &&
-               fluid.feedback.trapped_fluid != TrappedFluidLaw::drained,
-             "trapped fluid"},
+            {fluid.feedback.keeps_trapped_fluid(), "trapped fluid"},
             {scene.theory.enabled, "theory"},
             {scene.output.error_budget, "error budget"},
             {scene.seal.enabled, "whole seal"}})

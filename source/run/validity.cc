@@ -3,8 +3,11 @@
 #include <strait/base/text.h>
 #include <strait/run/validity.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace strait
 {
@@ -272,25 +275,24 @@ namespace strait
       }
   }
 
-  Json
+  std::string
   validity_record(const Step &step)
   {
+    using Json  = nlohmann::ordered_json;
     Json checks = Json::array();
     for (const ValidityCheck &check : step.checks)
       {
-        Json entry = Json::object();
-        entry.set("word", check.word)
-          .set("number", check.number)
-          .set(check.is_least ? "least" : "most", check.limit)
-          .set("holds", check.holds());
+        Json entry = {{"word", check.word},
+                      {"number", check.number},
+                      {check.is_least ? "least" : "most", check.limit},
+                      {"holds", check.holds()}};
         if (!check.holds())
-          entry.set("advice", check.advice);
-        checks.append(entry);
+          entry["advice"] = check.advice;
+        checks.push_back(std::move(entry));
       }
-    Json record = Json::object();
-    record.set("step", step.number)
-      .set("validity", step.validity())
-      .set("checks", checks);
-    return record;
+    const Json record = {{"step", step.number},
+                         {"validity", step.validity()},
+                         {"checks", checks}};
+    return record.dump();
   }
 } // namespace strait

@@ -16,12 +16,6 @@ namespace strait
 {
   namespace
   {
-    // How much smaller than the target accuracy the width of the bracket is on the first
-    // mesh, and how much on each mesh than on the one before: the gap amplifies the
-    // errors of the fluid's pressure, the more so the closer it is to the threshold. Half
-    // of it makes each mesh larger, double of it takes more meshes.
-    constexpr double mesh_share = .25;
-
     struct LiftedOff
     {
     };
@@ -291,32 +285,5 @@ namespace strait
         format("the fluid alone carries a load of %.6g: the walls part and nothing "
                "limits the leak",
                control.target));
-  }
-
-  double
-  share_of_bracket(const SealState &state, const double target_accuracy)
-  {
-    return state.fluid
-             ? std::max(mesh_share, 1. - 2. * state.fluid->mesh_error / target_accuracy)
-             : 1.;
-  }
-
-  void
-  allow_for_feedback(Leakage          &result,
-                     const FluidState &fluid,
-                     const double      target_accuracy)
-  {
-    result.lower *= std::max(0., 1. - fluid.mesh_error);
-    result.upper *= 1. + fluid.mesh_error;
-    if (fluid.undecided)
-      {
-        result.lower = 0; // it is closed at times
-        result.rate *= fluid.open_share;
-      }
-    else if (result.status == "ok" && result.relative_width() > target_accuracy)
-      {
-        result.status = "flow-accuracy";
-        result.reason = "the fluid's pressure on the wall still changes with the mesh";
-      }
   }
 } // namespace strait

@@ -183,9 +183,10 @@ namespace strait
   Channel
   FlowStage::find_channel(const SlabField &gap, const double slip_length)
   {
-    const auto scope     = timers.scope("channel");
-    const bool has_drive = parameters.inlet_pressure != parameters.outlet_pressure;
-    return make_channel(gap, slip_length, flow_domain, has_drive ? 1 : 0);
+    const auto scope         = timers.scope("channel");
+    const bool has_drive     = parameters.inlet_pressure != parameters.outlet_pressure;
+    const bool tells_trapped = parameters.feedback.keeps_trapped_fluid();
+    return make_channel(gap, slip_length, flow_domain, has_drive ? 1 : 0, tells_trapped);
   }
 
   void

@@ -38,7 +38,7 @@ namespace strait
     , past(from != nullptr && from->fluid && from->fluid->trapped ? from : nullptr)
     , has_extended(from != nullptr && from->fluid)
   {
-    if (scene.fluid.feedback.trapped_fluid == TrappedFluidLaw::drained)
+    if (!scene.fluid.feedback.keeps_trapped_fluid())
       return;
     if (past != nullptr)
       {
@@ -67,8 +67,8 @@ namespace strait
     SlabField    result = assumed;
     if (found)
       {
-        const SlabField  gap   = open;
-        const PoolsInGap pools = pools_in(gap, fluid_flow);
+        const SlabField  gap = open;
+        const PoolsInGap pools(known, gap, fluid_flow.channel.clusters);
         assign(result, open, fluid_flow, &pools);
         hold(result, open, contact, assumed, pools);
       }
@@ -95,12 +95,6 @@ namespace strait
           result[k] = assumed[k] + part * (result[k] - assumed[k]);
       }
     return result;
-  }
-
-  PoolsInGap
-  FluidOnWall::pools_in(const SlabField &gap, const StepFlow &fluid_flow) const
-  {
-    return {known, gap, fluid_flow.channel.clusters, scene.fluid.direction};
   }
 
   /** The pressure of all fluid but that in @p pools, if they are given. What is not open
@@ -191,8 +185,8 @@ namespace strait
   {
     if (!found)
       return false;
-    const SlabField          gap   = open_gap(contact.gap, control.slip_length);
-    const PoolsInGap         pools = pools_in(gap, fluid_flow);
+    const SlabField          gap = open_gap(contact.gap, control.slip_length);
+    const PoolsInGap         pools(known, gap, fluid_flow.channel.clusters);
     std::optional<SlabField> before;
     if (past != nullptr)
       before = open_gap(past->gap(), past->control.slip_length);

@@ -19,11 +19,10 @@ namespace strait
 
   PoolsInGap::PoolsInGap(const TrappedFluid &known_,
                          const SlabField    &open_gap,
-                         const Clusters     &clusters,
-                         const FlowDirection direction)
+                         const Clusters     &clusters)
     : known(known_)
     , gap(open_gap)
-    , labels(trapped_labels(open_gap, clusters, direction))
+    , labels(clusters.trapped)
   {
     find_parts();
     number_regions();

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
-#include <strait/base/json.h>
 #include <strait/base/log.h>
 #include <strait/base/timers.h>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <fstream>
-#include <limits>
 #include <sstream>
 #include <thread>
 
@@ -162,33 +159,4 @@ TEST(Timers, PartsNestAndTheRestIsOther)
               table[0].seconds,
               1e-12);
   EXPECT_NE(timers.summary().find("    transforms"), std::string::npos);
-}
-
-TEST(Json, NestedValues)
-{
-  Json json = Json::object();
-  json.set("name", "a \"b\"\n\\")
-    .set("count", 4)
-    .set("yes", true)
-    .set("list", std::vector<double>{0.1, 2.})
-    .set("empty", Json::array())
-    .set("inner", Json::object().set("x", Json()));
-  EXPECT_EQ(json.text(),
-            "{\n"
-            "  \"name\": \"a \\\"b\\\"\\n\\\\\",\n"
-            "  \"count\": 4,\n"
-            "  \"yes\": true,\n"
-            "  \"list\": [\n    0.1,\n    2\n  ],\n"
-            "  \"empty\": [],\n"
-            "  \"inner\": {\n    \"x\": null\n  }\n"
-            "}");
-}
-
-TEST(Json, NumbersAreExactOrNull)
-{
-  EXPECT_EQ(std::stod(Json(1. / 3.).text()), 1. / 3.);
-  EXPECT_EQ(Json(std::numeric_limits<double>::quiet_NaN()).text(), "null");
-  EXPECT_EQ(Json(-std::numeric_limits<double>::infinity()).text(), "null");
-  EXPECT_EQ(Json(12345678901234567890ull).text(), "12345678901234567890");
-  EXPECT_EQ(Json("\x01").text(), "\"\\u0001\"");
 }

@@ -115,6 +115,21 @@ namespace
     EXPECT_EQ(again.fft_pairs, nested.fft_pairs);
   }
 
+  TEST(ContactSolver, StartsFromAStateOnlyIfItIsNear)
+  {
+    const SlabField    heights = rough_heights({256, 256, 1., 1.}, 24);
+    ContactSolver      solver(contact_parameters(1e-8), heights);
+    const ContactState nested = solver.solve(.1);
+    EXPECT_LT(solver.solve(.1001, &nested).fft_pairs, nested.fft_pairs);
+    // In a step of a tenth the edges of the contact move by several points.
+    const ContactState before = solver.solve(.091);
+    const ContactState state  = solver.solve(.1, &before);
+    EXPECT_EQ(state.fft_pairs, nested.fft_pairs);
+    EXPECT_EQ(largest_difference(state.gap, nested.gap), 0.);
+    // It is on a line with that state all the same.
+    EXPECT_NEAR(state.approach.steps_to(.109), 1., 1e-9);
+  }
+
   TEST(ContactSolver, SolvesByHalvesAsAtOnce)
   {
     const SlabField    heights = rough_heights({64, 64, 1., 1.}, 16);

@@ -90,8 +90,8 @@ namespace strait
            const FeedbackParameters       &parameters)
     {
       const SlabField  gap      = draw(rows);
-      const Clusters   clusters = find_clusters(gap, FlowDirection::x);
-      const PoolsInGap pools(before, gap, clusters, FlowDirection::x);
+      const Clusters   clusters = find_clusters(gap, FlowDirection::x, true);
+      const PoolsInGap pools(before, gap, clusters);
       EXPECT_EQ(pools.n_regions(), pressures.size());
       return pools.settle(parameters,
                           pressures,
@@ -186,8 +186,8 @@ namespace strait
       EXPECT_TRUE(none.fluid.pools.empty());
       // On the way to that state they are still themselves.
       const SlabField  gap      = draw(drained);
-      const Clusters   clusters = find_clusters(gap, FlowDirection::x);
-      const PoolsInGap pools(two, gap, clusters, FlowDirection::x);
+      const Clusters   clusters = find_clusters(gap, FlowDirection::x, true);
+      const PoolsInGap pools(two, gap, clusters);
       EXPECT_EQ(pools.volume(0), 6.);
       EXPECT_EQ(pools.volume(1), 4.);
     }
@@ -198,8 +198,8 @@ namespace strait
       const TrappedFluid       two =
         settle(nothing(draw(apart)), apart, {.3, .6}, parameters).fluid;
       const SlabField  gap      = draw(std::vector<std::string>(6, "########"));
-      const Clusters   clusters = find_clusters(gap, FlowDirection::x);
-      const PoolsInGap pools(two, gap, clusters, FlowDirection::x);
+      const Clusters   clusters = find_clusters(gap, FlowDirection::x, true);
+      const PoolsInGap pools(two, gap, clusters);
       EXPECT_EQ(pools.volume(1), 0.);
       double n_points = 0;
       for (std::size_t k = 0; k < gap.size(); ++k)

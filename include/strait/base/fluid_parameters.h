@@ -44,6 +44,13 @@ namespace strait
     double          bulk_modulus_slope = 0.; // its derivative by the pressure
     double          vapour_pressure    = 0.;
 
+    /** Whether fluid that the contact cuts off keeps its mass. */
+    bool
+    keeps_trapped_fluid() const
+    {
+      return enabled && trapped_fluid != TrappedFluidLaw::drained;
+    }
+
     void bind(ParameterSection section);
     void check(bool is_gas, double least_of_reservoirs) const;
   };

@@ -99,6 +99,18 @@ namespace strait
   };
 
   /**
+   * What a contact of this @p pressure and @p gap leaves behind of a surface that had
+   * the indentation @p before, or none if that is null: it gives way where the pressure
+   * is @p hardness and the gap negative, if @p is_solution says that both solve the
+   * contact problem. Collective.
+   */
+  PlasticState indent(const SlabField *before,
+                      const SlabField &pressure,
+                      const SlabField &gap,
+                      double           hardness,
+                      bool             is_solution);
+
+  /**
    * The solution of one contact problem, in the scene's units.
    *
    * gap is 0 exactly where pressure > 0, and >= 0 everywhere: a point is open

@@ -41,12 +41,14 @@ namespace strait
 
   /**
    * The channel of @p gap as the contact leaves it, in @p domain, with at most @p n_paths
-   * paths: 1 tells the bottleneck, 0 only the verdict and the clusters. Collective.
+   * paths: 1 tells the bottleneck, 0 only the verdict and the clusters, those of trapped
+   * fluid if @p tells_trapped. Collective.
    */
   Channel make_channel(const SlabField  &gap,
                        double            slip_length,
                        const FlowDomain &domain,
-                       unsigned int      n_paths);
+                       unsigned int      n_paths,
+                       bool              tells_trapped = false);
 
   /** A stretch of a path with one narrowest point. */
   struct Constriction

@@ -41,6 +41,11 @@ namespace strait
     std::vector<NodeState> states; // one per value of a field
     std::vector<GridPoint> leaks;  // percolating points at the outlet, on all ranks
     bool                   percolates = false;
+
+    /** If asked for, one per value as well: which cluster it belongs to where fluid is
+     *  trapped, by the number of its first point, so that it does not depend on the
+     *  number of ranks; −1 elsewhere. */
+    std::vector<std::int64_t> trapped;
   };
 
   /**
@@ -55,19 +60,13 @@ namespace strait
    * window's finer points alone. The outermost points of a window join nothing, and are
    * of the cluster of the point inside of them.
    *
-   * This function is the one place that decides what is open. Distributed union–find;
+   * This function is the one place that decides what is open. Those of trapped fluid are
+   * told apart if @p tells_trapped, which needs a box. Distributed union–find;
    * collective.
    */
-  Clusters find_clusters(const SlabField &open_gap, const FlowDomain &domain);
-
-  /**
-   * Which cluster a trapped point of @p open_gap belongs to, as find_clusters() found
-   * them in the box: the number of its first point, so that it does not depend on the
-   * number of ranks; −1 where no fluid is trapped. Collective.
-   */
-  std::vector<std::int64_t> trapped_labels(const SlabField &open_gap,
-                                           const Clusters  &clusters,
-                                           FlowDirection    direction);
+  Clusters find_clusters(const SlabField  &open_gap,
+                         const FlowDomain &domain,
+                         bool              tells_trapped = false);
 } // namespace strait
 
 #endif

@@ -2,7 +2,6 @@
 #ifndef strait_run_validity_h
 #define strait_run_validity_h
 
-#include <strait/base/json.h>
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/run/step.h>
@@ -38,8 +37,8 @@ namespace strait
    *  proportion to ∫ ds/gap³. */
   KnudsenNumbers knudsen_numbers(const FlowPath &path, const Scene &scene);
 
-  /** All checks of a step, with their numbers, for run.json. */
-  Json validity_record(const Step &step);
+  /** All checks of a step, with their numbers, as a JSON object for run.json. */
+  std::string validity_record(const Step &step);
 } // namespace strait
 
 #endif

@@ -65,16 +65,13 @@ namespace strait
    */
   constexpr double looseness = .1;
 
-  /** The share of the target accuracy that the bracket of the leak rate in a state may
-   *  take, when the fluid's pressure on the wall has taken its own. */
-  double share_of_bracket(const SealState &state, double target_accuracy);
-
   /**
-   * Widen the bracket @p result of the leak rate in the gap of @p fluid by what the
-   * fluid's pressure on the wall leaves uncertain of that gap.
+   * How much smaller than the target accuracy the width of the bracket is on the first
+   * mesh, and how much on each mesh than on the one before: the gap amplifies the errors
+   * of the fluid's pressure, the more so the closer it is to the threshold. Half of it
+   * makes each mesh larger, double of it takes more meshes.
    */
-  void
-  allow_for_feedback(Leakage &result, const FluidState &fluid, double target_accuracy);
+  constexpr double mesh_share = .25;
 } // namespace strait
 
 #endif

@@ -107,16 +107,15 @@ namespace strait
     bool is_limited_by_load() const;
 
   private:
-    PoolsInGap pools_in(const SlabField &open_gap, const StepFlow &fluid_flow) const;
-    void       assign(SlabField        &pressure,
-                      SlabField        &open_gap,
-                      const StepFlow   &fluid_flow,
-                      const PoolsInGap *pools) const;
-    void       hold(SlabField          &pressure,
-                    SlabField          &open_gap,
-                    const ContactState &contact,
-                    const SlabField    &assumed,
-                    const PoolsInGap   &pools) const;
+    void assign(SlabField        &pressure,
+                SlabField        &open_gap,
+                const StepFlow   &fluid_flow,
+                const PoolsInGap *pools) const;
+    void hold(SlabField          &pressure,
+              SlabField          &open_gap,
+              const ContactState &contact,
+              const SlabField    &assumed,
+              const PoolsInGap   &pools) const;
 
     const Scene       &scene;
     const Control      control;

@@ -24,12 +24,11 @@ namespace strait
   class PoolsInGap
   {
   public:
-    /** The pools that are @p known own points; @p open_gap has the @p clusters. Both must
-     *  outlive this object. Collective. */
+    /** The pools that are @p known own points; @p open_gap has the @p clusters, which
+     * tell those of trapped fluid apart. All must outlive this object. Collective. */
     PoolsInGap(const TrappedFluid &known,
                const SlabField    &open_gap,
-               const Clusters     &clusters,
-               FlowDirection       direction);
+               const Clusters     &clusters);
 
     /** The region of a local grid point: a pool, then those just cut off; −1: none. */
     int
@@ -105,12 +104,12 @@ namespace strait
                        const TrappedFluid       &fluid,
                        const SlabField          &gap_before) const;
 
-    const TrappedFluid             &known;
-    const SlabField                &gap;
-    std::vector<std::int64_t>       labels;
-    std::map<std::int64_t, Cluster> trapped; // by label
-    std::vector<int>                regions;
-    std::vector<double>             volumes, widest;
+    const TrappedFluid              &known;
+    const SlabField                 &gap;
+    const std::vector<std::int64_t> &labels;
+    std::map<std::int64_t, Cluster>  trapped; // by label
+    std::vector<int>                 regions;
+    std::vector<double>              volumes, widest;
   };
 } // namespace strait
 

@@ -63,7 +63,8 @@ namespace strait
    * it: floating-point numbers; the dimension called x, else the last, runs along x;
    * coordinate variables with the attributes "length" (of the whole side), "unit" and
    * "periodic". NaN and _FillValue mark missing points. What the header claims is checked
-   * against the length of the file. Debian's NetCDF would bring a second HDF5.
+   * against the length of the file: the library of NetCDF (4.9) would read zeros where a
+   * file was cut off, without a word.
    */
   HeightMap read_netcdf(const std::string &file);
 
