@@ -269,15 +269,13 @@ namespace strait
         return clusters;
       }
     for_each_value(open_gap.layout(), lattice, [&](const std::size_t k) {
-      clusters.states.push_back(labels.state(k));
+      // On the outermost points of windows the gap itself may be closed.
+      const bool is_open = open_gap[clusters.states.size()] > 0;
+      clusters.states.push_back(is_open ? labels.state(k) : NodeState::closed);
       if (tells_trapped)
         clusters.trapped.push_back(
           clusters.states.back() == NodeState::trapped ? labels[k] : no_label);
     });
-    // On the outermost points of windows the gap itself may be closed.
-    for (std::size_t k = 0; k < open_gap.size(); ++k)
-      if (!(open_gap[k] > 0))
-        clusters.states[k] = NodeState::closed;
     return clusters;
   }
 } // namespace strait

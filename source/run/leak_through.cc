@@ -23,6 +23,7 @@ namespace strait
       flow.leakage.rate = flow.leakage.upper = std::numeric_limits<double>::infinity();
       return flow;
     }
+
     /** What the bracket of the leak rate in @p state may take of the target accuracy,
      * when the fluid's pressure on the wall has taken its own. */
     double

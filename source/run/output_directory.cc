@@ -194,11 +194,10 @@ namespace strait
         record["units"]        = units_of_plots(scene.units);
         record["column_units"] = units_of_columns(scene);
       }
-    // Names of files may be no text.
-    const std::string text =
-      record.dump(2, ' ', false, RunRecord::error_handler_t::replace);
     run_on_root(comm, [&]() {
-      write_text(path + "/run.json", text);
+      // Names of files may be no text.
+      write_text(path + "/run.json",
+                 record.dump(2, ' ', false, RunRecord::error_handler_t::replace));
       draw_results(scene, log);
     });
   }
