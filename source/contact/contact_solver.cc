@@ -88,10 +88,9 @@ namespace strait
     // Only states under the same fluid lie on a line.
     const bool is_dry  = fluid_pressure == nullptr;
     const bool is_next = from != nullptr && is_near(*from, of_solid);
-    // A state that was never solved has neither fields nor windows.
-    const SlabLayoutPtr &layout = from != nullptr && !from->pressure.empty()
-                                    ? from->pressure.layout_pointer()
-                                    : wall.layout();
+    // Windows around the throats of a load far away are no help.
+    const SlabLayoutPtr &layout =
+      is_next ? from->pressure.layout_pointer() : wall.layout();
 
     std::optional<SlabField> start;
     if (is_next)

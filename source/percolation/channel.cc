@@ -172,7 +172,7 @@ namespace strait
   }
 
   std::vector<ThroatOnPath>
-  throats(const Channel &channel)
+  throats(const Channel &channel, const SlabField &gap, const double slip_length)
   {
     std::vector<ThroatOnPath> result;
     for (const FlowPath &path : channel.paths)
@@ -188,8 +188,10 @@ namespace strait
           const double fraction =
             (path.resistances[c.last] - path.resistances[c.first]) / path.resistance() *
             (channel.paths.front().resistance() / path.resistance());
+          // A throat on the seam goes on beyond, where the channel's own gap may be
+          // closed.
           result.push_back(
-            {point, fraction, measure_throat(channel.gap, 0., point).points});
+            {point, fraction, measure_throat(gap, slip_length, point).points});
         }
     return result;
   }

@@ -169,7 +169,8 @@ namespace strait
     // Half of the digits do not tell a barrier from a throat that is about to close.
     if (!channel.percolates() && aim == Aim::throats)
       return layout.windows();
-    std::vector<ThroatOnPath> narrow = throats(channel);
+    std::vector<ThroatOnPath> narrow =
+      throats(channel, state.gap(), state.control.slip_length);
     if (!channel.percolates())
       narrow = {weakest_barrier(state, direction)}; // which may open on finer points
     std::vector<ZoomWindow> windows = place_windows(layout, narrow, zoom);

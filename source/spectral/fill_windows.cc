@@ -22,7 +22,8 @@ namespace strait
     public:
       WindowSeries(const SlabLayout &layout, const int w, double *values_)
         : n_columns(layout.windows()[w].n_columns())
-        , row_sums(layout.windows()[w].n_rows())
+        , n_rows(layout.windows()[w].n_rows())
+        , row_sums(n_rows + n_lanes - 1)
         , values(values_)
       {
         const PeriodicGrid &grid = layout.grid();
@@ -38,11 +39,23 @@ namespace strait
       {
         Complex       value = amplitude * std::polar(1., ky * first[1]);
         const Complex turn  = std::polar(1., ky * step[1]);
-        for (Complex &sum : row_sums)
+        // A value turned from row to row waits for the one before, several do not.
+        std::array<double, n_lanes> re, im;
+        for (int lane = 0; lane < n_lanes; ++lane, value *= turn)
           {
-            sum += value;
-            value *= turn;
+            re[lane] = value.real();
+            im[lane] = value.imag();
           }
+        const Complex turn_all = std::pow(turn, n_lanes);
+        const double  c = turn_all.real(), s = turn_all.imag();
+        for (int row = 0; row < n_rows; row += n_lanes)
+          for (int lane = 0; lane < n_lanes; ++lane)
+            {
+              row_sums[row + lane] += Complex(re[lane], im[lane]);
+              const double turned = re[lane] * c - im[lane] * s;
+              im[lane]            = re[lane] * s + im[lane] * c;
+              re[lane]            = turned;
+            }
       }
 
       void
@@ -51,21 +64,23 @@ namespace strait
         const Complex start = std::polar(1., kx * first[0]);
         const Complex turn  = std::polar(1., kx * step[0]);
         double       *value = values;
-        for (Complex &sum : row_sums)
+        for (int row = 0; row < n_rows; ++row)
           {
-            Complex wave = sum * start;
+            Complex wave = row_sums[row] * start;
             for (int ix = 0; ix < n_columns; ++ix)
               {
                 *value++ += wave.real();
                 wave *= turn;
               }
-            sum = 0.;
           }
+        std::fill(row_sums.begin(), row_sums.end(), 0.);
       }
 
     private:
-      int                   n_columns;
-      std::vector<Complex>  row_sums;
+      static constexpr int n_lanes = 4;
+
+      int                   n_columns, n_rows;
+      std::vector<Complex>  row_sums; // and some beyond the last row
       double               *values;
       std::array<double, 2> first, step; // phases of the longest waves
     };

@@ -41,12 +41,12 @@ namespace
           EXPECT_DOUBLE_EQ(path.bottleneck_gap, reference.paths.front().bottleneck_gap);
           // The first window integrates with thirds as large as the fine grid.
           EXPECT_NEAR(path.resistance() / reference.paths.front().resistance(), 1., 2e-3);
-          const std::vector<ThroatOnPath> found = throats(channel);
+          const std::vector<ThroatOnPath> found = throats(channel, zoomed, 0.);
           ASSERT_EQ(found.size(), 1U);
           EXPECT_DOUBLE_EQ(found.front().fraction, 1.);
           EXPECT_TRUE(found.front().point == path.bottleneck);
           EXPECT_NEAR(found.front().points,
-                      throats(reference).front().points,
+                      throats(reference, fine, 0.).front().points,
                       .02 * found.front().points);
         }
   }
@@ -69,11 +69,34 @@ namespace
     EXPECT_EQ(paths[1].bottleneck.window, -1);
     EXPECT_NEAR(paths[0].bottleneck_gap, .3, 1e-12);
     EXPECT_NEAR(paths[1].bottleneck_gap, .2, 1e-12);
-    const auto found = throats(make_channel(gap, 0., FlowDirection::x, 2));
+    const auto found = throats(make_channel(gap, 0., FlowDirection::x, 2), gap, 0.);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].point.window, 0);
     EXPECT_NEAR(found[0].points, 3 * std::sqrt(.3 / 40) * 64, .25);
     EXPECT_NEAR(found[1].points, std::sqrt(.2 / 40) * 64, .25);
+  }
+
+  TEST(WindowPath, FindsAThroatOnTheSeamAsLongAsItIs)
+  {
+    // The path enters through one neck on the seam and leaves through another one; the
+    // other half of either leads nowhere, and the channel is closed there.
+    const auto gap_at = [](const double x, const double y) {
+      const double s      = std::remainder(x, 1.);
+      const double along  = .2 + 40 * s * s;
+      const bool   enters = std::abs(y - .25) < .1 && s > -.1;
+      const bool   leaves = std::abs(y - .75) < .1 && s < .1;
+      const bool   joins  = std::abs(s) > .4;
+      return joins ? 8. : enters && s < .45 ? along : leaves && s > -.45 ? along : 0.;
+    };
+    const SlabField gap     = sample(layout_with(64, {}), gap_at);
+    const Channel   channel = make_channel(gap, 0., FlowDirection::x, 1);
+    const auto      found   = throats(channel, gap, 0.);
+    ASSERT_EQ(found.size(), 2U);
+    for (const ThroatOnPath &throat : found)
+      {
+        EXPECT_EQ(throat.point.ix % 64, 0);
+        EXPECT_NEAR(throat.points, std::sqrt(.2 / 40) * 64, .25);
+      }
   }
 
   TEST(WindowThroat, IsMeasuredByItsOwnLevelAndBeyond)

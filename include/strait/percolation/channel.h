@@ -75,9 +75,11 @@ namespace strait
     double points   = 0.; // of its level along it, as of Throat
   };
 
-  /** The constrictions of @p channel, path after path from inlet to outlet; one that
-   *  several paths pass is listed with the first. Collective. */
-  std::vector<ThroatOnPath> throats(const Channel &channel);
+  /** The constrictions of @p channel through @p gap at the slip length @p slip_length,
+   *  path after path from inlet to outlet; one that several paths pass is listed with the
+   *  first. Collective. */
+  std::vector<ThroatOnPath>
+  throats(const Channel &channel, const SlabField &gap, double slip_length);
 
   /**
    * What the flow solver may see of an open gap: its value at percolating points, zero at
