@@ -47,29 +47,36 @@ namespace strait
     };
 
     /** The saddle between the spots of a square pattern of contacts, moved by
-     *  @p shift across the flow: the gap doubles at a distance of sqrt(gap)/π. */
+     *  @p shift_x along and @p shift_y across the flow: the gap doubles at a distance of
+     *  sqrt(gap)/π. */
     GapFunction
-    saddle(const double gap, const double shift = 0.)
+    saddle(const double gap, const double shift_y = 0., const double shift_x = 0.)
     {
       return [=](const double x, const double y) {
-        return gap +
-               .5 * (std::cos(2 * pi * (y - .5 - shift)) - std::cos(2 * pi * (x - .5)));
+        return gap + .5 * (std::cos(2 * pi * (y - .5 - shift_y)) -
+                           std::cos(2 * pi * (x - .5 - shift_x)));
       };
     }
 
-    /** @p n_levels windows around point (n/2, @p middle_y) of an n × n grid, each
-     * covering
-     *  @p n_covered points of its parent each way. */
+    /** @p n_levels windows around point (@p middle_x, @p middle_y) of an n × n grid, each
+     *  covering @p n_covered points of its parent each way. */
     SlabLayoutPtr
-    nested(const int n, const int n_levels, const int n_covered, int middle_y)
+    nested(const int n,
+           const int n_levels,
+           const int n_covered,
+           int       middle_x,
+           int       middle_y)
     {
       std::vector<ZoomWindow> windows;
-      int                     middle_x = n / 2;
       for (int l = 1; l <= n_levels; ++l)
         {
           const int x = middle_x - n_covered / 2, y = middle_y - n_covered / 2;
-          windows.push_back(
-            {l - 2, l, x, l == 1 ? (y + n) % n : y, n_covered, n_covered});
+          windows.push_back({l - 2,
+                             l,
+                             l == 1 ? (x + n) % n : x,
+                             l == 1 ? (y + n) % n : y,
+                             n_covered,
+                             n_covered});
           middle_x = 3 * (middle_x - x) + 1;
           middle_y = 3 * (middle_y - y) + 1;
         }
@@ -103,7 +110,7 @@ namespace strait
           if (direction == FlowDirection::y)
             along = [gap](const double x, const double y) { return saddle(gap)(y, x); };
           const SolvedOnWindows fine(sample(uniform(432), along), fluid);
-          const SolvedOnWindows windows(sample(nested(48, 2, 18, 24), along), fluid);
+          const SolvedOnWindows windows(sample(nested(48, 2, 18, 24, 24), along), fluid);
           const SolvedOnWindows coarse(sample(uniform(48), along), fluid);
           constexpr double      interpolation = 1e-3;
           EXPECT_EQ(windows.flow.status, "ok");
@@ -126,12 +133,30 @@ namespace strait
     TEST(FlowWindows, SixLevelsFindTheSaddleThatTwoFind)
     {
       const FluidParameters fluid = plain_fluid(1e-2);
-      const SolvedOnWindows two(sample(nested(256, 2, 60, 128), saddle(1e-3)), fluid);
-      const SolvedOnWindows six(sample(nested(256, 6, 60, 128), saddle(1e-7)), fluid);
+      const SolvedOnWindows two(sample(nested(256, 2, 60, 128, 128), saddle(1e-3)),
+                                fluid);
+      const SolvedOnWindows six(sample(nested(256, 6, 60, 128, 128), saddle(1e-7)),
+                                fluid);
       EXPECT_EQ(six.flow.status, "ok");
       EXPECT_LT(six.flow.cells, 10000U);
       EXPECT_LT(six.flow.relative_width(), 1e-2);
       EXPECT_NEAR(six.flow.rate / two.flow.rate / 1e-12, 1., 1e-2);
+    }
+
+    // A throat at the seam is half at the inlet and half at the outlet. Between them the
+    // pressure must be half of the drop in a pool that is 10⁷ times as wide.
+    TEST(FlowWindows, HalvesOfAThroatAreBalancedAcrossAWidePool)
+    {
+      const double          gap   = 1e-7;
+      const FluidParameters fluid = plain_fluid(3e-3);
+      const SolvedOnWindows middle(sample(nested(256, 6, 60, 128, 128), saddle(gap)),
+                                   fluid);
+      const SolvedOnWindows seam(sample(nested(256, 6, 60, 0, 128), saddle(gap, 0., .5)),
+                                 fluid);
+      EXPECT_EQ(seam.flow.status, "ok");
+      EXPECT_NEAR(seam.flow.rate / middle.flow.rate, 1., 3e-3);
+      const auto report = report_constrictions(seam.given.channel, seam.solver);
+      EXPECT_NEAR(report.fraction_at_worst, .5, 1e-3);
     }
 
     // Across the flow a window may cross the seam, and a shift changes nothing, though
@@ -141,12 +166,13 @@ namespace strait
     {
       FluidParameters fluid = plain_fluid(.2);
       fluid.refinement      = Refinement::uniform;
-      const SolvedOnWindows middle(sample(nested(64, 2, 20, 32), saddle(4e-3)), fluid);
+      const SolvedOnWindows middle(sample(nested(64, 2, 20, 32, 32), saddle(4e-3)),
+                                   fluid);
       const double          of_middle =
         report_constrictions(middle.given.channel, middle.solver).fraction_at_worst;
       for (const int row : {0, 8})
         {
-          const SolvedOnWindows moved(sample(nested(64, 2, 20, row),
+          const SolvedOnWindows moved(sample(nested(64, 2, 20, 32, row),
                                              saddle(4e-3, row / 64. - .5)),
                                       fluid);
           EXPECT_EQ(moved.given.field.layout().windows().front().y, (row + 54) % 64);
@@ -163,7 +189,7 @@ namespace strait
     // The pressure at the points of a window is that at the same points of the grid.
     TEST(FlowWindows, PicturesOfAWindowFitThoseOfTheGridParallel)
     {
-      const SlabLayoutPtr   layout = nested(64, 1, 20, 0);
+      const SlabLayoutPtr   layout = nested(64, 1, 20, 32, 0);
       const SolvedOnWindows solved(sample(layout, saddle(1e-2, -.5)), plain_fluid(1e-2));
       const PointRows       rows = rows_of_window(*layout, 0);
       const auto on_grid = flow_at_points(solved.solver, rows_of_grid(layout->grid(), 1));
@@ -271,7 +297,7 @@ namespace strait
 
     TEST(FlowWindows, RigorousBoundsHoldParallel)
     {
-      const SlabField       gap        = sample(nested(48, 2, 18, 24), saddle(4e-3));
+      const SlabField       gap        = sample(nested(48, 2, 18, 24, 24), saddle(4e-3));
       const SolvedOnWindows asymptotic = {gap, plain_fluid(1e-3)};
       FluidParameters       fluid      = plain_fluid(.2);
       fluid.bounds                     = FlowBounds::rigorous;

@@ -35,9 +35,12 @@ namespace strait
      * that. Beyond, rounding would spoil the solution: with ten times as much it still
      * holds, with 10⁵ times it was lost on a throat of 10⁻⁵ of the widest gap. Whatever
      * is added where the gap is wide makes the energy larger by less than 10⁻⁵ of that of
-     * the throat. With a floor K itself is no more than 10²⁰ times that, for the same
-     * reason: one without such a limit was lost where the widest gap was 10⁵ times the
-     * throat's. What that resists beside the throat is less than 10⁻¹⁰ of it.
+     * the throat. With a floor K itself is no more than 10¹⁸ times that, for the same
+     * reason: what flows into a pool must be what flows out of it, and with 10²⁰ times
+     * the pressure in one between two throats of 10⁻⁷ of its gap was off by a tenth of
+     * the drop. With 10¹⁷ times meshes have half as many cells again, as the pool then
+     * resists as much as coarse cells. What it does resist beside the throat is less than
+     * 10⁻⁸ of that.
      */
     double
     operator()(const double gap) const
@@ -47,7 +50,7 @@ namespace strait
         k *= (*factor)(gap);
       if (is_resistivity)
         return 1. / std::clamp(k, conductivity_floor, 1e14 * conductivity_floor);
-      return conductivity_floor > 0. ? std::min(k, 1e20 * conductivity_floor) : k;
+      return conductivity_floor > 0. ? std::min(k, 1e18 * conductivity_floor) : k;
     }
   };
 
