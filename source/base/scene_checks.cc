@@ -15,28 +15,26 @@ namespace strait
       const bool by_load = scene.contact.loads();
       if (scene.contact.enabled)
         for (const double value : scene.programme.pressures)
-          if (!(value > 0.) && !(scene.contact.adhesion.enabled && by_load))
-            throw InputError(
-              "Load programme/Pressures contains " + to_text(value) +
-              (by_load ? ", a load that never makes contact; give positive nominal "
+          require(value > 0. || (scene.contact.adhesion.enabled && by_load),
+                  "Load programme/Pressures contains " + to_text(value) +
+                    (by_load
+                       ? ", a load that never makes contact; give positive nominal "
                          "pressures."
                        : "; give positive mean gaps (Contact/Control = mean gap)."));
-      if (scene.programme.find_threshold &&
-          (!scene.contact.enabled || !scene.fluid.enabled || !by_load))
-        throw InputError(
-          "Load programme/Find threshold looks for a critical load; it needs "
-          "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
-      if (scene.programme.find_blow_out && (!scene.fluid.feedback.enabled || !by_load))
-        throw InputError(
-          "Load programme/Find blow-out raises the inlet pressure until the "
-          "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
-          "Contact/Control = load.");
+      require(!scene.programme.find_threshold ||
+                (scene.contact.enabled && scene.fluid.enabled && by_load),
+              "Load programme/Find threshold looks for a critical load; it needs "
+              "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
+      require(!scene.programme.find_blow_out || (scene.fluid.feedback.enabled && by_load),
+              "Load programme/Find blow-out raises the inlet pressure until the "
+              "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
+              "Contact/Control = load.");
       if (scene.programme.find_blow_out)
         for (const double load : scene.programme.pressures)
-          if (!(load > 0.))
-            throw InputError("Load programme/Pressures contains " + to_text(load) +
-                             ", but Find blow-out needs loads that press the seal shut; "
-                             "give positive ones.");
+          require(load > 0.,
+                  "Load programme/Pressures contains " + to_text(load) +
+                    ", but Find blow-out needs loads that press the seal shut; "
+                    "give positive ones.");
     }
 
     void
@@ -44,16 +42,14 @@ namespace strait
     {
       for (const std::string &name : scene.output.leak_rate_units)
         {
-          if (!scene.units.are_complete())
-            throw InputError(
-              "Output/Leak rate units = " + name +
-              " needs to know the scene's units; set Units/Length, Pressure "
-              "and Time.");
-          if (find_leak_rate_unit(name)->is_throughput && !scene.fluid.is_gas)
-            throw InputError(
-              "Output/Leak rate units = " + name +
-              " is a throughput of gas; set Fluid/State = gas, or choose a "
-              "volume per time.");
+          require(scene.units.are_complete(),
+                  "Output/Leak rate units = " + name +
+                    " needs to know the scene's units; set Units/Length, Pressure "
+                    "and Time.");
+          require(scene.fluid.is_gas || !find_leak_rate_unit(name)->is_throughput,
+                  "Output/Leak rate units = " + name +
+                    " is a throughput of gas; set Fluid/State = gas, or choose a "
+                    "volume per time.");
         }
     }
 
@@ -61,15 +57,14 @@ namespace strait
     void
     check_theory_alone(const Scene &scene)
     {
-      if (!scene.contact.loads())
-        throw InputError(
-          "Theory/Enabled without Contact and Fluid takes Load programme/"
-          "Pressures as loads; set Contact/Control = load.");
+      require(scene.contact.loads(),
+              "Theory/Enabled without Contact and Fluid takes Load programme/"
+              "Pressures as loads; set Contact/Control = load.");
       for (const double pressure : scene.programme.pressures)
-        if (!(pressure > 0.))
-          throw InputError("Load programme/Pressures contains " + to_text(pressure) +
-                           ", at which the theory has no contact; give positive "
-                           "nominal pressures.");
+        require(pressure > 0.,
+                "Load programme/Pressures contains " + to_text(pressure) +
+                  ", at which the theory has no contact; give positive "
+                  "nominal pressures.");
     }
 
     void
@@ -79,30 +74,25 @@ namespace strait
       if (!theory.enabled)
         return;
       const bool simulates = scene.contact.enabled || scene.fluid.enabled;
-      if (theory.spectrum == TheorySpectrum::model &&
-          scene.surface.kind != SurfaceKind::self_affine)
-        throw InputError(
-          "Theory/Spectrum = model needs Surface/Kind = self-affine; set "
-          "Theory/Spectrum = surface for other kinds.");
-      if (theory.gaps == TheoryGaps::simulated && !simulates)
-        throw InputError(
-          "Theory/Gap distribution = simulated needs a simulation; enable "
-          "Contact or Fluid, or take persson.");
-      if (theory.gaps == TheoryGaps::persson && simulates && !scene.contact.enabled)
-        throw InputError(
-          "Theory/Gap distribution = persson needs a load, and with "
-          "Contact/Enabled = false there is none; take simulated.");
-      if (theory.dimension == TheoryDimension::from_threshold &&
-          !scene.programme.find_threshold)
-        throw InputError(
-          "Theory/Dimension parameter = from threshold needs the critical "
-          "load; set Load programme/Find threshold = true.");
-      if (theory.dimension == TheoryDimension::from_threshold &&
-          theory.gaps == TheoryGaps::simulated && scene.fluid.has_slip())
-        throw InputError(
-          "Theory/Dimension parameter = from threshold knows the simulated "
-          "contact fraction at the threshold, not what a slip length "
-          "blocks; take Gap distribution = persson or no slip length.");
+      require(theory.spectrum != TheorySpectrum::model ||
+                scene.surface.kind == SurfaceKind::self_affine,
+              "Theory/Spectrum = model needs Surface/Kind = self-affine; set "
+              "Theory/Spectrum = surface for other kinds.");
+      require(theory.gaps != TheoryGaps::simulated || simulates,
+              "Theory/Gap distribution = simulated needs a simulation; enable "
+              "Contact or Fluid, or take persson.");
+      require(theory.gaps != TheoryGaps::persson || scene.contact.enabled || !simulates,
+              "Theory/Gap distribution = persson needs a load, and with "
+              "Contact/Enabled = false there is none; take simulated.");
+      require(theory.dimension != TheoryDimension::from_threshold ||
+                scene.programme.find_threshold,
+              "Theory/Dimension parameter = from threshold needs the critical "
+              "load; set Load programme/Find threshold = true.");
+      require(theory.dimension != TheoryDimension::from_threshold ||
+                theory.gaps != TheoryGaps::simulated || !scene.fluid.has_slip(),
+              "Theory/Dimension parameter = from threshold knows the simulated "
+              "contact fraction at the threshold, not what a slip length "
+              "blocks; take Gap distribution = persson or no slip length.");
       if (!simulates)
         check_theory_alone(scene);
     }
@@ -114,43 +104,43 @@ namespace strait
       const ContactParameters &contact = scene.contact;
       if (!contact.yields() || !(contact.enabled || scene.is_theory_only()))
         return;
-      const auto refuse = [](const std::string &reason) {
-        throw InputError("Contact/Yielding = cut-off " + reason);
+      const auto require_here = [](const bool condition, const std::string &reason) {
+        require(condition, "Contact/Yielding = cut-off " + reason);
       };
-      if (!(contact.hardness > 0.))
-        refuse("needs to know at which pressure; set Contact/Hardness.");
-      if (contact.adhesion.enabled)
-        refuse(
-          "bounds the pressure, and a contact with adhesion is solved for the gap, by "
-          "each of its solvers; switch Contact/Adhesion off.");
-      if (contact.method != ContactMethod::dual_cg)
-        refuse("needs a solver that knows such a bound; set Contact/Solver = dual CG.");
-      if (!contact.loads())
-        refuse(
-          "changes the surface that a mean gap is counted from; set "
-          "Contact/Control = load.");
-      if (contact.zoom.enabled)
-        refuse(
-          "leaves indentations that are known on the points where they were made only, "
-          "and windows of finer points come and go; switch Contact/Zoom off.");
-      if (scene.fluid.feedback.enabled)
-        refuse(
-          "would indent the surface by pressures of contact and fluid that do not agree "
-          "yet; switch Fluid/Wall feedback off.");
+      require_here(contact.hardness > 0.,
+                   "needs to know at which pressure; set Contact/Hardness.");
+      require_here(
+        !contact.adhesion.enabled,
+        "bounds the pressure, and a contact with adhesion is solved for the gap, by "
+        "each of its solvers; switch Contact/Adhesion off.");
+      require_here(
+        contact.method == ContactMethod::dual_cg,
+        "needs a solver that knows such a bound; set Contact/Solver = dual CG.");
+      require_here(contact.loads(),
+                   "changes the surface that a mean gap is counted from; set "
+                   "Contact/Control = load.");
+      require_here(
+        !contact.zoom.enabled,
+        "leaves indentations that are known on the points where they were made only, "
+        "and windows of finer points come and go; switch Contact/Zoom off.");
+      require_here(
+        !scene.fluid.feedback.enabled,
+        "would indent the surface by pressures of contact and fluid that do not agree "
+        "yet; switch Fluid/Wall feedback off.");
       const std::vector<double> &pressures = scene.programme.pressures;
-      if (scene.programme.find_threshold && scene.programme.path == LoadPath::unloading &&
-          (pressures.empty() ||
-           pressures.front() != *std::max_element(pressures.begin(), pressures.end())))
-        refuse(
-          "opens the later the larger the load was before: where Load programme/Path = "
-          "unloading, a search for the threshold begins with the first of "
-          "Load programme/Pressures, which must be the largest.");
+      require_here(
+        !scene.programme.find_threshold || scene.programme.path != LoadPath::unloading ||
+          (!pressures.empty() &&
+           pressures.front() == *std::max_element(pressures.begin(), pressures.end())),
+        "opens the later the larger the load was before: where Load programme/Path = "
+        "unloading, a search for the threshold begins with the first of "
+        "Load programme/Pressures, which must be the largest.");
       for (const double pressure : pressures)
-        if (!(pressure < contact.hardness))
-          throw InputError("Load programme/Pressures contains " + to_text(pressure) +
-                           ", which Contact/Hardness = " + to_text(contact.hardness) +
-                           " cannot bear even where all of the area is in contact; give "
-                           "nominal pressures below it.");
+        require(pressure < contact.hardness,
+                "Load programme/Pressures contains " + to_text(pressure) +
+                  ", which Contact/Hardness = " + to_text(contact.hardness) +
+                  " cannot bear even where all of the area is in contact; give "
+                  "nominal pressures below it.");
     }
 
     /** That the realisations of a measured map are windows of it. */
@@ -164,21 +154,21 @@ namespace strait
           const bool has_heights =
             scene.surface.kind == SurfaceKind::self_affine &&
             !(scene.is_theory_only() && scene.theory.spectrum == TheorySpectrum::model);
-          if (seeds.size() > 1 && !has_heights)
-            throw InputError(
-              "Realisations/Seeds are of random surfaces and windows of maps; others, or "
-              "the theory of a model spectrum alone, would be copies that falsify the "
-              "scatter, give one seed.");
+          require(
+            seeds.size() <= 1 || has_heights,
+            "Realisations/Seeds are of random surfaces and windows of maps; others, or "
+            "the theory of a model spectrum alone, would be copies that falsify the "
+            "scatter, give one seed.");
           return;
         }
       if (seeds.empty())
         map.check_window(scene.surface.seed);
       for (const unsigned long long seed : seeds)
         map.check_window(seed);
-      if (seeds.size() > 1 && map.windows == std::array<int, 2>{{1, 1}})
-        throw InputError(
-          "Realisations/Seeds of a measured map are windows of it; set Surface/Windows, "
-          "or they would be copies.");
+      require(
+        seeds.size() <= 1 || map.windows != std::array<int, 2>{{1, 1}},
+        "Realisations/Seeds of a measured map are windows of it; set Surface/Windows, "
+        "or they would be copies.");
     }
 
     /** What a whole seal is made of. */
@@ -187,17 +177,15 @@ namespace strait
     {
       if (!scene.seal.enabled)
         return;
-      if (!scene.contact.enabled || !scene.fluid.enabled || !scene.contact.loads() ||
-          scene.programme.pressures.empty() || !scene.fluid.mesh_file.empty())
-        throw InputError(
-          "Seal/Enabled needs leak rates of boxes under loads: Contact/Enabled, "
-          "Fluid/Enabled, Contact/Control = load, Load programme/Pressures, and no "
-          "Fluid/Mesh.");
-      if (!scene.realisations.enabled())
-        throw InputError(
-          "Seal/Enabled needs at least two patches to tell how they scatter; set "
-          "Realisations/Seeds, which of a measured map are its Surface/Windows, or "
-          "Orientations.");
+      require(scene.contact.enabled && scene.fluid.enabled && scene.contact.loads() &&
+                !scene.programme.pressures.empty() && scene.fluid.mesh_file.empty(),
+              "Seal/Enabled needs leak rates of boxes under loads: Contact/Enabled, "
+              "Fluid/Enabled, Contact/Control = load, Load programme/Pressures, and no "
+              "Fluid/Mesh.");
+      require(scene.realisations.enabled(),
+              "Seal/Enabled needs at least two patches to tell how they scatter; set "
+              "Realisations/Seeds, which of a measured map are its Surface/Windows, or "
+              "Orientations.");
     }
 
     /** What windows of finer points cannot be combined with, and why. */
@@ -206,30 +194,29 @@ namespace strait
     {
       if (!scene.contact.zoom.enabled)
         return;
-      const auto refuse = [](const std::string &reason) {
-        throw InputError("Contact/Zoom " + reason);
+      const auto require_here = [](const bool condition, const std::string &reason) {
+        require(condition, "Contact/Zoom " + reason);
       };
-      if (!scene.contact.enabled || !scene.fluid.enabled)
-        refuse(
-          "resolves the throats of a contact that a fluid flows through; it needs "
-          "Contact/Enabled and Fluid/Enabled.");
-      if (scene.contact.adhesion.enabled)
-        refuse(
-          "solves for the pressure, which does not determine the state of a contact "
-          "with adhesion; switch Contact/Adhesion off.");
-      if (scene.fluid.feedback.enabled)
-        refuse(
-          "needs the pressure of the fluid on the finer points as well, which "
-          "Fluid/Wall feedback knows on the contact grid only; switch it off.");
-      if (!scene.fluid.mesh_file.empty())
-        refuse(
-          "follows the flow through the box and not through Fluid/Mesh; remove one "
-          "of them.");
-      if (!scene.contact.loads())
-        refuse("needs Contact/Control = load.");
+      require_here(
+        scene.contact.enabled && scene.fluid.enabled,
+        "resolves the throats of a contact that a fluid flows through; it needs "
+        "Contact/Enabled and Fluid/Enabled.");
+      require_here(
+        !scene.contact.adhesion.enabled,
+        "solves for the pressure, which does not determine the state of a contact "
+        "with adhesion; switch Contact/Adhesion off.");
+      require_here(!scene.fluid.feedback.enabled,
+                   "needs the pressure of the fluid on the finer points as well, which "
+                   "Fluid/Wall feedback knows on the contact grid only; switch it off.");
+      require_here(
+        scene.fluid.mesh_file.empty(),
+        "follows the flow through the box and not through Fluid/Mesh; remove one "
+        "of them.");
+      require_here(scene.contact.loads(), "needs Contact/Control = load.");
       // A window has room on a grid that is as wide as what surrounds it.
-      if (std::min(scene.contact.grid_points[0], scene.contact.grid_points[1]) < 8)
-        refuse("needs Contact/Grid points of 8 or more.");
+      require_here(std::min(scene.contact.grid_points[0], scene.contact.grid_points[1]) >=
+                     8,
+                   "needs Contact/Grid points of 8 or more.");
     }
   } // namespace
 
@@ -244,42 +231,40 @@ namespace strait
     seal.check();
     check_windows(*this);
     check_whole_seal(*this);
-    if (seal.two_in_a_row && !can_flow_in_a_row())
-      throw InputError(
-        "Seal/Two in a row needs a flow along x that is linear in the pressure and leaves "
-        "the gap as it is: no Fluid/Mesh, Rarefaction or Wall feedback, no Contact/Zoom.");
+    require(
+      !seal.two_in_a_row || can_flow_in_a_row(),
+      "Seal/Two in a row needs a flow along x that is linear in the pressure and leaves "
+      "the gap as it is: no Fluid/Mesh, Rarefaction or Wall feedback, no Contact/Zoom.");
     check_programme(*this);
     check_theory(*this);
     check_yielding(*this);
     check_zoom(*this);
     check_leak_rate_units(*this);
 
-    if (fluid.feedback.enabled && (!contact.enabled || !fluid.enabled))
-      throw InputError(
-        "Fluid/Wall feedback lets a fluid press on an elastic wall; it "
-        "needs Contact/Enabled and Fluid/Enabled.");
-    if (fluid.feedback.enabled && fluid.slip_lengths.size() > 1)
-      throw InputError(
-        "Fluid/Wall feedback follows one path of states, which is another one for each "
-        "Slip length; give one, and run the others by themselves.");
+    require(!fluid.feedback.enabled || (contact.enabled && fluid.enabled),
+            "Fluid/Wall feedback lets a fluid press on an elastic wall; it "
+            "needs Contact/Enabled and Fluid/Enabled.");
+    require(
+      !fluid.feedback.enabled || fluid.slip_lengths.size() <= 1,
+      "Fluid/Wall feedback follows one path of states, which is another one for each "
+      "Slip length; give one, and run the others by themselves.");
     const bool has_mesh = fluid.enabled && !fluid.mesh_file.empty();
-    if (has_mesh && output.error_budget)
-      throw InputError(
-        "Output/Error budget repeats the flow on coarser grids, which Fluid/Mesh does not "
-        "support; switch one of them off.");
-    if (has_mesh && theory.enabled)
-      throw InputError(
-        "Theory/Enabled predicts the leak rate of the whole box and not of Fluid/Mesh; "
-        "switch one of them off.");
-    if (!contact.enabled && !is_theory_only() &&
-        (contact.adhesion.enabled || contact.yields()))
-      throw InputError(
-        "Contact/Adhesion and Yielding are of a contact, and Contact/Enabled = false; "
-        "switch either off, or the contact on.");
-    if (!contact.enabled && !fluid.enabled && !theory.enabled)
-      throw InputError(
-        "Contact/Enabled and Fluid/Enabled are both false, so there is "
-        "nothing to compute.");
+    require(
+      !has_mesh || !output.error_budget,
+      "Output/Error budget repeats the flow on coarser grids, which Fluid/Mesh does not "
+      "support; switch one of them off.");
+    require(
+      !has_mesh || !theory.enabled,
+      "Theory/Enabled predicts the leak rate of the whole box and not of Fluid/Mesh; "
+      "switch one of them off.");
+    require(
+      contact.enabled || is_theory_only() ||
+        !(contact.adhesion.enabled || contact.yields()),
+      "Contact/Adhesion and Yielding are of a contact, and Contact/Enabled = false; "
+      "switch either off, or the contact on.");
+    require(contact.enabled || fluid.enabled || theory.enabled,
+            "Contact/Enabled and Fluid/Enabled are both false, so there is "
+            "nothing to compute.");
   }
 
   std::vector<std::string>
