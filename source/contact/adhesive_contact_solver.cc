@@ -39,8 +39,8 @@ namespace strait
     : parameters(parameters_)
     , unloads(path == LoadPath::unloading)
     , wall(std::move(heights_), parameters.effective_modulus)
-    , problem(wall.heights(), parameters.effective_modulus, law)
-    , traction_scale(flattening_traction(problem, wall.layout()))
+    , problem(wall.heights, parameters.effective_modulus, law)
+    , traction_scale(flattening_traction(problem, wall.heights.layout_pointer()))
   {
   }
 
@@ -52,9 +52,9 @@ namespace strait
   {
     check(target, from);
     wall.deform(fluid_pressure);
-    const bool   is_dry   = fluid_pressure == nullptr;
-    const double of_solid = parameters.loads() ? target - wall.fluid_load() : target;
-    SlabField    gap      = start_gap(target, of_solid, from, is_dry);
+    const bool          is_dry   = fluid_pressure == nullptr;
+    const double        of_solid = parameters.loads() ? target - wall.fluid_load : target;
+    SlabField           gap      = start_gap(target, of_solid, from, is_dry);
     std::vector<double> softest;
     if (from != nullptr && from->adhesion)
       softest = from->adhesion->softest_direction;
@@ -102,15 +102,18 @@ namespace strait
   {
     const bool by_load = parameters.loads();
     // A flat surface has no traction of its own.
-    const double scale = traction_scale > 0 ? traction_scale
-                         : by_load          ? std::abs(target)
-                                            : problem.adhesion.at(0).traction;
-    return make_gap_optimiser(parameters.adhesion.method,
-                              problem,
-                              {!by_load, target},
-                              {parameters.tolerance,
-                               scale,
-                               parameters.maximum_iterations});
+    const double           scale = traction_scale > 0 ? traction_scale
+                                   : by_load          ? std::abs(target)
+                                                      : problem.adhesion.at(0).traction;
+    const GapConstraint    constraint{!by_load, target};
+    const ContactTolerance tolerance{parameters.tolerance,
+                                     scale,
+                                     parameters.maximum_iterations};
+    if (parameters.adhesion.method == AdhesionMethod::newton_cg)
+      return std::make_unique<GapNewton>(problem, constraint, tolerance);
+    if (parameters.adhesion.method == AdhesionMethod::gfmd)
+      return std::make_unique<GapDynamics>(problem, constraint, tolerance);
+    return std::make_unique<GapConjugateGradients>(problem, constraint, tolerance);
   }
 
   void
@@ -135,12 +138,12 @@ namespace strait
                                    const bool          is_dry) const
   {
     if (from == nullptr && unloads)
-      return SlabField(wall.layout());
+      return SlabField(wall.heights.layout_pointer());
     if (from == nullptr)
       {
         ContactParameters without = parameters;
         without.tolerance         = std::max(1e-4, parameters.tolerance);
-        return ContactSolver(without, wall.heights())
+        return ContactSolver(without, wall.heights)
           .solve(of_solid > 0 ? of_solid : target)
           .gap;
       }
@@ -173,14 +176,14 @@ namespace strait
                                   const GapSolution  &solution,
                                   SlabField           gap) const
   {
-    SlabField pressure(wall.layout());
+    SlabField pressure(wall.heights.layout_pointer());
     // Within the tolerance a point may be held by no force, but it is held.
     for (std::size_t i = 0; i < gap.size(); ++i)
       pressure[i] = gap[i] > 0 ? 0.
                                : std::max(optimiser.reaction()[i],
                                           std::numeric_limits<double>::min());
     ContactState state(std::move(pressure), std::move(gap));
-    state.nominal_pressure = solution.nominal_pressure + wall.fluid_load();
+    state.nominal_pressure = solution.nominal_pressure + wall.fluid_load;
     state.residual         = solution.residual;
     state.converged        = solution.converged;
 

@@ -65,7 +65,7 @@ namespace strait
                                SlabField                surface_heights)
     : parameters(contact_parameters)
     , wall(std::move(surface_heights), parameters.effective_modulus)
-    , problem(wall.heights(), parameters.effective_modulus)
+    , problem(wall.heights, parameters.effective_modulus)
   {
   }
 
@@ -79,10 +79,10 @@ namespace strait
       from != nullptr && from->plasticity ? &from->plasticity->indentation : nullptr;
     wall.deform(fluid_pressure, indentation);
     // What the solid is to carry, or the mean gap that it is to keep.
-    const double of_solid = parameters.loads() ? target - wall.fluid_load() : target;
+    const double of_solid = parameters.loads() ? target - wall.fluid_load : target;
     check(target, of_solid);
     // The highest peak has height 0 here.
-    if (!parameters.loads() && target + wall.mean_height() >= 0)
+    if (!parameters.loads() && target + wall.mean_height >= 0)
       return state_without_contact(target);
 
     // Only states under the same fluid lie on a line.
@@ -90,7 +90,7 @@ namespace strait
     const bool is_next = from != nullptr && is_near(*from, of_solid);
     // Windows around the throats of a load far away are no help.
     const SlabLayoutPtr &layout =
-      is_next ? from->pressure.layout_pointer() : wall.layout();
+      is_next ? from->pressure.layout_pointer() : wall.heights.layout_pointer();
 
     std::optional<SlabField> start;
     if (is_next)
@@ -126,11 +126,11 @@ namespace strait
   SlabField
   ContactSolver::start_without(const SlabLayoutPtr &layout, const double target)
   {
-    SlabField start = start_from_coarser_grid(wall.heights(), target);
+    SlabField start = start_from_coarser_grid(wall.heights, target);
     if (layout->windows().empty())
       return start;
     // All digits come with the windows.
-    SlabField gap(wall.layout());
+    SlabField gap(wall.heights.layout_pointer());
     optimise(problem, target, std::sqrt(parameters.tolerance), start, gap);
     return zoom_in(start, layout->windows());
   }
@@ -145,8 +145,7 @@ namespace strait
     const double stiffness =
       parameters.effective_modulus / grid_heights.grid().mean_side();
     for (std::size_t i = 0; i < start.size(); ++i)
-      start[i] =
-        stiffness * std::max(0., grid_heights[i] - (target + wall.mean_height()));
+      start[i] = stiffness * std::max(0., grid_heights[i] - (target + wall.mean_height));
     return start;
   }
 
@@ -196,7 +195,7 @@ namespace strait
       {
         zoomed.reset(); // before the next one needs its memory
         zoomed_heights = SlabField(layout);
-        std::copy(wall.heights().begin(), wall.heights().end(), zoomed_heights.begin());
+        std::copy(wall.heights.begin(), wall.heights.end(), zoomed_heights.begin());
         fill_windows(zoomed_heights);
         zoomed =
           std::make_unique<ZoomedProblem>(zoomed_heights, parameters.effective_modulus);
@@ -225,7 +224,7 @@ namespace strait
       throw ComputationError(
         format("The fluid carries a mean pressure of %g, more than the nominal pressure "
                "of %g, so the surfaces do not stay in contact.",
-               wall.fluid_load(),
+               wall.fluid_load,
                target));
   }
 
@@ -239,23 +238,22 @@ namespace strait
   {
     // A flat surface has no rms height; what remains is rounding of the
     // displacement that the load itself would cause over the box.
-    const double length =
-      wall.rms_height() > 0
-        ? wall.rms_height()
-        : target * wall.heights().grid().mean_side() / parameters.effective_modulus;
+    const double length = wall.rms_height > 0 ? wall.rms_height
+                                              : target * wall.heights.grid().mean_side() /
+                                                  parameters.effective_modulus;
     const double limit =
       parameters.yields() ? parameters.hardness : ContactConstraint::unlimited;
     // The displacement under pressure has the mean 0.
     const ContactConstraint constraint =
       parameters.loads()
         ? ContactConstraint::mean_pressure(target, limit)
-        : ContactConstraint::rigid_displacement(target + wall.mean_height());
+        : ContactConstraint::rigid_displacement(target + wall.mean_height);
     return find_pressure(parameters.method,
-                         on_grid,
-                         constraint,
-                         {residual, length, parameters.maximum_iterations},
-                         grid_pressure.data(),
-                         grid_gap.data());
+                         {on_grid,
+                          constraint,
+                          {residual, length, parameters.maximum_iterations},
+                          grid_pressure.data(),
+                          grid_gap.data()});
   }
 
   ContactState
@@ -269,7 +267,7 @@ namespace strait
     copy_to_covered(gap);
 
     ContactState state(std::move(pressure), std::move(gap));
-    state.nominal_pressure = mean(state.pressure) + wall.fluid_load();
+    state.nominal_pressure = mean(state.pressure) + wall.fluid_load;
     state.residual         = solution.residual;
     state.iterations       = solution.iterations;
     state.converged        = solution.converged;
@@ -279,11 +277,11 @@ namespace strait
   ContactState
   ContactSolver::state_without_contact(const double mean_gap) const
   {
-    SlabField gap(wall.layout());
+    SlabField gap(wall.heights.layout_pointer());
     for (std::size_t i = 0; i < gap.size(); ++i)
-      gap[i] = mean_gap + wall.mean_height() - wall.heights()[i];
+      gap[i] = mean_gap + wall.mean_height - wall.heights[i];
     ContactSolution solution;
     solution.converged = true;
-    return state_of(solution, SlabField(wall.layout()), std::move(gap));
+    return state_of(solution, SlabField(wall.heights.layout_pointer()), std::move(gap));
   }
 } // namespace strait

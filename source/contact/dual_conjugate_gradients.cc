@@ -201,4 +201,11 @@ namespace strait
     shift = .5 * (maximum(problem.communicator, most_pressed) -
                   maximum(problem.communicator, -least_open));
   }
+
+  ContactSolution
+  find_pressure(const ContactMethod method, const DualTask &task)
+  {
+    return method == ContactMethod::polonsky_keer ? PolonskyKeer(task).solve()
+                                                  : DualConjugateGradients(task).solve();
+  }
 } // namespace strait

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/contact/two_scale_operator.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -60,43 +59,4 @@ namespace strait
     const std::array<double, 4> c = solve(normal, right);
     return {c[0], c[1], c[2], c[3]};
   }
-
-  template <class Number>
-  StencilSweep<Number>::StencilSweep(const NinePointStencil &stencil_,
-                                     const Number           *row_above,
-                                     const int               row_length)
-    : stencil(stencil_)
-    , above(row_above, row_above + row_length)
-    , here(row_length)
-    , mixed(row_length + 2)
-  {
-  }
-
-  template <class Number>
-  void
-  StencilSweep<Number>::apply(Number *values, const Number *below, const Number *added)
-  {
-    // In place: `above` holds the row above as it was before.
-    const auto    nx  = static_cast<int>(here.size());
-    const Number *up  = above.data();
-    Number       *old = here.data(), *side = mixed.data() + 1;
-    const auto    centre = static_cast<Number>(stencil.centre),
-               x = static_cast<Number>(stencil.x), y = static_cast<Number>(stencil.y),
-               diagonal = static_cast<Number>(stencil.diagonal);
-    for (int i = 0; i < nx; ++i)
-      {
-        const Number vertical = up[i] + below[i];
-        old[i]                = values[i];
-        side[i]               = x * old[i] + diagonal * vertical;
-        values[i]             = centre * old[i] + y * vertical;
-      }
-    side[-1] = side[nx - 1];
-    side[nx] = side[0];
-    for (int i = 0; i < nx; ++i)
-      values[i] += (side[i - 1] + side[i + 1]) + added[i];
-    std::swap(above, here);
-  }
-
-  template class StencilSweep<float>;
-  template class StencilSweep<double>;
 } // namespace strait

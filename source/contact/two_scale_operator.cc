@@ -45,6 +45,38 @@ namespace strait
         std::clamp((theta * stride / M_PI - begin) / (end - begin), 0., 1.);
       return 1 - s * s * (3 - 2 * s);
     }
+
+    /**
+     * Replace the row @p values of a periodic line of points by the stencil's values plus
+     * @p added. @p above is the row above as it was, and then this one; @p below is the
+     * row after it; @p mixed, two longer, is overwritten.
+     */
+    template <class Number>
+    void
+    apply_stencil(const NinePointStencil    &stencil,
+                  Number                    *values,
+                  std::vector<Number>       &above,
+                  const Number              *below,
+                  const std::vector<Number> &added,
+                  std::vector<Number>       &mixed)
+    {
+      const auto nx = static_cast<int>(above.size());
+      Number    *up = above.data(), *side = mixed.data() + 1;
+      const auto centre = static_cast<Number>(stencil.centre),
+                 x = static_cast<Number>(stencil.x), y = static_cast<Number>(stencil.y),
+                 diagonal = static_cast<Number>(stencil.diagonal);
+      for (int i = 0; i < nx; ++i)
+        {
+          const Number vertical = up[i] + below[i];
+          up[i]                 = values[i];
+          side[i]               = x * up[i] + diagonal * vertical;
+          values[i]             = centre * up[i] + y * vertical;
+        }
+      side[-1] = side[nx - 1];
+      side[nx] = side[0];
+      for (int i = 0; i < nx; ++i)
+        values[i] += (side[i - 1] + side[i + 1]) + added[i];
+    }
   } // namespace
 
   bool
@@ -139,15 +171,18 @@ namespace strait
     const std::vector<Number> beyond = fetch_rows(*layout, values, nx, outside);
     if (n_rows == 0)
       return;
-    StencilSweep<Number> sweep(stencil, beyond.data(), nx);
-    std::vector<Number>  correction_line(nx);
+    std::vector<Number> above(beyond.begin(), beyond.begin() + nx), mixed(nx + 2),
+      correction_line(nx);
     for (int row = 0; row < n_rows; ++row)
       {
         if (coarse_transform)
           expand_row(row, correction_line);
-        sweep.apply(row_of(row),
-                    row + 1 < n_rows ? row_of(row + 1) : beyond.data() + nx,
-                    correction_line.data());
+        apply_stencil(stencil,
+                      row_of(row),
+                      above,
+                      row + 1 < n_rows ? row_of(row + 1) : beyond.data() + nx,
+                      correction_line,
+                      mixed);
         after(row);
       }
   }

@@ -9,13 +9,13 @@
 
 namespace strait
 {
-  Wall::Wall(SlabField heights, const double contact_modulus)
-    : modulus(contact_modulus)
-    , displaced(std::move(heights))
+  Wall::Wall(SlabField surface, const double contact_modulus)
+    : heights(std::move(surface))
+    , modulus(contact_modulus)
   {
     lower_highest_peak_to_zero();
-    first_rms_height = rms(displaced);
-    if (!std::isfinite(first_rms_height))
+    rms_height = rms(heights);
+    if (!std::isfinite(rms_height))
       throw InputError(
         "The surface has heights that are not finite numbers; mend the "
         "Expression or File of the section Surface.");
@@ -28,23 +28,23 @@ namespace strait
     if (!is_deformed && undeformed.empty())
       return;
     if (undeformed.empty())
-      undeformed = displaced;
-    load = 0.;
+      undeformed = heights;
+    fluid_load = 0.;
     if (fluid_pressure == nullptr)
-      std::copy(undeformed.begin(), undeformed.end(), displaced.begin());
+      std::copy(undeformed.begin(), undeformed.end(), heights.begin());
     else
       {
-        FourierTransform(layout()).multiply(fluid_pressure->data(),
-                                            displaced.data(),
-                                            wave_compliance<double>(layout()->grid(),
-                                                                    modulus));
-        for (std::size_t i = 0; i < displaced.size(); ++i)
-          displaced[i] = undeformed[i] - displaced[i];
-        load = mean(*fluid_pressure);
+        FourierTransform(heights.layout_pointer())
+          .multiply(fluid_pressure->data(),
+                    heights.data(),
+                    wave_compliance<double>(heights.grid(), modulus));
+        for (std::size_t i = 0; i < heights.size(); ++i)
+          heights[i] = undeformed[i] - heights[i];
+        fluid_load = mean(*fluid_pressure);
       }
     if (indentation != nullptr)
-      for (std::size_t i = 0; i < displaced.size(); ++i)
-        displaced[i] -= (*indentation)[i];
+      for (std::size_t i = 0; i < heights.size(); ++i)
+        heights[i] -= (*indentation)[i];
     if (!is_deformed)
       undeformed = SlabField();
     lower_highest_peak_to_zero();
@@ -53,9 +53,9 @@ namespace strait
   void
   Wall::lower_highest_peak_to_zero()
   {
-    const double peak = max_value(displaced);
-    for (double &h : displaced)
+    const double peak = max_value(heights);
+    for (double &h : heights)
       h -= peak;
-    mean_of_heights = mean(displaced);
+    mean_height = mean(heights);
   }
 } // namespace strait

@@ -62,49 +62,19 @@ namespace strait
 
     using Complex = std::complex<double>;
 
-    /** The modes 0 <= kx <= nx/2, −ny/2 < ky <= ny/2 of a map. */
-    class Spectrum
+    /**
+     * How much of the wave number @p k of @p n points a grid of @p n_target points has. A
+     * wave at the end of the spectrum stands for two: a finer grid knows both, and a
+     * coarser one would fold both together.
+     */
+    double
+    share_of_wave(const int k, const int n, const int n_target)
     {
-    public:
-      Spectrum(const std::vector<double> &values, const PeriodicGrid &grid_)
-        : grid(grid_)
-        , modes(static_cast<std::size_t>(grid.nx / 2 + 1) * grid.ny)
-      {
-        FourierTransform transform(make_layout(grid, MPI_COMM_SELF));
-        transform.analyze(
-          values.data(), [this](const int kx, const int ky, const Complex &mode, double) {
-            modes[index(kx, ky)] = mode;
-          });
-      }
-
-      /**
-       * The coefficient of exp(iqr) on a grid of @p nx × @p ny points. A wave at the
-       * end of this spectrum stands for two, of which a finer grid knows both.
-       */
-      Complex
-      on_grid(const int kx, const int ky, const int nx, const int ny) const
-      {
-        if (2 * kx > grid.nx || 2 * std::abs(ky) > grid.ny)
-          return 0.;
-        double share = 1.;
-        if (2 * kx == grid.nx && nx > grid.nx)
-          share /= 2;
-        if (2 * std::abs(ky) == grid.ny && ny > grid.ny)
-          share /= 2;
-        return share * modes[index(kx, 2 * ky == -grid.ny ? -ky : ky)];
-      }
-
-    private:
-      std::size_t
-      index(const int kx, const int ky) const
-      {
-        return static_cast<std::size_t>(ky < 0 ? ky + grid.ny : ky) * (grid.nx / 2 + 1) +
-               kx;
-      }
-
-      PeriodicGrid         grid;
-      std::vector<Complex> modes;
-    };
+      const int twice = 2 * std::abs(k);
+      if (twice > n || (twice == n_target && n_target < n))
+        return 0.;
+      return twice == n && n_target > n ? .5 : 1.;
+    }
   } // namespace
 
   Resampled
@@ -120,23 +90,27 @@ namespace strait
     const double q_most  = shortest > 0 ? 2 * M_PI / shortest * (1 + rounding) : HUGE_VAL;
     const double q_least = longest > 0 ? 2 * M_PI / longest * (1 - rounding) : 0.;
 
-    const Spectrum   spectrum(values, source);
-    FourierTransform transform(make_layout(target, MPI_COMM_SELF));
-    Resampled        result;
+    std::vector<Complex> modes(static_cast<std::size_t>(source.nx / 2 + 1) * source.ny);
+    const auto           mode_at = [&](const int kx, const int ky) -> Complex           &{
+      return modes[static_cast<std::size_t>((ky + source.ny) % source.ny) *
+                     (source.nx / 2 + 1) +
+                   kx];
+    };
+    FourierTransform(make_layout(source, MPI_COMM_SELF))
+      .analyze(values.data(),
+               [&](const int kx, const int ky, const Complex &mode, double) {
+                 mode_at(kx, ky) = mode;
+               });
+    Resampled result;
     result.values.resize(static_cast<std::size_t>(target.n_points()));
-    transform.synthesize(result.values.data(),
-                         [&](const int kx, const int ky) -> Complex {
-                           const double q =
-                             2 * M_PI * std::hypot(kx / source.lx, ky / source.ly);
-                           // A wave at the end of a coarser grid would be one of two
-                           // folded together.
-                           const bool is_folded =
-                             (2 * kx == target.nx && target.nx < source.nx) ||
-                             (2 * std::abs(ky) == target.ny && target.ny < source.ny);
-                           if (q > 0. && (q > q_most || q < q_least || is_folded))
-                             return 0.;
-                           return spectrum.on_grid(kx, ky, target.nx, target.ny);
-                         });
+    FourierTransform(make_layout(target, MPI_COMM_SELF))
+      .synthesize(result.values.data(), [&](const int kx, const int ky) -> Complex {
+        const double q     = 2 * M_PI * std::hypot(kx / source.lx, ky / source.ly);
+        const double share = share_of_wave(kx, source.nx, target.nx) *
+                             share_of_wave(ky, source.ny, target.ny);
+        const bool is_in_band = q == 0. || (q <= q_most && q >= q_least);
+        return share > 0. && is_in_band ? share * mode_at(kx, ky) : 0.;
+      });
     const auto statistics_of = [](const PeriodicGrid        &grid,
                                   const std::vector<double> &map) {
       return statistics(scatter_from_root(make_layout(grid, MPI_COMM_SELF), map));

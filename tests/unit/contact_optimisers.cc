@@ -143,8 +143,9 @@ namespace
     const double          tolerance = quality == Quality::negative ? 1e-5 : 1e-10;
     DenseProblem          problem(quality);
     std::vector<double>   p(problem.size, 1.), g(problem.size), u(problem.size);
-    const ContactSolution solution = find_pressure(
-      method, problem, constraint, {tolerance, 1., 2000}, p.data(), g.data());
+    const ContactSolution solution =
+      find_pressure(method,
+                    {problem, constraint, {tolerance, 1., 2000}, p.data(), g.data()});
     EXPECT_TRUE(solution.converged) << solution.residual;
 
     problem.apply(p.data(), u.data(), no_pass);

@@ -108,25 +108,9 @@ namespace strait
     bool   converged  = false;
   };
 
-  /** What the methods share that find the pressure of a contact without adhesion; see
-   *  find_pressure(). */
-  class DualOptimiser
+  /** A contact without adhesion whose pressure is to be found; see find_pressure(). */
+  struct DualTask
   {
-  public:
-    DualOptimiser(DualProblem             &problem_,
-                  const ContactConstraint &constraint_,
-                  const ContactTolerance  &tolerance_,
-                  double                  *pressure_,
-                  double                  *gap_)
-      : problem(problem_)
-      , constraint(constraint_)
-      , tolerance(tolerance_)
-      , pressure(pressure_)
-      , gap(gap_)
-    {
-    }
-
-  protected:
     DualProblem            &problem;
     const ContactConstraint constraint;
     const ContactTolerance  tolerance;

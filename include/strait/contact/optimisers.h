@@ -7,7 +7,6 @@
 #include <strait/contact/gap_optimisation.h>
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 /** The methods that optimise, each with a source of its own. */
@@ -24,11 +23,14 @@ namespace strait
    * lowest value so far, the steps go along the preconditioned gradient and each
    * is truncated.
    */
-  class DualConjugateGradients : public DualOptimiser
+  class DualConjugateGradients : private DualTask
   {
   public:
     /** Needs 9 B a local point beside the two fields. */
-    using DualOptimiser::DualOptimiser;
+    explicit DualConjugateGradients(const DualTask &task)
+      : DualTask(task)
+    {
+    }
 
     /** As find_pressure(). */
     ContactSolution solve();
@@ -85,11 +87,14 @@ namespace strait
    * 1999). Same problem, residual and result as DualConjugateGradients, at the
    * price of two applications of G for each step that changes the contact.
    */
-  class PolonskyKeer : public DualOptimiser
+  class PolonskyKeer : private DualTask
   {
   public:
     /** Needs 16 B a local point beside the two fields. */
-    using DualOptimiser::DualOptimiser;
+    explicit PolonskyKeer(const DualTask &task)
+      : DualTask(task)
+    {
+    }
 
     /** As find_pressure(). */
     ContactSolution solve();
@@ -197,22 +202,11 @@ namespace strait
   };
 
   /**
-   * Solve a contact without adhesion by the method of this name. @p pressure: a start on
+   * Solve a contact without adhesion by the method of this name. Its pressure: a start on
    * entry (values beyond the limits count as these; it must not vanish if its mean is
-   * prescribed), the solution on return. @p gap: on return g = Gp + u0 − h. Collective.
+   * prescribed), the solution on return. Its gap: on return g = Gp + u0 − h. Collective.
    */
-  ContactSolution find_pressure(ContactMethod            method,
-                                DualProblem             &problem,
-                                const ContactConstraint &constraint,
-                                const ContactTolerance  &tolerance,
-                                double                  *pressure,
-                                double                  *gap);
-
-  /** The method of this name. @p problem must outlive it. */
-  std::unique_ptr<GapOptimiser> make_gap_optimiser(AdhesionMethod          method,
-                                                   GapProblem             &problem,
-                                                   const GapConstraint    &constraint,
-                                                   const ContactTolerance &tolerance);
+  ContactSolution find_pressure(ContactMethod method, const DualTask &task);
 } // namespace strait
 
 #endif

@@ -25,25 +25,6 @@ namespace strait
    */
   NinePointStencil fit_stencil(const std::function<double(double, double)> &target);
 
-  /** Applies a stencil in place, row after row of a periodic line of points. */
-  template <class Number>
-  class StencilSweep
-  {
-  public:
-    /** Begins with the row after @p row_above. */
-    StencilSweep(const NinePointStencil &stencil,
-                 const Number           *row_above,
-                 int                     row_length);
-
-    /** Replace the next row @p values by the stencil's values plus @p added; @p below
-     *  is the row after it. */
-    void apply(Number *values, const Number *below, const Number *added);
-
-  private:
-    const NinePointStencil stencil;
-    std::vector<Number>    above, here, mixed; // rows as they were, and a sum of them
-  };
-
   /**
    * A cheap symmetric stand-in for an operator with the symbol S(|q|): a stencil of
    * 3 × 3 points, fitted to S, plus a correction of its long waves on a grid of every

@@ -14,9 +14,9 @@ namespace strait
   class Wall
   {
   public:
-    /** @p heights [length]; @p contact_modulus is E* > 0. Collective. Throws InputError
-     *  if a height is not finite. */
-    Wall(SlabField heights, double contact_modulus);
+    /** @p surface: heights [length]; @p contact_modulus is E* > 0. Collective. Throws
+     *  InputError if a height is not finite. */
+    Wall(SlabField surface, double contact_modulus);
 
     /**
      * Let a fluid of the pressure @p fluid_pressure press from now on, or none if that is
@@ -26,50 +26,16 @@ namespace strait
      */
     void deform(const SlabField *fluid_pressure, const SlabField *indentation = nullptr);
 
-    /** At most 0 [length]. The values always show the present, and stay where they are.
-     */
-    const SlabField &
-    heights() const
-    {
-      return displaced;
-    }
-
-    const SlabLayoutPtr &
-    layout() const
-    {
-      return displaced.layout_pointer();
-    }
-
-    /** Mean of heights(). */
-    double
-    mean_height() const
-    {
-      return mean_of_heights;
-    }
-
-    /** Of the surface as it was made, about its mean. */
-    double
-    rms_height() const
-    {
-      return first_rms_height;
-    }
-
-    /** Mean pressure of the fluid; 0 without. */
-    double
-    fluid_load() const
-    {
-      return load;
-    }
+    SlabField heights;          // at most 0 [length]; they stay where they are
+    double    mean_height = 0.; // of these
+    double    rms_height  = 0.; // of the surface as it was made, about its mean
+    double    fluid_load  = 0.; // mean pressure of the fluid; 0 without
 
   private:
     void lower_highest_peak_to_zero();
 
     const double modulus;
-    SlabField    displaced;
     SlabField    undeformed; // empty before the first fluid or indentation
-    double       mean_of_heights  = 0.;
-    double       first_rms_height = 0.;
-    double       load             = 0.;
   };
 } // namespace strait
 
