@@ -43,14 +43,14 @@ namespace strait
   {
     if (!enabled)
       return;
-    if ((surface_energy > 0.) == (matched_pressure > 0.))
-      throw InputError(
-        "Contact/Adhesion needs either Surface energy or Match area at pressure, one of "
-        "them positive and the other 0.");
-    if ((range > 0.) == (tabor_number > 0.))
-      throw InputError(
-        "Contact/Adhesion needs either Range or Tabor number, one of them positive and "
-        "the other 0.");
+    require(
+      (surface_energy > 0.) != (matched_pressure > 0.),
+      "Contact/Adhesion needs either Surface energy or Match area at pressure, one of "
+      "them positive and the other 0.");
+    require(
+      (range > 0.) != (tabor_number > 0.),
+      "Contact/Adhesion needs either Range or Tabor number, one of them positive and "
+      "the other 0.");
   }
 
   void
@@ -93,7 +93,7 @@ namespace strait
       "H: pressure at which the softer body flows, about three times its yield stress; "
       "the column validity compares the pressure of an elastic contact with it, and with "
       "a tenth of the effective modulus if it is 0 [pressure].";
-    section.add("Yielding", yielding, Names{"none", "cut-off"}).meaning =
+    section.add("Yielding", yields, Names{"none", "cut-off"}).meaning =
       "none: the contact is elastic at any pressure; cut-off: no pressure exceeds the "
       "Hardness, and where it is reached the surface keeps the indentation that remains. "
       "States then depend on the path of the load.";
@@ -118,14 +118,13 @@ namespace strait
   {
     if (young_moduli.empty() && poisson_ratios.empty())
       return;
-    if (young_moduli.size() != poisson_ratios.size() || young_moduli.size() > 2)
-      throw InputError("Contact/Young's moduli and Poisson ratios have " +
-                       std::to_string(young_moduli.size()) + " and " +
-                       std::to_string(poisson_ratios.size()) +
-                       " entries; give one of each for each elastic body, one or two.");
-    if (effective_modulus != ContactParameters().effective_modulus)
-      throw InputError(
-        "Contact/Effective modulus and Young's moduli are both given; remove one.");
+    require(young_moduli.size() == poisson_ratios.size() && young_moduli.size() <= 2,
+            "Contact/Young's moduli and Poisson ratios have " +
+              std::to_string(young_moduli.size()) + " and " +
+              std::to_string(poisson_ratios.size()) +
+              " entries; give one of each for each elastic body, one or two.");
+    require(effective_modulus == ContactParameters().effective_modulus,
+            "Contact/Effective modulus and Young's moduli are both given; remove one.");
     double compliance = 0; // 1/E* = Σ (1 − ν²)/E
     for (std::size_t i = 0; i < young_moduli.size(); ++i)
       compliance += (1 - poisson_ratios[i] * poisson_ratios[i]) / young_moduli[i];

@@ -59,7 +59,7 @@ namespace strait
       "than that or a tenth of Fluid/Target accuracy, whichever is more [1].";
     effect.add("Maximum iterations", maximum_iterations, any_number.at_least(1)).meaning =
       "Rounds of contact and flow after which a step counts as not converged [1].";
-    effect.add("Acceleration", acceleration, Names{"anderson", "none"}).meaning =
+    effect.add("Acceleration", plain_rounds, Names{"anderson", "none"}).meaning =
       "anderson: combine the last rounds such that the change would be smallest; none: "
       "take the pressure of the last round.";
     effect.add("Relaxation", relaxation, positive.at_most(1.)).meaning =
@@ -92,26 +92,23 @@ namespace strait
   void
   FeedbackParameters::check(const bool is_gas, const double least_of_reservoirs) const
   {
-    if (trapped_fluid == TrappedFluidLaw::gas && !is_gas)
-      throw InputError(
-        "Fluid/Wall feedback/Trapped fluid = gas needs absolute pressures; "
-        "set Fluid/State = gas, or Trapped fluid = compressible.");
-    if (trapped_fluid == TrappedFluidLaw::gas && pool_pressure < 0.)
-      throw InputError(
-        "Fluid/Wall feedback/Pool pressure is negative, but that of a gas is absolute; "
-        "raise it.");
+    require(trapped_fluid != TrappedFluidLaw::gas || is_gas,
+            "Fluid/Wall feedback/Trapped fluid = gas needs absolute pressures; "
+            "set Fluid/State = gas, or Trapped fluid = compressible.");
+    require(
+      trapped_fluid != TrappedFluidLaw::gas || !(pool_pressure < 0.),
+      "Fluid/Wall feedback/Pool pressure is negative, but that of a gas is absolute; "
+      "raise it.");
     if (trapped_fluid != TrappedFluidLaw::compressible)
       return;
-    if (!(bulk_modulus > 0.))
-      throw InputError(
-        "Fluid/Wall feedback/Trapped fluid = compressible needs Bulk "
-        "modulus; give it, or set Trapped fluid = incompressible.");
+    require(bulk_modulus > 0.,
+            "Fluid/Wall feedback/Trapped fluid = compressible needs Bulk "
+            "modulus; give it, or set Trapped fluid = incompressible.");
     const double least = std::min({vapour_pressure, pool_pressure, least_of_reservoirs});
-    if (!(bulk_modulus + bulk_modulus_slope * least > 0.))
-      throw InputError("Fluid/Wall feedback/Bulk modulus is not positive at " +
-                       to_text(least) +
-                       ", the least of Vapour, Pool, Inlet and Outlet pressure; raise "
-                       "that or Bulk modulus.");
+    require(bulk_modulus + bulk_modulus_slope * least > 0.,
+            "Fluid/Wall feedback/Bulk modulus is not positive at " + to_text(least) +
+              ", the least of Vapour, Pool, Inlet and Outlet pressure; raise "
+              "that or Bulk modulus.");
   }
 
   void
@@ -179,7 +176,7 @@ namespace strait
       "Algebraic multigrid of the flow equations: hypre's BoomerAMG or Trilinos' ML.";
     section.add("Gap interpolation", interpolation, Names{"monotone cubic", "bilinear"})
       .meaning = "The gap between the grid points.";
-    section.add("Refinement", refinement, Names{"adaptive", "uniform"}).meaning =
+    section.add("Refinement", uniform_refinement, Names{"adaptive", "uniform"}).meaning =
       "adaptive: refine where the leak rate is decided; uniform: refine all cells.";
     section.add("Target accuracy", target_accuracy, positive.below(1.)).meaning =
       "Relative accuracy of the leak rate at which refinement stops [1]; with Zoom that "
@@ -187,7 +184,7 @@ namespace strait
     section.add("Maximum unknowns", maximum_unknowns, any_number.at_least(1)).meaning =
       "Refinement stops before the flow has more unknowns than about this, the first "
       "mesh apart [1].";
-    section.add("Bounds", bounds, Names{"asymptotic", "rigorous"}).meaning =
+    section.add("Bounds", rigorous_bounds, Names{"asymptotic", "rigorous"}).meaning =
       "The leak rate's bounds, by integrals of the conductivity and its reciprocal from "
       "above. asymptotic: by Gauss quadrature where the gap is known to vary little, "
       "which is close but proves nothing; rigorous: their largest values in parts of "
@@ -199,12 +196,12 @@ namespace strait
   void
   FluidParameters::take_gas(const UnitParameters &units)
   {
-    if (!is_gas && (!gas.empty() || molar_mass > 0.))
-      throw InputError(
-        "Fluid/Gas and Molar mass are of a gas; set Fluid/State = gas, or remove them.");
+    require(
+      is_gas || (gas.empty() && !(molar_mass > 0.)),
+      "Fluid/Gas and Molar mass are of a gas; set Fluid/State = gas, or remove them.");
     const Gas *const known = find_gas(gas);
-    if (known != nullptr && molar_mass > 0.)
-      throw InputError("Fluid/Gas and Molar mass are both given; remove one.");
+    require(known == nullptr || !(molar_mass > 0.),
+            "Fluid/Gas and Molar mass are both given; remove one.");
     if (known != nullptr)
       molar_mass = known->molar_mass;
     constexpr double gas_constant = 8.314462618; // J/(mol K)
@@ -213,9 +210,9 @@ namespace strait
                       seconds_in(units.time).value_or(1.) / units.length_in_metres();
     if (known == nullptr || viscosity != FluidParameters().viscosity)
       return;
-    if (temperature != FluidParameters().temperature)
-      throw InputError("Fluid/Gas knows the viscosity of " + gas +
-                       " at 293.15 K only; give Fluid/Viscosity at the temperature.");
+    require(temperature == FluidParameters().temperature,
+            "Fluid/Gas knows the viscosity of " + gas +
+              " at 293.15 K only; give Fluid/Viscosity at the temperature.");
     viscosity = known->viscosity / (pascals_in(units.pressure).value_or(1.) *
                                     seconds_in(units.time).value_or(1.));
   }
@@ -225,22 +222,20 @@ namespace strait
   {
     if (rarefaction == Rarefaction::none)
       return;
-    if (!is_gas || molar_mass == 0.)
-      throw InputError(
-        "Fluid/Rarefaction needs a gas whose molecules are known; set "
-        "Fluid/State = gas and Fluid/Gas or Molar mass.");
-    if (has_slip())
-      throw InputError(
-        "Fluid/Slip length is an immobile layer of a liquid and Fluid/Rarefaction the slip "
-        "of a gas; give one of them.");
-    if (feedback.enabled)
-      throw InputError(
-        "Fluid/Wall feedback takes the fluid's pressure from a linear problem, which that "
-        "of a rarefied gas does not solve; switch it off or set Fluid/Rarefaction = none.");
-    if (rarefaction == Rarefaction::transitional && accommodation != 1.)
-      throw InputError(
-        "Fluid/Rarefaction = transitional is for walls that reflect diffusely; set "
-        "Fluid/Accommodation = 1, or Rarefaction = slip.");
+    require(is_gas && molar_mass != 0.,
+            "Fluid/Rarefaction needs a gas whose molecules are known; set "
+            "Fluid/State = gas and Fluid/Gas or Molar mass.");
+    require(
+      !has_slip(),
+      "Fluid/Slip length is an immobile layer of a liquid and Fluid/Rarefaction the slip "
+      "of a gas; give one of them.");
+    require(
+      !feedback.enabled,
+      "Fluid/Wall feedback takes the fluid's pressure from a linear problem, which that "
+      "of a rarefied gas does not solve; switch it off or set Fluid/Rarefaction = none.");
+    require(rarefaction != Rarefaction::transitional || accommodation == 1.,
+            "Fluid/Rarefaction = transitional is for walls that reflect diffusely; set "
+            "Fluid/Accommodation = 1, or Rarefaction = slip.");
   }
 
   void
@@ -249,32 +244,28 @@ namespace strait
     check_rarefaction();
     if (feedback.enabled)
       feedback.check(is_gas, std::min(inlet_pressure, outlet_pressure));
-    if (slip_lengths.empty())
-      throw InputError(
-        "Fluid/Slip length is empty; give 0 for a fluid that does not slip.");
-    if (enabled && inlet_pressure == outlet_pressure && !feedback.enabled)
-      throw InputError("Fluid/Inlet pressure and Outlet pressure are both " +
-                       to_text(inlet_pressure) +
-                       ", so nothing drives a flow; change one or set Fluid/Enabled = "
-                       "false.");
-    if (is_gas && (inlet_pressure < 0. || outlet_pressure < 0.))
-      throw InputError(
-        "Fluid/State = gas needs absolute pressures, but Inlet or Outlet pressure is "
-        "negative.");
+    require(!slip_lengths.empty(),
+            "Fluid/Slip length is empty; give 0 for a fluid that does not slip.");
+    require(!enabled || inlet_pressure != outlet_pressure || feedback.enabled,
+            "Fluid/Inlet pressure and Outlet pressure are both " +
+              to_text(inlet_pressure) +
+              ", so nothing drives a flow; change one or set Fluid/Enabled = false.");
+    require(!is_gas || !(inlet_pressure < 0. || outlet_pressure < 0.),
+            "Fluid/State = gas needs absolute pressures, but Inlet or Outlet pressure is "
+            "negative.");
     if (!enabled || mesh_file.empty())
       return;
-    if (direction != FlowDirection::x)
-      throw InputError(
-        "Fluid/Direction = y goes without Fluid/Mesh: the boundary ids of "
-        "the mesh say where inlet and outlet are; leave it at x.");
-    if (bounds == FlowBounds::rigorous)
-      throw InputError(
-        "Fluid/Bounds = rigorous needs the cells of the contact grid, which Fluid/Mesh "
-        "replaces; set Bounds = asymptotic.");
-    if (feedback.enabled)
-      throw InputError(
-        "Fluid/Wall feedback and Fluid/Mesh cannot be used together yet; switch one of "
-        "them off.");
+    require(direction == FlowDirection::x,
+            "Fluid/Direction = y goes without Fluid/Mesh: the boundary ids of "
+            "the mesh say where inlet and outlet are; leave it at x.");
+    require(
+      !rigorous_bounds,
+      "Fluid/Bounds = rigorous needs the cells of the contact grid, which Fluid/Mesh "
+      "replaces; set Bounds = asymptotic.");
+    require(
+      !feedback.enabled,
+      "Fluid/Wall feedback and Fluid/Mesh cannot be used together yet; switch one of "
+      "them off.");
   }
 
   double

@@ -57,16 +57,14 @@ namespace strait
   void
   ProgrammeParameters::check() const
   {
-    if (pressures.empty() && !find_threshold)
-      throw InputError("Load programme/Pressures is empty; list at least one value.");
-    if (!reduced_loads.empty() && !find_threshold)
-      throw InputError(
-        "Load programme/Reduced loads needs the critical load; set Find "
-        "threshold = true.");
-    if (find_resealing && !find_blow_out)
-      throw InputError(
-        "Load programme/Find re-sealing looks for the pressure at which a "
-        "seal that has blown out closes again; it needs Find blow-out.");
+    require(!pressures.empty() || find_threshold,
+            "Load programme/Pressures is empty; list at least one value.");
+    require(reduced_loads.empty() || find_threshold,
+            "Load programme/Reduced loads needs the critical load; set Find "
+            "threshold = true.");
+    require(!find_resealing || find_blow_out,
+            "Load programme/Find re-sealing looks for the pressure at which a "
+            "seal that has blown out closes again; it needs Find blow-out.");
   }
 
   std::string
@@ -93,14 +91,12 @@ namespace strait
   void
   RealisationParameters::check() const
   {
-    if (orientations.empty())
-      throw InputError("Realisations/Orientations is empty; give 'as is' for no change.");
-    if (has_repetitions(seeds) || has_repetitions(orientations))
-      throw InputError(
-        "Realisations lists a seed or an orientation twice; the copies would "
-        "falsify the scatter, remove them.");
-    if (ranks_each.size() > 1)
-      throw InputError("Realisations/Ranks each takes one number, or none.");
+    require(!orientations.empty(),
+            "Realisations/Orientations is empty; give 'as is' for no change.");
+    require(!has_repetitions(seeds) && !has_repetitions(orientations),
+            "Realisations lists a seed or an orientation twice; the copies would "
+            "falsify the scatter, remove them.");
+    require(ranks_each.size() <= 1, "Realisations/Ranks each takes one number, or none.");
   }
 
   void
@@ -132,10 +128,10 @@ namespace strait
   void
   WholeSealParameters::check() const
   {
-    if (enabled && !(circumference > 0. && contact_width > 0.))
-      throw InputError(
-        "Seal/Enabled needs to know how large the seal is; set Seal/Circumference and "
-        "Contact width.");
+    require(
+      !enabled || (circumference > 0. && contact_width > 0.),
+      "Seal/Enabled needs to know how large the seal is; set Seal/Circumference and "
+      "Contact width.");
   }
 
   void
@@ -146,10 +142,11 @@ namespace strait
       "and Fluid off they are evaluated alone, for every load of Load "
       "programme/Pressures and without a grid.";
     ParameterSection effect = section.when("Enabled", {"true"});
-    effect.add("Spectrum", spectrum, Names{"model", "surface"}).meaning =
+    effect.add("Spectrum", spectrum_of_surface, Names{"model", "surface"}).meaning =
       "model: what a self-affine surface has on average, in closed form; surface: that "
       "of the heights on the grid.";
-    effect.add("Gap distribution", gaps, Names{"persson", "simulated"}).meaning =
+    effect.add("Gap distribution", simulated_gaps, Names{"persson", "simulated"})
+      .meaning =
       "The gaps that the effective medium is made of: persson, those of the theory; "
       "simulated, those of the step.";
     effect

@@ -74,14 +74,14 @@ namespace strait
       if (!theory.enabled)
         return;
       const bool simulates = scene.contact.enabled || scene.fluid.enabled;
-      require(theory.spectrum != TheorySpectrum::model ||
+      require(theory.spectrum_of_surface ||
                 scene.surface.kind == SurfaceKind::self_affine,
               "Theory/Spectrum = model needs Surface/Kind = self-affine; set "
               "Theory/Spectrum = surface for other kinds.");
-      require(theory.gaps != TheoryGaps::simulated || simulates,
+      require(!theory.simulated_gaps || simulates,
               "Theory/Gap distribution = simulated needs a simulation; enable "
               "Contact or Fluid, or take persson.");
-      require(theory.gaps != TheoryGaps::persson || scene.contact.enabled || !simulates,
+      require(theory.simulated_gaps || scene.contact.enabled || !simulates,
               "Theory/Gap distribution = persson needs a load, and with "
               "Contact/Enabled = false there is none; take simulated.");
       require(theory.dimension != TheoryDimension::from_threshold ||
@@ -89,7 +89,7 @@ namespace strait
               "Theory/Dimension parameter = from threshold needs the critical "
               "load; set Load programme/Find threshold = true.");
       require(theory.dimension != TheoryDimension::from_threshold ||
-                theory.gaps != TheoryGaps::simulated || !scene.fluid.has_slip(),
+                !theory.simulated_gaps || !scene.fluid.has_slip(),
               "Theory/Dimension parameter = from threshold knows the simulated "
               "contact fraction at the threshold, not what a slip length "
               "blocks; take Gap distribution = persson or no slip length.");
@@ -102,7 +102,7 @@ namespace strait
     check_yielding(const Scene &scene)
     {
       const ContactParameters &contact = scene.contact;
-      if (!contact.yields() || !(contact.enabled || scene.is_theory_only()))
+      if (!contact.yields || !(contact.enabled || scene.is_theory_only()))
         return;
       const auto require_here = [](const bool condition, const std::string &reason) {
         require(condition, "Contact/Yielding = cut-off " + reason);
@@ -153,7 +153,7 @@ namespace strait
         {
           const bool has_heights =
             scene.surface.kind == SurfaceKind::self_affine &&
-            !(scene.is_theory_only() && scene.theory.spectrum == TheorySpectrum::model);
+            (!scene.is_theory_only() || scene.theory.spectrum_of_surface);
           require(
             seeds.size() <= 1 || has_heights,
             "Realisations/Seeds are of random surfaces and windows of maps; others, or "
@@ -259,7 +259,7 @@ namespace strait
       "switch one of them off.");
     require(
       contact.enabled || is_theory_only() ||
-        !(contact.adhesion.enabled || contact.yields()),
+        !(contact.adhesion.enabled || contact.yields),
       "Contact/Adhesion and Yielding are of a contact, and Contact/Enabled = false; "
       "switch either off, or the contact on.");
     require(contact.enabled || fluid.enabled || theory.enabled,

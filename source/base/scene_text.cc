@@ -78,10 +78,9 @@ namespace strait
           {
             // Deeper than any scene; each entry keeps all names that it is within.
             constexpr std::size_t deepest = 16;
-            if (section.size() == deepest)
-              throw InputError(place + ": the subsection '" + squeeze(rest) +
-                               "' lies within " + std::to_string(deepest) +
-                               " others, and none is known so deep.");
+            require(section.size() != deepest,
+                    place + ": the subsection '" + squeeze(rest) + "' lies within " +
+                      std::to_string(deepest) + " others, and none is known so deep.");
             section.push_back(squeeze(rest));
             opened_at.push_back(place);
             entries.push_back({section, "", "", place, folder});
@@ -94,8 +93,7 @@ namespace strait
                              folder});
         else if (word == "end" && rest.empty())
           {
-            if (section.empty())
-              throw InputError(place + ": this 'end' closes no subsection.");
+            require(!section.empty(), place + ": this 'end' closes no subsection.");
             section.pop_back();
             opened_at.pop_back();
           }
@@ -124,8 +122,8 @@ namespace strait
         entry.section.pop_back();
         entry.value = trim(text.substr(equals + 1));
       }
-    if (entry.name.empty() || entry.section.empty())
-      throw InputError(place + ": expected \"Section/Parameter=value\".");
+    require(!entry.name.empty() && !entry.section.empty(),
+            place + ": expected \"Section/Parameter=value\".");
     return entry;
   }
 } // namespace strait

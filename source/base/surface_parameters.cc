@@ -14,19 +14,18 @@ namespace strait
     void
     check_spectrum(const SurfaceParameters &surface)
     {
-      if (!(surface.short_cut_off_wavelength < surface.roll_off_wavelength))
-        throw InputError("Surface/Short cut-off wavelength (" +
-                         to_text(surface.short_cut_off_wavelength) +
-                         ") must be shorter than the Roll-off wavelength (" +
-                         to_text(surface.roll_off_wavelength) + ").");
+      require(surface.short_cut_off_wavelength < surface.roll_off_wavelength,
+              "Surface/Short cut-off wavelength (" +
+                to_text(surface.short_cut_off_wavelength) +
+                ") must be shorter than the Roll-off wavelength (" +
+                to_text(surface.roll_off_wavelength) + ").");
       const double longest = std::max(surface.size[0], surface.size[1]);
-      if (surface.roll_off_wavelength > longest)
-        throw InputError(
-          "Surface/Roll-off wavelength (" + to_text(surface.roll_off_wavelength) +
-          ") does not fit into a box of Size " + to_text(surface.size[0]) + ", " +
-          to_text(surface.size[1]) + "; shorten it or enlarge the box.");
-      if (surface.rms_value == 0.)
-        throw InputError("Surface/RMS value is 0; choose Kind = flat for no roughness.");
+      require(!(surface.roll_off_wavelength > longest),
+              "Surface/Roll-off wavelength (" + to_text(surface.roll_off_wavelength) +
+                ") does not fit into a box of Size " + to_text(surface.size[0]) + ", " +
+                to_text(surface.size[1]) + "; shorten it or enlarge the box.");
+      require(surface.rms_value != 0.,
+              "Surface/RMS value is 0; choose Kind = flat for no roughness.");
     }
   } // namespace
 
@@ -81,24 +80,23 @@ namespace strait
   void
   MapParameters::check() const
   {
-    if (file.empty())
-      throw InputError("Surface/Kind = file needs a height map; set Surface/File.");
-    if (longest_wavelength > 0. && longest_wavelength <= shortest_wavelength)
-      throw InputError("Surface/Longest wavelength (" + to_text(longest_wavelength) +
-                       ") must exceed the Shortest wavelength (" +
-                       to_text(shortest_wavelength) + "), or nothing is left.");
+    require(!file.empty(), "Surface/Kind = file needs a height map; set Surface/File.");
+    require(!(longest_wavelength > 0. && longest_wavelength <= shortest_wavelength),
+            "Surface/Longest wavelength (" + to_text(longest_wavelength) +
+              ") must exceed the Shortest wavelength (" + to_text(shortest_wavelength) +
+              "), or nothing is left.");
   }
 
   void
   MapParameters::check_window(const unsigned long long seed) const
   {
     const auto n = static_cast<unsigned long long>(windows[0]) * windows[1];
-    if (n > 1 && (seed < 1 || seed > n))
-      throw InputError(
-        "The seed " + std::to_string(seed) +
-        " is none of the windows that Surface/Windows = " + std::to_string(windows[0]) +
-        ", " + std::to_string(windows[1]) +
-        " cuts the map into; they are numbered from 1 to " + std::to_string(n) + ".");
+    require(n <= 1 || (seed >= 1 && seed <= n),
+            "The seed " + std::to_string(seed) +
+              " is none of the windows that Surface/Windows = " +
+              std::to_string(windows[0]) + ", " + std::to_string(windows[1]) +
+              " cuts the map into; they are numbered from 1 to " + std::to_string(n) +
+              ".");
   }
 
   void
@@ -136,8 +134,8 @@ namespace strait
     of_law.add("Amplitudes", amplitudes, Names{"gaussian", "fixed"}).meaning =
       "amplitudes of the waves drawn at random (gaussian), or equal "
       "to the spectrum with random phases only (fixed).";
-    of_law.add("Normalisation", normalisation, Names{"rms slope", "rms height"}).meaning =
-      "what RMS value prescribes.";
+    of_law.add("Normalisation", rms_is_of_height, Names{"rms slope", "rms height"})
+      .meaning = "what RMS value prescribes.";
     of_law.add("RMS value", rms_value, not_negative).meaning =
       "rms slope [1] or rms height [length].";
     section
@@ -170,15 +168,12 @@ namespace strait
         case SurfaceKind::honeycomb_peaks:
         case SurfaceKind::sphere:
         case SurfaceKind::sine:
-          if (amplitude == 0.)
-            throw InputError(
-              "Surface/Amplitude is 0; choose Kind = flat for no roughness.");
+          require(amplitude != 0.,
+                  "Surface/Amplitude is 0; choose Kind = flat for no roughness.");
           break;
         case SurfaceKind::expression:
-          if (expression.empty())
-            throw InputError(
-              "Surface/Kind = expression needs a formula; set "
-              "Surface/Expression.");
+          require(!expression.empty(),
+                  "Surface/Kind = expression needs a formula; set Surface/Expression.");
           break;
         case SurfaceKind::file:
           map.check();
@@ -186,10 +181,9 @@ namespace strait
         case SurfaceKind::flat:
           break;
       }
-    if (kind != SurfaceKind::file && !map.file.empty())
-      throw InputError(
-        "Surface/File is a map, but Surface/Kind is no file; set Kind = "
-        "file, or remove File.");
+    require(kind == SurfaceKind::file || map.file.empty(),
+            "Surface/File is a map, but Surface/Kind is no file; set Kind = "
+            "file, or remove File.");
   }
 
   std::string

@@ -6,19 +6,7 @@
 
 namespace strait
 {
-  Timers::Scope::Scope(Timers &timers, Node &part)
-    : timers(timers)
-    , part(part)
-  {
-  }
-
-  Timers::Scope::~Scope()
-  {
-    part.seconds += seconds_since(start);
-    timers.innermost = part.whole;
-  }
-
-  Timers::Scope
+  std::shared_ptr<void>
   Timers::scope(const std::string &name)
   {
     std::list<Node> &parts = innermost->parts;
@@ -28,7 +16,10 @@ namespace strait
     if (part == parts.end())
       part = parts.insert(part, {name, innermost});
     innermost = &*part;
-    return {*this, *part};
+    return std::shared_ptr<Node>(innermost, [this, begin = Clock::now()](Node *timed) {
+      timed->seconds += seconds_since(begin);
+      innermost = timed->whole;
+    });
   }
 
   std::vector<Timers::Part>

@@ -105,7 +105,7 @@ namespace strait
     problem.release();
 
     std::optional<PlasticState> plasticity;
-    if (parameters.yields())
+    if (parameters.yields)
       plasticity =
         indent(indentation, pressure, gap, parameters.hardness, solution.converged);
     ContactState state = state_of(solution, std::move(pressure), std::move(gap));
@@ -214,7 +214,7 @@ namespace strait
                                   "the surfaces never make contact."
                                 : "mean gap must be positive: it is 0 only under an "
                                   "infinite load."));
-    if (parameters.yields() && !(target < parameters.hardness))
+    if (parameters.yields && !(target < parameters.hardness))
       throw InputError(
         format("At a nominal pressure of %g all of the contact flows: it "
                "must be less than Contact/Hardness = %g.",
@@ -242,7 +242,7 @@ namespace strait
                                               : target * wall.heights.grid().mean_side() /
                                                   parameters.effective_modulus;
     const double limit =
-      parameters.yields() ? parameters.hardness : ContactConstraint::unlimited;
+      parameters.yields ? parameters.hardness : ContactConstraint::unlimited;
     // The displacement under pressure has the mean 0.
     const ContactConstraint constraint =
       parameters.loads()

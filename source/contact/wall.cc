@@ -15,10 +15,9 @@ namespace strait
   {
     lower_highest_peak_to_zero();
     rms_height = rms(heights);
-    if (!std::isfinite(rms_height))
-      throw InputError(
-        "The surface has heights that are not finite numbers; mend the "
-        "Expression or File of the section Surface.");
+    require(std::isfinite(rms_height),
+            "The surface has heights that are not finite numbers; mend the "
+            "Expression or File of the section Surface.");
   }
 
   void

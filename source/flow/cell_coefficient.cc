@@ -6,8 +6,8 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <map>
 #include <utility>
@@ -26,9 +26,8 @@ namespace strait
                                                   {8, 5, 7, 3}};
 
     /**
-     * On cells of the grid's quadtree, from the moments that the bridge knows; for
-     * potentials that are polynomials on the cell or, if the coefficient is one of
-     * children, bilinear on each of its four children.
+     * On cells of the grid's quadtree, from the moments that the bridge knows; potentials
+     * are polynomials on each of the @p n_parts of a cell, itself or its four children.
      */
     class GridCoefficient : public CellCoefficient
     {
@@ -36,34 +35,30 @@ namespace strait
       GridCoefficient(const FlowMesh             &mesh_,
                       const MomentSet            &set,
                       const GapField::Coefficient coefficient_,
-                      const bool                  of_children_)
+                      const unsigned int          n_parts_)
         : mesh(mesh_)
         , element(set)
         , coefficient(coefficient_)
-        , of_children(of_children_)
+        , n_parts(n_parts_)
       {
       }
 
       void
       update(const GapField &gap) override
       {
-        // What is known of the same gap from the mesh before is not asked again: most of
-        // its cells are still there.
-        const bool                is_same = gap.revision() == revision;
+        // Most cells of the mesh before are still there: of the same gap, they are known.
         const std::vector<Sorted> before =
-          is_same ? sorted_cells() : std::vector<Sorted>();
+          gap.revision() == revision ? sorted_cells() : std::vector<Sorted>();
         revision = gap.revision();
         find_cells(gap.layout().grid());
-        const std::vector<Sorted> now       = sorted_cells();
         const int                 n_moments = gap.moment_set().size();
         CellAnswers               all(cells.size(), n_moments);
         std::vector<GridCell>     others;
-        std::vector<std::size_t>  numbers; // of those
+        std::vector<unsigned int> numbers; // of those
         auto                      known = before.begin();
-        for (const auto &[name, c] : now)
+        for (const auto &[name, c] : sorted_cells())
           {
-            while (known != before.end() && known->first < name)
-              ++known;
+            known = std::lower_bound(known, before.end(), Sorted(name, 0));
             if (known != before.end() && known->first == name)
               std::copy_n(&answers(known->second, 0), n_moments, &all(c, 0));
             else
@@ -81,12 +76,10 @@ namespace strait
       double
       mean(const std::size_t cell) const override
       {
-        if (!of_children)
-          return answers[cell][0];
         double sum = 0;
-        for (std::size_t child = 0; child < 4; ++child)
-          sum += answers[4 * cell + child][0];
-        return .25 * sum;
+        for (unsigned int part = 0; part < n_parts; ++part)
+          sum += answers[n_parts * cell + part][0];
+        return sum / n_parts;
       }
 
       void
@@ -94,11 +87,8 @@ namespace strait
       {
         // Of cells and of children alike: it depends on the ratio of both only.
         const auto [width, height] = mesh.edges(cells.front());
-        if (!of_children)
-          {
-            element.stiffness(&answers(cell, 0), width, height, matrix);
-            return;
-          }
+        if (n_parts == 1)
+          return element.stiffness(&answers(cell, 0), width, height, matrix);
         FullMatrix<double> small(4, 4);
         matrix = 0.;
         for (std::size_t child = 0; child < 4; ++child)
@@ -111,20 +101,16 @@ namespace strait
       }
 
     private:
-      using Sorted = std::pair<std::uint64_t, std::uint32_t>; // a cell's name and number
+      /** Size and place of a cell, and its number. */
+      using Sorted = std::pair<std::array<int, 3>, unsigned int>;
 
-      /** By names, which are those of places and sizes: FlowMesh has 29 bits for a place
-       *  along one axis. */
       std::vector<Sorted>
       sorted_cells() const
       {
         std::vector<Sorted> result;
         result.reserve(cells.size());
-        for (const auto &[exponent, i, j] : cells)
-          result.emplace_back(static_cast<std::uint64_t>(exponent + 32) << 58 |
-                                static_cast<std::uint64_t>(j) << 29 |
-                                static_cast<std::uint64_t>(i),
-                              static_cast<std::uint32_t>(result.size()));
+        for (const auto &[exponent, i, j] : cells) // row by row
+          result.emplace_back(std::array<int, 3>{{exponent, j, i}}, result.size());
         std::sort(result.begin(), result.end());
         return result;
       }
@@ -140,9 +126,9 @@ namespace strait
             {
               GridCell here = mesh.grid_cell(*cell);
               here.exponent -= coarser;
-              if (!of_children)
+              if (n_parts == 1)
                 cells.push_back(here);
-              for (int child = 0; of_children && child < 4; ++child)
+              for (int child = 0; n_parts == 4 && child < 4; ++child)
                 cells.push_back(
                   {here.exponent - 1, 2 * here.i + child % 2, 2 * here.j + child / 2});
             }
@@ -151,8 +137,8 @@ namespace strait
       const FlowMesh       &mesh;
       ElementMatrix         element;
       GapField::Coefficient coefficient;
-      bool                  of_children;
-      std::vector<GridCell> cells; // or their children, four after four
+      unsigned int          n_parts; // of a cell: 1 or 4
+      std::vector<GridCell> cells;   // or their children, four after four
       CellAnswers           answers;
       unsigned int          revision = 0; // of the gap that they are of
     };
@@ -186,10 +172,9 @@ namespace strait
         for (const auto &cell : tria.active_cell_iterators())
           if (cell->is_locally_owned())
             {
-              const auto box =
-                mesh.mapping().get_bounding_box(cell).get_boundary_points();
-              low  = std::min(low, box.first[1]);
-              high = std::max(high, box.second[1]);
+              const auto box = mesh.mapping().get_bounding_box(cell);
+              low            = std::min(low, box.lower_bound(1));
+              high           = std::max(high, box.upper_bound(1));
             }
         const GapRows rows = gap.rows(low, high);
         means.clear();
@@ -211,10 +196,9 @@ namespace strait
                 {
                   const double coarser = mean;
                   mean = integrate(gap, rows, values_on(cell, 2 * n_parts), sums);
-                  const double factor =
-                    mean > 0 ? 1. + std::abs(mean - coarser) / mean : 1.;
-                  for (double &entry : sums)
-                    entry *= factor;
+                  if (mean > 0)
+                    for (double &entry : sums)
+                      entry *= 1. + std::abs(mean - coarser) / mean;
                 }
               means.push_back(mean);
               entries.insert(entries.end(), sums.begin(), sums.end());
@@ -259,8 +243,7 @@ namespace strait
         return *entry;
       }
 
-      /** Find the lower half of the matrix of a cell. Returns the mean of the
-       *  coefficient. */
+      /** The mean of the coefficient in a cell; @p sums: lower half of its matrix. */
       double
       integrate(const GapField      &gap,
                 const GapRows       &rows,
@@ -276,10 +259,8 @@ namespace strait
               gap.coefficient_of(coefficient, rows(x[0], x[1])) * at.JxW(q);
             area += at.JxW(q);
             total += c;
-            if (!(c > 0))
-              continue;
             double *entry = sums.data();
-            for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int i = 0; c > 0 && i < n; ++i)
               for (unsigned int j = 0; j <= i; ++j)
                 *entry++ += c * (at.shape_grad(i, q) * at.shape_grad(j, q));
           }
@@ -308,7 +289,7 @@ namespace strait
   {
     if (mesh.seal() != nullptr)
       return std::make_unique<MappedCoefficient>(mesh, fe, coefficient, set.degree());
-    const bool of_children = fe.degree > set.degree();
-    return std::make_unique<GridCoefficient>(mesh, set, coefficient, of_children);
+    const unsigned int n_parts = fe.degree > set.degree() ? 4 : 1;
+    return std::make_unique<GridCoefficient>(mesh, set, coefficient, n_parts);
   }
 } // namespace strait

@@ -253,9 +253,9 @@ namespace strait
     const double affordable =
       (static_cast<double>(parameters.maximum_unknowns) / leakage.unknowns - 1.) / 3.;
     auto &tria = flow_mesh.triangulation();
-    if (parameters.refinement == Refinement::uniform && affordable >= 1.)
+    if (parameters.uniform_refinement && affordable >= 1.)
       tria.set_all_refine_flags();
-    else if (parameters.refinement == Refinement::uniform ||
+    else if (parameters.uniform_refinement ||
              !mark(flow_mesh,
                    gap_field,
                    plain,

@@ -192,7 +192,7 @@ namespace strait
   CellQuadrature::CellQuadrature(const FluidParameters &fluid)
     : set(fluid.element_degree)
     , interpolant{fluid.interpolation, fluid.direction}
-    , rigorous(fluid.bounds == FlowBounds::rigorous)
+    , rigorous(fluid.rigorous_bounds)
   {
     for (Rule *rule : {&coarse, &fine})
       {

@@ -15,37 +15,6 @@ namespace strait
     using Label              = std::int64_t;
     constexpr Label no_label = -1;
 
-    /** Union–find over 0 … n−1; the smallest member of a set is its root. */
-    class DisjointSets
-    {
-    public:
-      explicit DisjointSets(const std::size_t n)
-        : parent(n)
-      {
-        std::iota(parent.begin(), parent.end(), std::size_t(0));
-      }
-
-      /** The root of the set of @p a. */
-      std::size_t
-      find(std::size_t a)
-      {
-        while (parent[a] != a)
-          a = parent[a] = parent[parent[a]];
-        return a;
-      }
-
-      /** Make the sets of @p a and @p b one. */
-      void
-      join(const std::size_t a, const std::size_t b)
-      {
-        const std::size_t root_a = find(a), root_b = find(b);
-        parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
-      }
-
-    private:
-      std::vector<std::size_t> parent;
-    };
-
     void
     sort_unique(std::vector<Label> &labels)
     {
@@ -115,7 +84,14 @@ namespace strait
     void
     Labels::label_here()
     {
-      DisjointSets                            sets(gap.size());
+      // Union–find: the smallest point of a set is its root.
+      std::vector<std::size_t> parent(gap.size());
+      std::iota(parent.begin(), parent.end(), std::size_t(0));
+      const auto root_of = [&parent](std::size_t k) {
+        while (parent[k] != k)
+          k = parent[k] = parent[parent[k]];
+        return k;
+      };
       std::vector<std::array<std::size_t, 2>> into_windows;
       for_each_open_point(gap, [&](const std::size_t k) {
         if (gap.is_copy(k))
@@ -124,18 +100,21 @@ namespace strait
           // What joins two points is seen from the first of them.
           if (step.point < k || !(gap[step.point] > 0))
             return;
-          if (gap.in_window(step.point) == gap.in_window(k))
-            sets.join(k, step.point);
-          else
-            into_windows.push_back({{k, step.point}});
+          if (gap.in_window(step.point) != gap.in_window(k))
+            {
+              into_windows.push_back({{k, step.point}});
+              return;
+            }
+          const auto [low, high] = std::minmax({root_of(k), root_of(step.point)});
+          parent[high]           = low;
         });
       });
       for_each_open_point(gap, [&](const std::size_t k) {
-        if (Label &label = labels[sets.find(k)]; label == no_label)
+        if (Label &label = labels[root_of(k)]; label == no_label)
           label = static_cast<Label>(gap.place_in_field(k));
       });
       for (std::size_t k = 0; k < labels.size(); ++k)
-        labels[k] = labels[sets.find(k)];
+        labels[k] = labels[root_of(k)];
       for (const auto &[from, to] : into_windows)
         touching.push_back({{labels[from], labels[to]}});
     }
@@ -151,27 +130,19 @@ namespace strait
                                           touching.push_back({{labels[k], label}});
                                       });
       touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
-      const auto         pairs = gather_all(gap.communicator(), touching);
-      std::vector<Label> names;
-      for (const auto &pair : pairs)
-        names.insert(names.end(), pair.begin(), pair.end());
-      sort_unique(names);
-      const auto number_of = [&names](const Label label) {
-        return static_cast<std::size_t>(
-          std::lower_bound(names.begin(), names.end(), label) - names.begin());
+      const auto                       pairs = gather_all(gap.communicator(), touching);
+      std::unordered_map<Label, Label> lesser; // names of the same cluster
+      const auto                       least = [&lesser](Label name) {
+        for (auto found = lesser.find(name); found != lesser.end();
+             found      = lesser.find(name))
+          name = found->second;
+        return name;
       };
-      DisjointSets sets(names.size());
       for (const auto &[a, b] : pairs)
-        sets.join(number_of(a), number_of(b));
-      std::unordered_map<Label, Label> new_name;
-      for (std::size_t k = 0; k < names.size(); ++k)
-        if (sets.find(k) != k)
-          new_name[names[k]] = names[sets.find(k)];
-      if (new_name.empty())
-        return;
+        if (const auto [low, high] = std::minmax({least(a), least(b)}); low != high)
+          lesser[high] = low;
       for (Label &label : labels)
-        if (const auto found = new_name.find(label); found != new_name.end())
-          label = found->second;
+        label = least(label);
     }
 
     /** Collective. */

@@ -217,10 +217,9 @@ namespace strait
         return (flag & bits) == bits;
       });
     };
-    if (!is_some(at_inlet) || !is_some(at_outlet) || is_some(at_inlet | at_outlet))
-      throw InputError(
-        "The contact grid is too coarse for Fluid/Mesh: within one grid spacing it "
-        "cannot tell inlet and outlet apart; raise Contact/Grid points.");
+    require(is_some(at_inlet) && is_some(at_outlet) && !is_some(at_inlet | at_outlet),
+            "The contact grid is too coarse for Fluid/Mesh: within one grid spacing it "
+            "cannot tell inlet and outlet apart; raise Contact/Grid points.");
   }
 
   bool

@@ -46,8 +46,7 @@ namespace strait
         log.warn(std::string("leak_rate_error is without that of the contact grid, as ") +
                  why);
     };
-    if ((scene.contact.enabled && scene.contact.has_memory()) ||
-        scene.fluid.feedback.enabled)
+    if (scene.depends_on_path())
       {
         warn_of_unknown("no coarser grid has the same past of contact or fluid");
         return;

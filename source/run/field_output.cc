@@ -8,33 +8,13 @@
 #include <array>
 #include <map>
 #include <sstream>
+#include <type_traits>
 #include <vector>
 
 namespace strait
 {
   namespace
   {
-    /** The data set @p name with @p n_rows rows of @p n_columns numbers, of which this
-     *  rank has @p n_here from the row @p first on, at @p values. Collective. */
-    template <typename Number>
-    void
-    write_rows(dealii::HDF5::Group &group,
-               const std::string   &name,
-               const hsize_t        n_columns,
-               const hsize_t        n_rows,
-               const hsize_t        first,
-               const hsize_t        n_here,
-               const Number        *values)
-    {
-      auto dataset = group.create_dataset<Number>(name, {n_rows, n_columns});
-      if (n_here == 0)
-        dataset.template write_none<Number>();
-      else
-        dataset.write_hyperslab(std::vector<Number>(values, values + n_here * n_columns),
-                                {first, 0},
-                                {n_here, n_columns});
-    }
-
     /** A piece of the plane of z = 0 with the values of data sets at regular points. */
     struct GridPiece
     {
@@ -99,84 +79,83 @@ namespace strait
       return out.str();
     }
 
-    /** The windows of a step in groups of the file, and a description of each level for
-     *  ParaView. Collective. */
-    void
-    write_windows(const std::string              &directory,
-                  dealii::HDF5::File             &file,
-                  const Step                     &step,
-                  const std::vector<int>         &labels,
-                  const std::vector<GridDataset> &datasets)
+    /** The fields of a step in its window @p w of @p n_rows rows of @p n_columns points,
+     *  −1 for the grid, as data sets of @p group. Collective. */
+    std::vector<GridDataset>
+    write_fields(dealii::HDF5::Group    &group,
+                 const Step             &step,
+                 const std::vector<int> &labels,
+                 const int               w,
+                 const hsize_t           n_columns,
+                 const hsize_t           n_rows)
     {
-      const SlabLayout                     &layout = step.state.gap().layout();
-      std::map<int, std::vector<GridPiece>> pieces; // of the levels
-      for (int w = 0; w < static_cast<int>(layout.windows().size()); ++w)
+      const SlabLayout &layout = step.state.gap().layout();
+      std::size_t       begin  = 0;
+      hsize_t           first = layout.first_row(), n_here = layout.n_rows();
+      if (w >= 0) // all ranks hold the values, one of them writes
         {
-          const ZoomWindow &window = layout.windows()[w];
-          const std::string name   = "window-" + std::to_string(w + 1);
-          auto              group  = file.create_group(name);
-          // All ranks hold the values, one of them writes.
-          const auto write = [&](const char *what, const auto &values) {
-            write_rows(group,
-                       what,
-                       window.n_columns(),
-                       window.n_rows(),
-                       0,
-                       layout.rank() == 0 ? window.n_rows() : 0,
-                       values.data() + layout.start_of_window(w));
-          };
-          write("gap", step.state.gap());
-          write("pressure", step.state.contact->pressure);
-          write("labels", labels);
-          group.set_attribute("level", window.level);
-          pieces[window.level].push_back({name + "/",
-                                          window.n_columns(),
-                                          window.n_rows(),
-                                          layout.position(w, 0, 0),
-                                          layout.spacing(w)});
+          begin  = layout.start_of_window(w);
+          first  = 0;
+          n_here = layout.rank() == 0 ? n_rows : 0;
         }
-      const std::string base  = "fields-" + std::to_string(step.number);
-      const std::string begin = directory + "/" + base + "-level-";
-      run_on_root(layout.communicator(), [&]() {
-        for (const auto &[level, of_level] : pieces)
-          write_text(begin + std::to_string(level) + ".xmf",
-                     grid_description(base + ".h5", of_level, datasets));
-      });
+      std::vector<GridDataset> datasets;
+      const auto               write = [&](const char *name, const auto *values) {
+        using Number = std::decay_t<decltype(*values)>;
+        dealii::HDF5::DataSet dataset =
+          group.create_dataset<Number>(name, {n_rows, n_columns});
+        if (n_here == 0)
+          dataset.write_none<Number>();
+        else
+          dataset.write_hyperslab(
+            std::vector<Number>(values + begin, values + begin + n_here * n_columns),
+            {first, 0},
+            {n_here, n_columns});
+        datasets.push_back({name, std::is_same<Number, int>::value});
+      };
+      write("gap", step.state.gap().data());
+      if (step.state.contact)
+        write("pressure", step.state.contact->pressure.data());
+      if (step.state.contact && step.state.contact->plasticity)
+        write("indentation", step.state.contact->plasticity->indentation.data());
+      if (step.flow)
+        write("labels", labels.data());
+      return datasets;
     }
 
-    /** The fields of a step on the grid and in its windows. Collective. */
+    /** The fields of a step on the grid and, in groups, in its windows, and a description
+     *  of each level for ParaView. Collective. */
     void
-    write_grid(const std::string &directory, dealii::HDF5::File &file, const Step &step)
+    write_levels(const std::string &directory, dealii::HDF5::File &file, const Step &step)
     {
-      const SlabLayout        &layout = step.state.gap().layout();
-      const PeriodicGrid      &grid   = layout.grid();
-      std::vector<int>         labels;
-      std::vector<GridDataset> datasets;
-      const auto write = [&](const GridDataset &dataset, const auto &values) {
-        write_rows(file,
-                   dataset.name,
-                   grid.nx,
-                   grid.ny,
-                   layout.first_row(),
-                   layout.n_rows(),
-                   values.data());
-        datasets.push_back(dataset);
-      };
-      write({"gap"}, step.state.gap());
-      if (step.state.contact)
-        {
-          write({"pressure"}, step.state.contact->pressure);
-          if (step.state.contact->plasticity)
-            write({"indentation"}, step.state.contact->plasticity->indentation);
-          file.set_attribute("nominal_pressure", step.state.contact->nominal_pressure);
-        }
+      const SlabLayout              &layout  = step.state.gap().layout();
+      const PeriodicGrid            &grid    = layout.grid();
+      const std::vector<ZoomWindow> &windows = layout.windows();
+      std::vector<int>               labels;
       if (step.flow)
+        for (const NodeState state : step.flow->channel.clusters.states)
+          labels.push_back(static_cast<int>(state));
+      std::vector<GridDataset>              datasets; // the same in all windows
+      std::map<int, std::vector<GridPiece>> pieces;   // of the levels
+      for (int w = -1; w < static_cast<int>(windows.size()); ++w)
         {
-          for (const NodeState state : step.flow->channel.clusters.states)
-            labels.push_back(static_cast<int>(state));
-          write({"labels", true}, labels);
-          file.set_attribute("leak_rate", step.flow->leakage.rate);
+          const int         level = w < 0 ? 0 : windows[w].level;
+          const int         nx    = w < 0 ? grid.nx : windows[w].n_columns();
+          const int         ny    = w < 0 ? grid.ny : windows[w].n_rows();
+          const std::string name  = "window-" + std::to_string(w + 1);
+          auto group = w < 0 ? file.open_group("/") : file.create_group(name);
+          datasets   = write_fields(group, step, labels, w, nx, ny);
+          if (w >= 0)
+            group.set_attribute("level", level);
+          pieces[level].push_back({w < 0 ? "" : name + "/",
+                                   nx,
+                                   ny,
+                                   layout.position(w, 0, 0),
+                                   layout.spacing(w)});
         }
+      if (step.state.contact)
+        file.set_attribute("nominal_pressure", step.state.contact->nominal_pressure);
+      if (step.flow)
+        file.set_attribute("leak_rate", step.flow->leakage.rate);
       file.set_attribute("lx", grid.lx);
       file.set_attribute("ly", grid.ly);
       file.set_attribute("dx", grid.dx());
@@ -184,13 +163,11 @@ namespace strait
       file.set_attribute("units", std::string("those of the scene"));
       run_on_root(layout.communicator(), [&]() {
         const std::string base = "fields-" + std::to_string(step.number);
-        write_text(
-          directory + "/" + base + ".xmf",
-          grid_description(base + ".h5",
-                           {{"", grid.nx, grid.ny, {0., 0.}, {grid.dx(), grid.dy()}}},
-                           datasets));
+        for (const auto &[level, of_level] : pieces)
+          write_text(directory + "/" + base +
+                       (level == 0 ? "" : "-level-" + std::to_string(level)) + ".xmf",
+                     grid_description(base + ".h5", of_level, datasets));
       });
-      write_windows(directory, file, step, labels, datasets);
     }
 
     /** The group gap_distribution. Collective. */
@@ -235,7 +212,7 @@ namespace strait
                     comm);
     dealii::HDF5::File file(name, dealii::HDF5::File::FileAccessMode::create, comm);
     if (is_simulated)
-      write_grid(directory, file, step);
+      write_levels(directory, file, step);
     else
       file.set_attribute("nominal_pressure", step.theory->pressure);
     if (step.theory)

@@ -92,7 +92,7 @@ namespace strait
     // the flow, which takes two moment pyramids, the gap and the path search. One load of
     // prm/paper/fig1_full.prm takes 64 on 4096² points where this says 68.
     const double gap      = 8.;
-    const double of_metal = scene.contact.yields() ? 24. : 0.;
+    const double of_metal = scene.contact.yields ? 24. : 0.;
     const double solved   = scene.contact.adhesion.enabled ? 105. : 47. + of_metal;
     const double kept     = scene.contact.adhesion.enabled ? 105. : 28. + of_metal;
     const double flow =

@@ -221,7 +221,7 @@ namespace strait
       .add(&Step::dissipated_energy,
            "dissipated_energy [pressure length]: by the jumps since the last step, see "
            "[jumps.csv](#jumpscsv)")
-      .when({"with `Contact/Yielding`", scene.contact.enabled && scene.contact.yields()})
+      .when({"with `Contact/Yielding`", scene.contact.enabled && scene.contact.yields})
       .add(
         of_plasticity(&PlasticState::area),
         "plastic_area [1]: fraction of grid points where the pressure is the hardness, "
@@ -256,7 +256,7 @@ namespace strait
            "theory_contact_area [1]: of Persson's theory")
       .add(of_theory(&TheoryResult::mean_gap), "theory_mean_gap [length]: likewise")
       .when({"with `Theory/Enabled` and `Contact/Yielding`",
-             scene.theory.enabled && scene.contact.yields() &&
+             scene.theory.enabled && scene.contact.yields &&
                (scene.contact.enabled || theory_alone)})
       .add([](const Step &step) { return step.theory->yielding->elastic; },
            "theory_elastic_area [1]: in contact below the hardness, of Persson's theory "

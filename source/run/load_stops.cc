@@ -35,9 +35,8 @@ namespace strait
       near_threshold.front().begins_anew = true;
     stops.insert(stops.end(), near_threshold.begin(), near_threshold.end());
 
-    const bool path_matters = scene.contact.has_memory() ||
-                              scene.fluid.feedback.enabled ||
-                              scene.programme.path == LoadPath::cycle;
+    const bool path_matters =
+      scene.depends_on_path() || scene.programme.path == LoadPath::cycle;
     bool loads = upwards;
     for (std::size_t k = 0; k < stops.size(); ++k)
       {

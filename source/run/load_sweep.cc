@@ -83,7 +83,7 @@ namespace strait
   LoadSweep::begins_where_search_ended() const
   {
     return scene.contact.zoom.enabled ||
-           (contact.yields() && scene.programme.path == LoadPath::unloading);
+           (contact.yields && scene.programme.path == LoadPath::unloading);
   }
 
   std::vector<BlowOut>
@@ -215,7 +215,7 @@ namespace strait
     step.reduced_load.reset();
     // What depends on its past closes at another load on the other branch.
     const bool is_of_branch =
-      !seal->depends_on_path() ||
+      !scene.depends_on_path() ||
       (step.branch == "unloading") == (scene.programme.path == LoadPath::unloading);
     if (threshold != nullptr && is_of_branch)
       {

@@ -243,8 +243,7 @@ namespace strait
   void
   print_columns(std::ostream &out, const std::string &format)
   {
-    if (format != "md")
-      throw InputError("--columns " + format + ": the format is md.");
+    require(format == "md", "--columns " + format + ": the format is md.");
     Scene scene; // with the columns that a scene gives names to
     scene.output.leak_rate_units = split(leak_rate_unit_names(), ',');
     for (const TableInfo &table : all_tables(scene))

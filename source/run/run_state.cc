@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
-#include <strait/run/checkpoint.h>
 #include <strait/run/earlier_results.h>
 #include <strait/run/run_state.h>
 
@@ -68,7 +67,7 @@ namespace strait
   {
     if (!resume)
       return;
-    archive = std::make_unique<Checkpoint>(path, comm, Checkpoint::Access::read);
+    archive = std::make_unique<StateArchive>(path, comm, StateArchive::Access::read);
     transfer(*archive);
   }
 
@@ -110,7 +109,7 @@ namespace strait
   {
     if (!scene.output.checkpoint)
       return;
-    Checkpoint writer(path, comm, Checkpoint::Access::write);
+    StateArchive writer(path, comm, StateArchive::Access::write);
     transfer(writer);
     transfer_parts(writer, sweep, output, log);
     writer.commit();
@@ -122,7 +121,7 @@ namespace strait
     left = summary;
     if (!scene.output.checkpoint)
       return;
-    Checkpoint writer(path, comm, Checkpoint::Access::write);
+    StateArchive writer(path, comm, StateArchive::Access::write);
     transfer(writer);
     writer.commit();
   }

@@ -66,8 +66,7 @@ namespace strait
   check_seal_profile(const Scene &scene)
   {
     const ScriptResult result = run_script("whole_seal.py", "--check", scene.resolved);
-    if (!result.succeeded)
-      throw InputError(result.said);
+    require(result.succeeded, result.said);
   }
 
   void

@@ -127,7 +127,7 @@ namespace strait
       std::vector<std::string> names = {contact.enabled ? "contact"
                                                         : "the surface as the gap"};
       for (const auto &[is_on, name] :
-           {std::pair{contact.enabled && contact.yields(), "yielding"},
+           {std::pair{contact.enabled && contact.yields, "yielding"},
             {contact.enabled && contact.adhesion.enabled, "adhesion"},
             {contact.zoom.enabled, "windows of finer points"},
             {fluid.enabled, fluid.is_gas ? "gas" : "liquid"},

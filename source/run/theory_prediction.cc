@@ -32,9 +32,8 @@ namespace strait
     RadialSpectrum
     spectrum_of(const Scene &scene, const SlabField *heights)
     {
-      return scene.theory.spectrum == TheorySpectrum::model
-               ? model_spectrum(scene.surface)
-               : measured_spectrum(*heights);
+      return scene.theory.spectrum_of_surface ? measured_spectrum(*heights)
+                                              : model_spectrum(scene.surface);
     }
 
     double
@@ -62,7 +61,7 @@ namespace strait
     TheoryResult       result = evaluate(persson, pressure, slip_length, gap, threshold);
     const TheoryResult other  = evaluate(coarse, pressure, slip_length, gap, threshold);
     result.error              = relative_difference(result.leak_rate, other.leak_rate);
-    if (scene.contact.yields())
+    if (scene.contact.yields)
       result.yielding = pressure > 0
                           ? persson.contact_areas(pressure, scene.contact.hardness)
                           : YieldingAreas{std::nan(""), std::nan("")};
@@ -97,16 +96,14 @@ namespace strait
         gaps                     = with.distribution(state, -2 * slip_length);
         if (scene.output.fields != FieldOutput::none)
           result.persson_gaps =
-            merge_bins(slip_length == 0. ? gaps : with.distribution(state),
-                       with.bins_per_decade() / bins_shown);
+            with.distribution(state, 0., with.bins_per_decade() / bins_shown);
       }
-    const bool of_simulation = scene.theory.gaps == TheoryGaps::simulated;
-    if (of_simulation)
+    if (scene.theory.simulated_gaps)
       gaps = gap_histogram(*gap, n_decades, with.bins_per_decade(), -2 * slip_length);
-    if (of_simulation || pressure > 0)
+    if (scene.theory.simulated_gaps || pressure > 0)
       result.leak_rate =
         conductance_of_box(scene) *
-        effective_cubed_gap(gaps, dimension(with, slip_length, threshold), slip_length);
+        effective_cubed_gap(gaps, dimension(with, slip_length, threshold));
     return result;
   }
 
@@ -121,14 +118,13 @@ namespace strait
           return dimension_parameter(scene.theory.critical_fraction);
         case TheoryDimension::from_threshold:
           {
-            if (scene.theory.gaps == TheoryGaps::simulated)
+            if (scene.theory.simulated_gaps)
               return dimension_parameter(threshold->contact_area);
             const double critical = threshold->middle();
             if (slip_length == 0.)
               return dimension_parameter(with.contact_area(critical));
             return dimension_parameter(
-              blocked_area(with.distribution(with.solve(critical), -2 * slip_length),
-                           slip_length));
+              with.distribution(with.solve(critical), -2 * slip_length).contact_area);
           }
         default:
           return 2.;

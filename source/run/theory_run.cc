@@ -23,7 +23,7 @@ namespace strait
         log.warn(warning);
       for (const std::string &warning : implausible_numbers(scene))
         log.warn(warning);
-      if (scene.theory.spectrum == TheorySpectrum::model)
+      if (!scene.theory.spectrum_of_surface)
         return {scene, nullptr};
       for (const std::string &warning : check_resolution(scene.surface, grid_of(scene)))
         log.warn(warning);
@@ -82,9 +82,8 @@ namespace strait
   {
     report_spectrum(make_theory(scene, log, MPI_COMM_WORLD).spectrum(), log);
     log.line(format("theory alone, %s; contact off, fluid off; %zu steps",
-                    scene.theory.spectrum == TheorySpectrum::model
-                      ? "without a grid"
-                      : "for the heights on the grid",
+                    scene.theory.spectrum_of_surface ? "for the heights on the grid"
+                                                     : "without a grid",
                     scene.programme.pressures.size() * scene.fluid.slip_lengths.size()));
   }
 } // namespace strait

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/base/text.h>
+#include <strait/interface/rarefied_gas.h>
 #include <strait/run/validity.h>
 
 #include <nlohmann/json.hpp>
@@ -52,15 +52,12 @@ namespace strait
     // with 2.9 points along the throat; by 10 to 27 % with 1.4 to 2.3, by 0.5 % with 6.
     constexpr double least_points_along_throat = 3.;
 
-    /** Note that @p number of a step should not exceed @p limit. */
+    /** Note @p check of a step, with @p advice. */
     void
-    add(Step              &step,
-        const char        *word,
-        const double       number,
-        const double       limit,
-        const std::string &advice)
+    add(Step &step, ValidityCheck check, const std::string &advice)
     {
-      step.checks.push_back({word, number, limit, false, advice});
+      check.advice = advice;
+      step.checks.push_back(std::move(check));
     }
 
     /** What a pressure of the fluid is of the load; under tension any is too much. */
@@ -79,9 +76,7 @@ namespace strait
     {
       if (scene.has_physical_modulus())
         add(step,
-            "steep",
-            rms_slope,
-            most_slope,
+            {"steep", rms_slope, most_slope},
             format("the rms slope of the surface is %.3g, and small slopes are assumed",
                    rms_slope));
     }
@@ -91,7 +86,7 @@ namespace strait
     {
       double      in_contact = std::nan("");
       const auto &contact    = step.state.contact;
-      if (scene.contact.yields())
+      if (scene.contact.yields)
         return;
       if (contact && !contact->pressure.empty() && contact->contact_area > 0.)
         in_contact = mean(contact->pressure) / contact->contact_area;
@@ -103,18 +98,14 @@ namespace strait
       const double of_modulus  = in_contact / scene.contact.effective_modulus;
       if (scene.contact.hardness > 0.)
         add(step,
-            "plastic",
-            of_hardness,
-            most_of_hardness,
+            {"plastic", of_hardness, most_of_hardness},
             format("the mean pressure in contact is %.3g of Contact/Hardness, so that "
                    "asperities flow: there is more contact and less leakage than in the "
                    "elastic contact that is computed; switch on Contact/Yielding",
                    of_hardness));
       else if (scene.has_physical_modulus())
         add(step,
-            "large-strain",
-            of_modulus,
-            most_of_modulus,
+            {"large-strain", of_modulus, most_of_modulus},
             format("the mean pressure in contact is %.3g of the effective modulus, where "
                    "few solids are linearly elastic; give Contact/Hardness if yield "
                    "decides",
@@ -130,9 +121,7 @@ namespace strait
         return;
       const double number = part_of_load(step, fluid.excess_pressure());
       add(step,
-          "fluid-pressure",
-          number,
-          most_fluid_pressure,
+          {"fluid-pressure", number, most_fluid_pressure},
           format("the fluid's pressure is %.3g of the nominal pressure and presses the "
                  "walls apart, so that more leaks: switch on Fluid/Wall feedback",
                  number));
@@ -148,9 +137,7 @@ namespace strait
       const double number = 2. * fluid.surface_tension / throat /
                             std::abs(fluid.inlet_pressure - fluid.outlet_pressure);
       add(step,
-          "capillary",
-          number,
-          most_laplace_pressure,
+          {"capillary", number, most_laplace_pressure},
           format("the pressure across a meniscus in the throat is %.3g of the one that "
                  "drives the flow: a liquid that has to enter a dry throat, or to leave "
                  "it, may not leak at all",
@@ -163,15 +150,13 @@ namespace strait
       if (!scene.contact.enabled)
         return;
       const double points = step.flow->channel.throat.points;
-      step.checks.push_back(
-        {"coarse-throat",
-         points,
-         least_points_along_throat,
-         true,
-         format("there are %.2g grid points along the throat, so that the contact grid's "
-                "error may exceed that of the bracket: switch on Contact/Zoom or raise "
-                "Contact/Grid points",
-                points)});
+      add(
+        step,
+        {"coarse-throat", points, least_points_along_throat, true},
+        format("there are %.2g grid points along the throat, so that the contact grid's "
+               "error may exceed that of the bracket: switch on Contact/Zoom or raise "
+               "Contact/Grid points",
+               points));
     }
 
     void
@@ -196,18 +181,13 @@ namespace strait
           number,
           1. + 6. * number);
       };
-      const KnudsenNumbers knudsen =
-        knudsen_numbers(step.flow->channel.paths.front(), scene);
-      const double most = slips ? most_knudsen_with_slip : most_knudsen;
+      const auto   knudsen = knudsen_numbers(step.flow->channel.paths.front(), scene);
+      const double most    = slips ? most_knudsen_with_slip : most_knudsen;
       add(step,
-          "rarefied",
-          knudsen.mean,
-          most,
+          {"rarefied", knudsen.mean, most},
           advice("of the mean resistance", knudsen.mean));
       add(step,
-          "rarefied-throat",
-          knudsen.at_throat,
-          most,
+          {"rarefied-throat", knudsen.at_throat, most},
           advice("in the throat", knudsen.at_throat));
     }
 
@@ -230,9 +210,7 @@ namespace strait
       const double guessed = part_of_load(step, area * scene.fluid.excess_pressure());
       const double by_step = trapped ? part_of_load(step, trapped->uncertainty) : 0.;
       add(step,
-          "trapped-fluid",
-          std::max(guessed, by_step),
-          most_trapped_load,
+          {"trapped-fluid", std::max(guessed, by_step), most_trapped_load},
           guessed < by_step
             ? format("%.2g of the load hangs on when in this step fluid was cut off: "
                      "take shorter steps of Load programme/Pressures",
@@ -273,6 +251,30 @@ namespace strait
         if (!check.holds() && is_new)
           log.warn(start + check.advice + format(" (step %d)", step.number));
       }
+  }
+
+  KnudsenNumbers
+  knudsen_numbers(const FlowPath &path, const Scene &scene)
+  {
+    // The mean free path times the pressure depends on the temperature only.
+    const double constant    = RarefiedGas(scene.fluid).knudsen_number(1., 1.);
+    const double inlet       = scene.fluid.inlet_pressure;
+    const double outlet      = scene.fluid.outlet_pressure;
+    const auto   pressure_at = [inlet, outlet](const double part) { // of the resistance
+      return std::sqrt((1. - part) * inlet * inlet + part * outlet * outlet);
+    };
+    const auto pressure = [&](const std::size_t k) {
+      return pressure_at(path.resistances[k] / path.resistance());
+    };
+    KnudsenNumbers result;
+    result.at_throat =
+      constant / (path.bottleneck_gap * pressure_at(path.part_before_throat()));
+    // The mean of λ/g over the resistance r is Σ c/g ∫ dr/p, with dr/p = −2 dp/(p_in² −
+    // p_out²).
+    for (std::size_t k = 1; k < path.gaps.size(); ++k)
+      result.mean += .5 * constant * (1. / path.gaps[k - 1] + 1. / path.gaps[k]) * 2. *
+                     (pressure(k - 1) - pressure(k)) / (inlet * inlet - outlet * outlet);
+    return result;
   }
 
   std::string

@@ -87,12 +87,7 @@ namespace strait
              : nullptr)
     , flow(seal.flow)
     , feedback(seal.scene.fluid.feedback, seal.layout)
-    , on_wall(seal.scene,
-              control,
-              flow,
-              seal.extension,
-              seal.layout->n_local_points(),
-              from_)
+    , on_wall(seal.scene, control, seal.extension, from_)
   {
     state.control = control;
     state.fluid.emplace();

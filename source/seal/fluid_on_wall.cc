@@ -27,13 +27,10 @@ namespace strait
 
   FluidOnWall::FluidOnWall(const Scene       &scene_,
                            const Control     &control_,
-                           const FlowStage   &flow_,
                            HarmonicExtension &extension_,
-                           const std::size_t  n_local_points,
                            const SealState   *from)
     : scene(scene_)
     , control(control_)
-    , flow(flow_)
     , extension(extension_)
     , past(from != nullptr && from->fluid && from->fluid->trapped ? from : nullptr)
     , has_extended(from != nullptr && from->fluid)
@@ -45,8 +42,6 @@ namespace strait
         known             = *past->fluid->trapped;
         known.uncertainty = 0.;
       }
-    else
-      known.owner.assign(n_local_points, TrappedFluid::reservoirs);
     found = known;
   }
 
@@ -61,12 +56,15 @@ namespace strait
                         const StepFlow     &fluid_flow,
                         const SlabField    &assumed)
   {
-    const double inlet  = flow.fluid().inlet_pressure;
-    const double outlet = flow.fluid().outlet_pressure;
-    SlabField    open   = open_gap(contact.gap, control.slip_length);
-    SlabField    result = assumed;
+    SlabField open   = open_gap(contact.gap, control.slip_length);
+    SlabField result = assumed;
     if (found)
       {
+        if (known.owner.empty())
+          {
+            known.owner.assign(assumed.size(), TrappedFluid::reservoirs);
+            found = known;
+          }
         const SlabField  gap = open;
         const PoolsInGap pools(known, gap, fluid_flow.channel.clusters);
         assign(result, open, fluid_flow, &pools);
@@ -82,7 +80,8 @@ namespace strait
     // With half of it each round takes an iteration or so more, with double of it fewer,
     // and more rounds until the pressure under the contact has followed.
     constexpr double reduction = 1e-3;
-    extension.extend(result, open, inlet, outlet, reduction);
+    extension.extend(
+      result, open, control.inlet_pressure, scene.fluid.outlet_pressure, reduction);
     // Neither a pool that is too full lifts the wall off nor fluid before a channel that
     // is closed: its pressure falls as soon as the wall has given way. Not until the
     // solid carries next to nothing is it certain that the wall does not.
@@ -106,20 +105,22 @@ namespace strait
                       const PoolsInGap *pools) const
   {
     const std::vector<NodeState> &states = fluid_flow.channel.clusters.states;
-    const double                  inlet  = flow.fluid().inlet_pressure;
-    const GridDeposit::Sums       channel =
+    const double inlet = control.inlet_pressure, outlet = scene.fluid.outlet_pressure;
+    const GridDeposit::Sums channel =
       fluid_flow.solution
-              ? potential_on_grid(*fluid_flow.solution, pressure.layout_pointer())
-              : GridDeposit::Sums();
+        ? potential_on_grid(*fluid_flow.solution, pressure.layout_pointer())
+        : GridDeposit::Sums();
     for (std::size_t k = 0; k < pressure.size(); ++k)
       {
         if (pools != nullptr && pools->region(k) >= 0)
           continue;
-        const bool is_unsettled = pools == nullptr && unsettled.contains(k);
-        switch (is_unsettled ? unsettled.state_before(k) : states[k])
+        std::optional<NodeState> before;
+        if (pools == nullptr)
+          before = unsettled.state_before(k);
+        switch (before.value_or(states[k]))
           {
             case NodeState::percolating:
-              if (is_unsettled)
+              if (before)
                 break; // it keeps what it had when it was cut off
               // On the seam the channel may reach one side only; see extend().
               pressure[k] = channel.area.empty() || channel.area[k] == 0
@@ -131,7 +132,7 @@ namespace strait
               pressure[k] = inlet;
               break;
             case NodeState::outlet_side:
-              pressure[k] = flow.fluid().outlet_pressure;
+              pressure[k] = outlet;
               break;
             case NodeState::trapped:
             case NodeState::outside: // there is none of them in the box
@@ -139,7 +140,7 @@ namespace strait
               break;
             case NodeState::closed:
               if (!has_extended)
-                pressure[k] = .5 * (inlet + flow.fluid().outlet_pressure);
+                pressure[k] = .5 * (inlet + outlet);
               open_gap[k] = std::min(open_gap[k], 0.);
               break;
           }

@@ -24,15 +24,6 @@ namespace strait
         }
       return result;
     }
-
-    double
-    product(const SlabField &a, const SlabField &b)
-    {
-      double result = 0;
-      for (std::size_t k = 0; k < a.size(); ++k)
-        result += a[k] * b[k];
-      return sum(a.layout().communicator(), result);
-    }
   } // namespace
 
   HarmonicExtension::HarmonicExtension(SlabLayoutPtr       layout_,

@@ -41,12 +41,6 @@ namespace strait
         return state;
       }
 
-      bool
-      depends_on_path() const override
-      {
-        return false;
-      }
-
     private:
       SlabField gap;
       double    mean_gap;
@@ -56,9 +50,8 @@ namespace strait
     class DrySeal : public SealModel
     {
     public:
-      DrySeal(std::unique_ptr<ContactModel> contact_, const bool has_memory_)
+      explicit DrySeal(std::unique_ptr<ContactModel> contact_)
         : contact(std::move(contact_))
-        , has_memory(has_memory_)
       {
       }
 
@@ -80,15 +73,8 @@ namespace strait
         return state;
       }
 
-      bool
-      depends_on_path() const override
-      {
-        return has_memory;
-      }
-
     private:
       std::unique_ptr<ContactModel> contact;
-      const bool                    has_memory;
     };
 
     /** Find the law and tell of it. Returns its surface energy. */
@@ -174,7 +160,7 @@ namespace strait
       make_contact(scene, contact, std::move(heights));
     if (!scene.fluid.feedback.enabled)
       {
-        auto dry = std::make_unique<DrySeal>(std::move(model), contact.has_memory());
+        auto dry = std::make_unique<DrySeal>(std::move(model));
         if (!contact.zoom.enabled)
           return dry;
         return std::make_unique<ZoomedSeal>(std::move(dry),
@@ -194,7 +180,7 @@ namespace strait
       throw ComputationError(
         "The threshold was not found: a surface without slope seals under every load.");
     const bool unloads = scene.programme.path == LoadPath::unloading;
-    if (contact.yields() && unloads)
+    if (contact.yields && unloads)
       {
         const double largest = scene.programme.pressures.front();
         return {largest, .2, largest};
@@ -202,7 +188,7 @@ namespace strait
     // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
     // saddle at 0.229: start a little to the side that the scene names.
     SearchStart start{(unloads ? .28 : .2) * contact.pressure_scale(rms_slope)};
-    if (contact.yields())
+    if (contact.yields)
       start.end = contact.hardness;
     return start;
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace strait
@@ -60,88 +59,61 @@ namespace strait
     }
 
     /** One step of a path whose states have an energy; see follow(). */
-    class Stride
+    struct Stride
     {
-    public:
-      /** Of an adhesive contact, @p from a state @p to another. */
-      Stride(const SealState &from, const PathPoint &to, const StepRule &rule)
-        : before(point_of(from))
-        , after(to)
-        , trend(from.trend)
-        , seeks_jumps(rule.jump_tolerance > 0)
-        , slope_before(slope_of_energy(before, rule.control))
-        , slope_after(slope_of_energy(after, rule.control))
-        , change(after.target - before.target)
-        , rise(after.energy - before.energy)
-      {
-        rounding = 4 * std::numeric_limits<double>::epsilon() *
-                   std::max(std::abs(before.energy), std::abs(after.energy));
-        // The largest slope of the path before: this state may be beyond a jump.
-        noise = slope_noise * trend.largest_slope * std::abs(change) + rounding;
-        // How much the energy changes without dissipation, by the slope at either end.
-        std::tie(least, most) =
-          std::minmax({slope_before * change, slope_after * change});
-      }
-
-      /** Whether nothing speaks for a jump. */
-      bool
-      is_smooth() const
-      {
-        if (rise < least - noise || std::abs(rise - .5 * (least + most)) >
-                                      largest_skewness * (most - least) + noise)
-          return false;
-        if (!trend.is_known)
-          return true;
-        const double area  = std::abs(after.contact_area - before.contact_area);
-        const double slope = std::abs(slope_after - slope_before);
-        return area <=
-                 free_change_of_area + steeper_area * std::abs(trend.area * change) &&
-               slope <= slope_noise * trend.largest_slope +
-                          steeper * std::abs(trend.slope * change);
-      }
-
-      /** Whether the surfaces part, or something speaks for a jump that is sought. */
-      bool
-      leaps() const
-      {
-        return after.detached || (seeks_jumps && !is_smooth());
-      }
-
-      /** What a step that leaps, and can be no shorter, may be. */
-      std::optional<Jump>
-      jump() const
-      {
-        if (after.detached)
-          return Jump{before, after, 0.};
-        if (rise >= least - rounding) // steep, but no jump
-          return {};
-        // The load of the jump is unknown within the step: the middle of the slopes.
-        return Jump{before, after, .5 * (least + most) - rise};
-      }
-
-      /** How the path goes on if it is smooth. */
-      PathTrend
-      trend_after() const
-      {
-        PathTrend next     = trend;
-        next.largest_slope = std::max(trend.largest_slope, std::abs(slope_after));
-        if (change != 0)
-          {
-            next.is_known = true;
-            next.area     = (after.contact_area - before.contact_area) / change;
-            next.slope    = (slope_after - slope_before) / change;
-          }
-        return next;
-      }
-
-    private:
-      PathPoint       before, after;
-      const PathTrend trend;
-      const bool      seeks_jumps;
-      double          slope_before, slope_after, change, rise;
-      double          least = 0, most = 0;
-      double          rounding = 0, noise = 0; // of energies
+      bool leaps; // the surfaces part, or jumps are sought and it may be one
+      std::optional<Jump> jump;  // what a step that leaps, and can be no shorter, may be
+      PathTrend           trend; // how the path goes on if it is smooth
     };
+
+    /** Of an adhesive contact, @p from a state to what is known of another. */
+    Stride
+    stride_to(const SealState &from, const PathPoint &after, const StepRule &rule)
+    {
+      const PathPoint  before       = point_of(from);
+      const PathTrend &trend        = from.trend;
+      const double     slope_before = slope_of_energy(before, rule.control);
+      const double     slope_after  = slope_of_energy(after, rule.control);
+      const double     change       = after.target - before.target;
+      const double     rise         = after.energy - before.energy;
+      const double     area         = after.contact_area - before.contact_area;
+      const double     steepening   = slope_after - slope_before;
+      const double     rounding     = 4 * std::numeric_limits<double>::epsilon() *
+                              std::max(std::abs(before.energy), std::abs(after.energy));
+      // The largest slope of the path before: this state may be beyond a jump.
+      const double noise =
+        slope_noise * trend.largest_slope * std::abs(change) + rounding;
+      // How much the energy changes without dissipation, by the slope at either end.
+      const auto [least, most] =
+        std::minmax({slope_before * change, slope_after * change});
+      const double middle = .5 * (least + most);
+      const bool   is_steep =
+        rise < least - noise ||
+        std::abs(rise - middle) > largest_skewness * (most - least) + noise;
+      const bool is_as_before =
+        !trend.is_known ||
+        (std::abs(area) <=
+           free_change_of_area + steeper_area * std::abs(trend.area * change) &&
+         std::abs(steepening) <=
+           slope_noise * trend.largest_slope + steeper * std::abs(trend.slope * change));
+      Stride stride = {after.detached ||
+                         (rule.jump_tolerance > 0 && (is_steep || !is_as_before)),
+                       {},
+                       trend};
+      if (after.detached)
+        stride.jump = Jump{before, after, 0.};
+      else if (stride.leaps && !(rise >= least - rounding)) // and not merely steep
+        // The load of the jump is unknown within the step: the middle of the slopes.
+        stride.jump = Jump{before, after, middle - rise};
+      stride.trend.largest_slope = std::max(trend.largest_slope, std::abs(slope_after));
+      if (change != 0)
+        {
+          stride.trend.is_known = true;
+          stride.trend.area     = area / change;
+          stride.trend.slope    = steepening / change;
+        }
+      return stride;
+    }
 
     bool
     has_energy(const SealState &state)
@@ -187,22 +159,7 @@ namespace strait
     {
       return stop.seen && rule.jump_tolerance > 0 &&
              std::abs(stop.control.target - from.control.target) > rule.jump_tolerance &&
-             Stride(from, *stop.seen, rule).leaps();
-    }
-
-    /** How a path goes on that passes from a state @p to another, over one of @p jumps if
-     *  the step is not smooth. */
-    PathTrend
-    pass(const SealState   &from,
-         const PathPoint   &to,
-         const StepRule    &rule,
-         std::vector<Jump> &jumps)
-    {
-      const Stride stride(from, to, rule);
-      if (stride.leaps())
-        if (const auto jump = stride.jump())
-          jumps.push_back(*jump);
-      return stride.trend_after();
+             stride_to(from, *stop.seen, rule).leaps;
     }
 
     Control
@@ -281,7 +238,12 @@ namespace strait
                 continue;
               }
             if (next.seen)
-              state.trend = pass(*here, *next.seen, rule, arrival.jumps);
+              {
+                const Stride stride = stride_to(*here, *next.seen, rule);
+                state.trend         = stride.trend;
+                if (stride.jump)
+                  arrival.jumps.push_back(*stride.jump);
+              }
           }
         else if (next.seen)
           state.trend.largest_slope = std::abs(slope_of_energy(*next.seen, rule.control));

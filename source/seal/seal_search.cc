@@ -44,6 +44,8 @@ namespace strait
     , layout(layout_)
     , domain(std::move(domain_))
     , log(log_)
+    , side_of_path(scene.programme.path == LoadPath::unloading ? Side::sealed
+                                                               : Side::open)
   {
   }
 
@@ -53,7 +55,7 @@ namespace strait
     std::vector<Transition> result;
     double                  slip_length = 0.;
     const auto              ask_load    = [&](const double load) {
-      return ask({load, scene.fluid.inlet_pressure, slip_length}, side_of_path());
+      return ask({load, scene.fluid.inlet_pressure, slip_length}, side_of_path);
     };
     const double                    tolerance = scene.programme.threshold_tolerance;
     std::optional<TransitionSearch> search;
@@ -61,7 +63,7 @@ namespace strait
       {
         slip_length = next_length;
         // A contact, once probed, serves all slip lengths, unless it remembers the way.
-        if (!search || model.depends_on_path())
+        if (!search || scene.depends_on_path())
           {
             search.emplace(ask_load, tolerance);
             // Each path comes from nowhere, unless a search goes on that had begun so.
@@ -94,14 +96,16 @@ namespace strait
     const double      level = -2. * slip_length;
     Passage found = scene.contact.zoom.enabled ? search.enclose_surely(first, level)
                                                : search.enclose(first, level);
-    if (model.depends_on_path())
+    if (scene.depends_on_path())
       {
-        const bool from_open = side_of_path() == Side::open;
+        const bool from_open = side_of_path == Side::open;
         if (!from_open)
           std::swap(found.before, found.beyond);
-        const auto passage = search.approach(found, [&](const Probe &probe) {
+        const auto is_kept = [&](const Probe &probe) {
           return (probe.openness > level) == from_open;
-        });
+        };
+        const auto passage =
+          search.leave(found.before, found.beyond - found.before, is_kept, found.beyond);
         if (!passage)
           throw ComputationError(
             std::string("The threshold was not found: the contact stays ") +
@@ -167,7 +171,7 @@ namespace strait
       {
         const auto passage = holds(search.ask_at(load))
                                ? search.leave(load, load, holds)
-                               : search.approach({least, load}, holds);
+                               : search.leave(least, load, holds, load);
         if (!passage)
           throw ComputationError("An inlet pressure of " + to_text(outlet + load) +
                                  " and much more is held; no blow-out pressure was "
@@ -216,13 +220,6 @@ namespace strait
     return result;
   }
 
-  /** Of a path in load. */
-  SealSearch::Side
-  SealSearch::side_of_path() const
-  {
-    return scene.programme.path == LoadPath::unloading ? Side::sealed : Side::open;
-  }
-
   Probe
   SealSearch::ask(const Control &control, const Side path_comes_from)
   {
@@ -237,7 +234,7 @@ namespace strait
   std::optional<SealState> &
   SealSearch::place_of(const Side side)
   {
-    return side == Side::open || !model.depends_on_path() ? open_state : sealed_state;
+    return side == Side::open || !scene.depends_on_path() ? open_state : sealed_state;
   }
 
   Probe
@@ -248,14 +245,14 @@ namespace strait
     // that left its indentations, along which none are added.
     const bool is_ahead =
       near &&
-      (!model.depends_on_path() || control.target == near->control.target ||
+      (!scene.depends_on_path() || control.target == near->control.target ||
        (path_comes_from == Side::open) == (near->control.target < control.target) ||
-       (path_comes_from == Side::sealed && scene.contact.yields()));
-    const Aim aim   = model.depends_on_path() && path_comes_from == Side::sealed
+       (path_comes_from == Side::sealed && scene.contact.yields));
+    const Aim aim   = scene.depends_on_path() && path_comes_from == Side::sealed
                         ? Aim::seal
                         : Aim::verdict;
     SealState state = model.solve(control, is_ahead ? &*near : nullptr, aim);
-    if (!model.depends_on_path())
+    if (!scene.depends_on_path())
       open_state.reset(); // this one takes its place
 
     // Under pressure a point is closed the more firmly the more its own spacing is
@@ -265,16 +262,15 @@ namespace strait
       std::max(grid.dx(), grid.dy()) / scene.contact.effective_modulus;
     const Bottleneck bottleneck = find_bottleneck(signed_gap(state, softness), domain);
 
-    Probe result;
-    result.openness     = bottleneck.value;
-    result.bottleneck   = position_of(state.gap().layout(), bottleneck.point);
-    result.contact_area = state.contact->contact_area;
-    result.fft_pairs    = state.costs.fft_pairs;
-    const bool leaks    = result.openness > -2. * control.slip_length;
+    const Probe result = {bottleneck.value,
+                          state.contact->contact_area,
+                          position_of(state.gap().layout(), bottleneck.point),
+                          state.costs.fft_pairs};
+    const bool  leaks  = result.openness > -2. * control.slip_length;
     report(state, leaks);
     const bool is_sound = state.contact->converged &&
                           !(state.contact->adhesion && state.contact->adhesion->detached);
-    if (is_sound || !model.depends_on_path())
+    if (is_sound || !scene.depends_on_path())
       place_of(leaks ? Side::open : Side::sealed) = std::move(state);
     return result;
   }

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -15,8 +13,6 @@ namespace strait
 {
   namespace
   {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
     /** A value, and the openness there above the level. */
     struct Point
     {
@@ -69,16 +65,13 @@ namespace strait
              std::log((zero - far.value) / (zero - near.value));
     }
 
-    bool
-    is_nearer(const Point &near, const Point &far)
-    {
-      return std::abs(near.openness) < std::abs(far.openness);
-    }
-
     /** From points of one side, the nearest last. */
     std::optional<Estimate>
     estimate(const std::vector<Point> &side)
     {
+      const auto is_nearer = [](const Point &near, const Point &far) {
+        return std::abs(near.openness) < std::abs(far.openness);
+      };
       if (side.size() < 2 || !is_nearer(side.back(), side[side.size() - 2]))
         return {};
       const Point &first = side.back(), &second = side[side.size() - 2];
@@ -200,8 +193,8 @@ namespace strait
   const Probe &
   TransitionSearch::ask_at(const double value)
   {
-    const Probe probe   = ask(value);
-    return asked[value] = probe;
+    // The answer comes first: asking may throw.
+    return asked[value] = ask(value);
   }
 
   Passage
@@ -263,49 +256,37 @@ namespace strait
   }
 
   std::optional<Passage>
-  TransitionSearch::approach(const Passage known, const Kept &is_kept)
+  TransitionSearch::leave(const double kept,
+                          const double step,
+                          const Kept  &is_kept,
+                          const double lost)
   {
-    const double direction = known.beyond > known.before ? 1. : -1.;
-    return lose_slowly(known, direction * tolerance, is_kept);
-  }
-
-  std::optional<Passage>
-  TransitionSearch::leave(const double kept, const double step, const Kept &is_kept)
-  {
-    return lose_slowly({kept, unknown}, step / kept, is_kept);
-  }
-
-  /** Steps begin with the fraction @p first_step of the value; to smaller values none is
-   *  larger than a half of it. */
-  std::optional<Passage>
-  TransitionSearch::lose_slowly(Passage at, const double first_step, const Kept &is_kept)
-  {
-    const double typical =
-      std::isnan(at.beyond) ? at.before : std::max(at.before, at.beyond);
-    const double direction = first_step > 0 ? 1. : -1.;
+    Passage      at        = {kept, lost};
+    const double typical   = std::isnan(lost) ? kept : std::max(kept, lost);
+    const double direction = step > 0 ? 1. : -1.;
 
     double     lost_from = unknown; // where the state was when it was lost at `beyond`
     const auto is_lost   = [&](const double value) {
-      const bool lost = !is_kept(ask_at(value));
-      if (lost)
+      const bool stays = is_kept(ask_at(value));
+      if (stays)
+        at.before = value;
+      else
         {
           lost_from = at.before;
           at.beyond = value;
         }
-      else
-        at.before = value;
-      return lost;
+      return !stays;
     };
     const auto is_near = [&](const double from) {
       return std::abs(at.beyond - from) <= tolerance * std::max(at.beyond, at.before);
     };
 
-    for (double relative_step = first_step;; relative_step = direction * tolerance)
+    // To smaller values no step is larger than a half of them.
+    for (double first = step;; first = direction * tolerance * at.before)
       {
         if (std::isnan(at.beyond))
-          for (double step = relative_step * at.before;
-               !is_lost(std::max(at.before + step, .5 * at.before));
-               step *= 2)
+          for (double next = first; !is_lost(std::max(at.before + next, .5 * at.before));
+               next *= 2)
             if (negligible * at.before > typical || at.before < negligible * typical)
               return {};
         while (!is_near(at.before))

@@ -38,11 +38,8 @@ namespace strait
     double
     root_mean_square(const SlabField &field)
     {
-      double squares = 0;
-      for (const double value : field)
-        squares += value * value;
-      const auto n_points = static_cast<double>(field.grid().n_points());
-      return std::sqrt(sum(field.layout().communicator(), squares) / n_points);
+      return std::sqrt(product(field, field) /
+                       static_cast<double>(field.grid().n_points()));
     }
 
     /** @p from + @p factor · @p change. */
@@ -64,18 +61,11 @@ namespace strait
     double
     mix_towards_zero(SlabField &a, const SlabField &b)
     {
-      double along = 0, apart = 0;
-      for (std::size_t i = 0; i < a.size(); ++i)
-        {
-          along += a[i] * (a[i] - b[i]);
-          apart += (a[i] - b[i]) * (a[i] - b[i]);
-        }
-      const MPI_Comm comm = a.layout().communicator();
-      along               = sum(comm, along);
-      apart               = sum(comm, apart);
-      const double share  = apart > 0 ? std::clamp(along / apart, 0., 1.) : 0.;
-      for (std::size_t i = 0; i < a.size(); ++i)
-        a[i] += share * (b[i] - a[i]);
+      const SlabField way    = difference(b, a);
+      const double    square = product(way, way);
+      const double    share =
+        square > 0 ? std::clamp(-product(a, way) / square, 0., 1.) : 0.;
+      a = moved(std::move(a), share, way);
       return share;
     }
   } // namespace
@@ -85,7 +75,7 @@ namespace strait
     : parameters(feedback_parameters)
     , assumed(layout)
     , fixed_point(product_over(layout->communicator()),
-                  parameters.acceleration == Acceleration::anderson ? rounds_combined : 0,
+                  parameters.plain_rounds ? 0 : rounds_combined,
                   parameters.relaxation)
   {
   }

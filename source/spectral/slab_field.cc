@@ -44,6 +44,13 @@ namespace strait
   }
 
   double
+  product(const SlabField &a, const SlabField &b)
+  {
+    return sum(a.layout().communicator(),
+               std::inner_product(a.begin(), a.end(), b.begin(), 0.));
+  }
+
+  double
   min_value(const SlabField &field)
   {
     double smallest = std::numeric_limits<double>::infinity();

@@ -32,13 +32,12 @@ namespace strait
       const bool   long_in_x  = lx > ly; // the side of √3 lattice spacings
       const double short_side = long_in_x ? ly : lx;
       const double long_side  = long_in_x ? lx : ly;
-      if (std::abs(long_side / (sqrt_3 * short_side) - 1) > 1e-6)
-        throw InputError(
-          "Triangular and honeycomb peaks repeat in a box whose sides are as 1 to "
-          "sqrt(3): set Surface/Size = " +
-          (long_in_x ? scene_pair(parameters, sqrt_3 * ly, ly)
-                     : scene_pair(parameters, lx, sqrt_3 * lx)) +
-          ".");
+      require(!(std::abs(long_side / (sqrt_3 * short_side) - 1) > 1e-6),
+              "Triangular and honeycomb peaks repeat in a box whose sides are as 1 to "
+              "sqrt(3): set Surface/Size = " +
+                (long_in_x ? scene_pair(parameters, sqrt_3 * ly, ly)
+                           : scene_pair(parameters, lx, sqrt_3 * lx)) +
+                ".");
       return [=](const double x, const double y) {
         const double along_short = 2 * M_PI * (long_in_x ? y / ly : x / lx);
         const double along_long  = 2 * M_PI * (long_in_x ? x / lx : y / ly);
@@ -60,10 +59,9 @@ namespace strait
     HeightFunction
     parsed(const std::string &text, const std::array<double, 2> &size)
     {
-      if (text.find_first_not_of(" \t") == std::string::npos)
-        throw InputError(
-          "Surface/Expression is empty: give the height as a function of x "
-          "and y, or choose another Surface/Kind.");
+      require(text.find_first_not_of(" \t") != std::string::npos,
+              "Surface/Expression is empty: give the height as a function of x "
+              "and y, or choose another Surface/Kind.");
       try
         {
           const auto  expression = std::make_shared<Expression>();
@@ -75,10 +73,9 @@ namespace strait
           parser.DefineConst("pi", std::acos(-1.));
           parser.SetExpr(text);
           parser.Eval(); // muParser compiles at the first evaluation
-          if (parser.GetNumResults() != 1)
-            throw InputError(
-              "Surface/Expression \"" + text +
-              "\" has several values, separated by commas: give one height.");
+          require(parser.GetNumResults() == 1,
+                  "Surface/Expression \"" + text +
+                    "\" has several values, separated by commas: give one height.");
           return [expression](const double x, const double y) {
             expression->x = x;
             expression->y = y;

@@ -96,8 +96,7 @@ namespace strait
             square(2 * M_PI) * (square(kx / size[0]) + square(ky / size[1]));
           const double weight = (kx > 0 ? 2. : 1.) * (ky > 0 ? 2. : 1.);
           lines[kx] +=
-            weight * spectrum(kx, ky) *
-            (parameters.normalisation == Normalisation::rms_slope ? q_squared : 1.);
+            weight * spectrum(kx, ky) * (parameters.rms_is_of_height ? 1. : q_squared);
         }
     sum_in_place(communicator, lines.data(), static_cast<int>(lines.size()));
 

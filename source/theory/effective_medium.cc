@@ -10,15 +10,6 @@
 
 namespace strait
 {
-  namespace
-  {
-    double
-    seen_by_fluid(const double gap, const double slip_length)
-    {
-      return std::max(gap + 2 * slip_length, 0.);
-    }
-  } // namespace
-
   double
   effective_conductivity(const std::vector<MediumPart> &medium, const double n)
   {
@@ -61,25 +52,12 @@ namespace strait
   }
 
   double
-  effective_cubed_gap(const GapDistribution &gaps,
-                      const double           n,
-                      const double           slip_length)
+  effective_cubed_gap(const GapDistribution &gaps, const double n)
   {
     std::vector<MediumPart> medium = {{gaps.contact_area, 0.}};
     for (std::size_t k = 0; k < gaps.gaps.size(); ++k)
-      medium.push_back(
-        {gaps.shares[k], std::pow(seen_by_fluid(gaps.gaps[k], slip_length), 3)});
+      medium.push_back({gaps.shares[k], std::pow(gaps.gaps[k], 3)});
     return effective_conductivity(medium, n);
-  }
-
-  double
-  blocked_area(const GapDistribution &gaps, const double slip_length)
-  {
-    double blocked = gaps.contact_area;
-    for (std::size_t k = 0; k < gaps.gaps.size(); ++k)
-      if (seen_by_fluid(gaps.gaps[k], slip_length) == 0.)
-        blocked += gaps.shares[k];
-    return blocked;
   }
 
   double

@@ -9,19 +9,13 @@
 namespace strait
 {
   std::vector<double>
-  gap_bins(const double smallest,
-           const double largest,
-           const int    per_decade,
-           const double closed)
+  gap_bins(const double smallest, const double largest, const int per_decade)
   {
     const auto n =
       static_cast<int>(std::ceil(per_decade * std::log10(largest / smallest) - 1e-9));
     std::vector<double> edges = {0.};
-    if (closed > 0)
-      edges.push_back(closed);
     for (int k = 0; k <= n; ++k)
-      edges.push_back(closed +
-                      smallest * std::pow(10., static_cast<double>(k) / per_decade));
+      edges.push_back(smallest * std::pow(10., static_cast<double>(k) / per_decade));
     return edges;
   }
 
@@ -35,11 +29,11 @@ namespace strait
     if (!(largest > 0))
       largest = 1.; // all closed: the bins stay empty
     return gap_histogram(
-      gap, gap_bins(largest * std::pow(10., -n_decades), largest, per_decade, closed));
+      gap, gap_bins(largest * std::pow(10., -n_decades), largest, per_decade), closed);
   }
 
   GapDistribution
-  gap_histogram(const SlabField &gap, std::vector<double> edges)
+  gap_histogram(const SlabField &gap, std::vector<double> edges, const double closed)
   {
     const std::size_t n = edges.size() - 1;
     // Of each bin the number of points and the sum of their gaps, weighted by area; at
@@ -47,7 +41,7 @@ namespace strait
     std::vector<double> sums(2 * n + 1, 0.);
     for (const SlabLayout::Range &range : gap.layout().ranges())
       for (std::size_t point = range.begin; point < range.end; ++point)
-        if (const double u = gap[point]; u > 0)
+        if (const double u = gap[point] - closed; u > 0)
           {
             const auto        next = std::upper_bound(edges.begin(), edges.end(), u);
             const std::size_t bin =
@@ -69,30 +63,6 @@ namespace strait
                                               : .5 * (edges[k] + edges[k + 1]));
       }
     result.edges = std::move(edges);
-    return result;
-  }
-
-  GapDistribution
-  merge_bins(const GapDistribution &fine, const std::size_t n)
-  {
-    GapDistribution result;
-    result.contact_area   = fine.contact_area;
-    result.edges          = {fine.edges.front()};
-    const std::size_t end = fine.shares.size();
-    for (std::size_t first = 0, last = 1; first < end; first = last, last += n)
-      {
-        last         = std::min(last, end);
-        double share = 0, sum = 0;
-        for (std::size_t k = first; k < last; ++k)
-          {
-            share += fine.shares[k];
-            sum += fine.shares[k] * fine.gaps[k];
-          }
-        result.edges.push_back(fine.edges[last]);
-        result.shares.push_back(share);
-        result.gaps.push_back(share > 0 ? sum / share
-                                        : .5 * (fine.edges[first] + fine.edges[last]));
-      }
     return result;
   }
 } // namespace strait

@@ -198,7 +198,9 @@ namespace strait
   }
 
   GapDistribution
-  PerssonTheory::distribution(const PerssonState &state, const double closed) const
+  PerssonTheory::distribution(const PerssonState &state,
+                              const double        closed,
+                              const int           merged) const
   {
     // Where 1e-6 of the shortest waves' height is a gap, the fluid does not notice.
     const double    shortest = std::sqrt(waves.height_square_above(
@@ -207,17 +209,19 @@ namespace strait
     result.contact_area = state.contact_area;
     result.edges        = gap_bins(1e-6 * shortest,
                             1e3 * std::sqrt(waves.height_square()),
-                            bins_per_decade(),
-                            closed);
+                            bins_per_decade() / merged);
     const std::size_t n = result.edges.size() - 1;
     result.shares.assign(n, 0.);
     for (const GapLayer &layer : state.layers)
       {
-        double below = 0;
+        // That of zero is 0/0 in a layer that has neither roughness nor separation.
+        double below = closed > 0 ? share_below(layer, closed) : 0.;
+        result.contact_area += layer.share * below;
         for (std::size_t k = 0; k < n; ++k)
           {
             // Whatever is larger belongs to the last bin; the walls are far apart there.
-            const double next = k + 1 < n ? share_below(layer, result.edges[k + 1]) : 1.;
+            const double next =
+              k + 1 < n ? share_below(layer, closed + result.edges[k + 1]) : 1.;
             result.shares[k] += layer.share * (next - below);
             below = next;
             if (below == 1.)
@@ -226,8 +230,7 @@ namespace strait
       }
     result.gaps.push_back(.5 * result.edges[1]);
     for (std::size_t k = 1; k < n; ++k)
-      result.gaps.push_back(
-        closed + std::sqrt((result.edges[k] - closed) * (result.edges[k + 1] - closed)));
+      result.gaps.push_back(std::sqrt(result.edges[k] * result.edges[k + 1]));
     return result;
   }
 } // namespace strait

@@ -61,10 +61,9 @@ namespace strait
       slope_below[k + 1] = slope_below[k] + sections[k].slope_square;
     for (std::size_t k = sections.size(); k-- > 0;)
       height_above[k] = height_above[k + 1] + sections[k].height_square;
-    if (!(height_above.front() > 0))
-      throw InputError(
-        "Theory/Enabled: the surface is flat, and the theory of rough "
-        "contact has nothing to say about it; switch it off.");
+    require(height_above.front() > 0,
+            "Theory/Enabled: the surface is flat, and the theory of rough "
+            "contact has nothing to say about it; switch it off.");
   }
 
   double
@@ -116,19 +115,17 @@ namespace strait
   RadialSpectrum
   model_spectrum(const SurfaceParameters &parameters)
   {
-    if (parameters.kind != SurfaceKind::self_affine)
-      throw InputError(
-        "Theory/Spectrum = model needs Surface/Kind = self-affine; take "
-        "Theory/Spectrum = surface for other kinds.");
+    require(parameters.kind == SurfaceKind::self_affine,
+            "Theory/Spectrum = model needs Surface/Kind = self-affine; take "
+            "Theory/Spectrum = surface for other kinds.");
     const double box      = std::sqrt(parameters.size[0] * parameters.size[1]);
     const double lowest   = 2 * M_PI / box;
     const double roll_off = 2 * M_PI / parameters.roll_off_wavelength;
     const double cut_off  = 2 * M_PI / parameters.short_cut_off_wavelength;
     const double decay    = 2 * (1 + parameters.hurst_exponent);
-    if (!(cut_off > lowest))
-      throw InputError(
-        "Surface/Short cut-off wavelength leaves no wave in the box: make "
-        "it shorter than the side of Surface/Size.");
+    require(cut_off > lowest,
+            "Surface/Short cut-off wavelength leaves no wave in the box: make "
+            "it shorter than the side of Surface/Size.");
     std::vector<RadialSpectrum::Section> sections;
     if (roll_off > lowest)
       sections.push_back(power_law(lowest, std::min(roll_off, cut_off), 0.));
@@ -136,8 +133,7 @@ namespace strait
       sections.push_back(power_law(std::max(lowest, roll_off), cut_off, decay));
     double sum = 0;
     for (const auto &section : sections)
-      sum += parameters.normalisation == Normalisation::rms_slope ? section.slope_square
-                                                                  : section.height_square;
+      sum += parameters.rms_is_of_height ? section.height_square : section.slope_square;
     const double scale = parameters.rms_value * parameters.rms_value / sum;
     for (auto &section : sections)
       {

@@ -62,7 +62,7 @@ end
   EXPECT_EQ(scene.surface.roll_off_wavelength, 0.25);
   EXPECT_EQ(scene.surface.short_cut_off_wavelength, 0.125);
   EXPECT_EQ(scene.surface.amplitudes, Amplitudes::fixed);
-  EXPECT_EQ(scene.surface.normalisation, Normalisation::rms_height);
+  EXPECT_TRUE(scene.surface.rms_is_of_height);
   EXPECT_EQ(scene.surface.rms_value, 2.);
   EXPECT_EQ(scene.surface.amplitude, 0.5);
   EXPECT_EQ(scene.surface.expression, "sin(2*pi*x)");
@@ -82,7 +82,7 @@ end
   EXPECT_EQ(scene.fluid.element_degree, 2u);
   EXPECT_EQ(scene.fluid.preconditioner, FlowPreconditioner::ml);
   EXPECT_EQ(scene.fluid.interpolation, GapInterpolation::bilinear);
-  EXPECT_EQ(scene.fluid.refinement, Refinement::uniform);
+  EXPECT_TRUE(scene.fluid.uniform_refinement);
   EXPECT_EQ(scene.fluid.target_accuracy, 0.5);
   EXPECT_EQ(scene.fluid.maximum_unknowns, 1000u);
   EXPECT_EQ(scene.programme.pressures, (std::vector<double>{3., 2.5, 0.1}));

@@ -157,8 +157,8 @@ TEST(Scene, YieldingAndWhatGoesWithIt)
     all.insert(all.end(), more.begin(), more.end());
     return error_of("", all);
   };
-  EXPECT_FALSE(scene_of("", {"Contact/Hardness=1"}).contact.yields());
-  EXPECT_TRUE(scene_of("", hard).contact.yields());
+  EXPECT_FALSE(scene_of("", {"Contact/Hardness=1"}).contact.yields);
+  EXPECT_TRUE(scene_of("", hard).contact.yields);
   expect_in("set Contact/Hardness", error_of("", {"Contact/Yielding=cut-off"}));
   expect_in("switch Contact/Adhesion off",
             error_with({"Contact/Adhesion/Enabled=true",

@@ -196,32 +196,22 @@ namespace strait
 
     FluidParameters
     fluid_with(const GapInterpolation interpolation,
-               const FlowBounds       bounds,
                const unsigned int     degree,
                const FlowDirection    direction)
     {
       FluidParameters fluid;
       fluid.viscosity      = 1. / 12;
       fluid.interpolation  = interpolation;
-      fluid.bounds         = bounds;
       fluid.element_degree = degree;
       fluid.direction      = direction;
       return fluid;
     }
 
-    INSTANTIATE_TEST_SUITE_P(Fluids,
-                             GapFieldLevels,
-                             testing::Values(fluid_with(GapInterpolation::monotone_cubic,
-                                                        FlowBounds::asymptotic,
-                                                        1,
-                                                        FlowDirection::x),
-                                             fluid_with(GapInterpolation::bilinear,
-                                                        FlowBounds::asymptotic,
-                                                        1,
-                                                        FlowDirection::y),
-                                             fluid_with(GapInterpolation::monotone_cubic,
-                                                        FlowBounds::asymptotic,
-                                                        2,
-                                                        FlowDirection::y)));
+    INSTANTIATE_TEST_SUITE_P(
+      Fluids,
+      GapFieldLevels,
+      testing::Values(fluid_with(GapInterpolation::monotone_cubic, 1, FlowDirection::x),
+                      fluid_with(GapInterpolation::bilinear, 1, FlowDirection::y),
+                      fluid_with(GapInterpolation::monotone_cubic, 2, FlowDirection::y)));
   } // namespace
 } // namespace strait

@@ -35,12 +35,12 @@ namespace
 
   TEST(TheoryPrediction, FlatPlatesLeakAsTheyShould)
   {
-    Scene scene                = theory_scene();
-    scene.surface.size         = {{2., 3.}};
-    scene.fluid.viscosity      = .5;
-    scene.fluid.inlet_pressure = 4.;
-    scene.theory.gaps          = TheoryGaps::simulated;
-    scene.output.fields        = FieldOutput::all;
+    Scene scene                 = theory_scene();
+    scene.surface.size          = {{2., 3.}};
+    scene.fluid.viscosity       = .5;
+    scene.fluid.inlet_pressure  = 4.;
+    scene.theory.simulated_gaps = true;
+    scene.output.fields         = FieldOutput::all;
     const SlabField gap(make_layout({8, 12, 2., 3.}, MPI_COMM_WORLD), .1);
     for (const double slip_length : {0., -.01})
       for (const auto direction : {FlowDirection::x, FlowDirection::y})
@@ -80,9 +80,9 @@ namespace
 
   TEST(TheoryPrediction, SimulatedGapsSealAtTheirOwnContactArea)
   {
-    Scene scene            = theory_scene();
-    scene.theory.dimension = TheoryDimension::from_threshold;
-    scene.theory.gaps      = TheoryGaps::simulated;
+    Scene scene                 = theory_scene();
+    scene.theory.dimension      = TheoryDimension::from_threshold;
+    scene.theory.simulated_gaps = true;
     const TheoryPrediction theory(scene, nullptr);
     SlabField              gap(make_layout({10, 10, 1., 1.}, MPI_COMM_WORLD), 1.);
     for (int row = 0; row < gap.layout().n_rows(); ++row)
@@ -113,7 +113,7 @@ namespace
     Scene scene              = theory_scene();
     scene.surface.amplitudes = Amplitudes::fixed;
     const TheoryPrediction model(scene, nullptr);
-    scene.theory.spectrum = TheorySpectrum::surface;
+    scene.theory.spectrum_of_surface = true;
     const SlabField heights =
       make_surface(scene.surface, make_layout({64, 64, 1., 1.}, MPI_COMM_WORLD));
     const TheoryPrediction measured(scene, &heights);

@@ -48,12 +48,6 @@ namespace
       return state.contact->mean_gap < 1.9 - state.control.target;
     }
 
-    bool
-    depends_on_path() const override
-    {
-      return true;
-    }
-
     int                   n_solves = 0;
     std::map<double, int> n_solves_at; // by the load
   };

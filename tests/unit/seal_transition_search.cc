@@ -226,7 +226,7 @@ namespace strait
       Keeper           state(1.37);
       TransitionSearch search =
         searching([&](const double value) { return state.keeps(value); });
-      const auto found = search.approach({.5, 1.2}, is_open);
+      const auto found = search.leave(.5, 1., is_open, 1.2);
       ASSERT_TRUE(found);
       EXPECT_LE(found->before, 1.37);
       EXPECT_GT(found->beyond, 1.37);
@@ -239,7 +239,7 @@ namespace strait
     {
       int              n_asked = 0;
       TransitionSearch search  = searching([&](double) { return ++n_asked == 0; });
-      const auto       found   = search.approach({1., 1. + tolerance}, is_open);
+      const auto       found   = search.leave(1., 1., is_open, 1. + tolerance);
       ASSERT_TRUE(found);
       EXPECT_EQ(n_asked, 1);
       EXPECT_EQ(found->before, 1.);
@@ -249,7 +249,7 @@ namespace strait
     TEST(SlowApproach, GoesDownAsWell)
     {
       TransitionSearch search = searching([](const double value) { return value >= .3; });
-      const auto       found  = search.approach({1., .9}, is_open);
+      const auto       found  = search.leave(1., -1., is_open, .9);
       ASSERT_TRUE(found);
       EXPECT_GE(found->before, .3);
       EXPECT_LT(found->beyond, .3);
@@ -259,8 +259,8 @@ namespace strait
     TEST(SlowApproach, SaysThatAStateIsNeverLost)
     {
       TransitionSearch search = searching([](double) { return true; });
-      EXPECT_FALSE(search.approach({1., .9}, is_open));
-      EXPECT_FALSE(search.approach({1., 1.1}, is_open));
+      EXPECT_FALSE(search.leave(1., -1., is_open, .9));
+      EXPECT_FALSE(search.leave(1., 1., is_open, 1.1));
       EXPECT_FALSE(search.leave(1., 1., is_open));
     }
 

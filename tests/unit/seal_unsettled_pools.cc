@@ -23,11 +23,12 @@ TEST(UnsettledPools, AreThoseThatComeAndGo)
       for (std::size_t k = 0; k < trap.size(); ++k)
         {
           const bool comes_and_goes = k == 1 || k == 2;
-          EXPECT_EQ(pools.contains(k), round > 0 && comes_and_goes) << round << " " << k;
-          EXPECT_TRUE(!pools.contains(k) || pools.state_before(k) == wet[k]);
+          const auto before         = pools.state_before(k);
+          EXPECT_EQ(before.has_value(), round > 0 && comes_and_goes) << round << " " << k;
+          EXPECT_EQ(before.value_or(wet[k]), wet[k]);
         }
       pools.note(wet);
       for (std::size_t k = 0; k < wet.size(); ++k)
-        EXPECT_FALSE(pools.contains(k)); // wet, or a contact
+        EXPECT_FALSE(pools.state_before(k)); // wet, or a contact
     }
 }

@@ -94,7 +94,7 @@ namespace strait
     TEST(WallFeedback, GoesOnFromTheLastImage)
     {
       FeedbackParameters plain;
-      plain.acceleration = Acceleration::none;
+      plain.plain_rounds = true;
       const auto   next  = [](const double p) { return .3 + .5 * (p - .3); };
       UniformSeal  seal(next, always, plain);
       FeedbackGoal goal{1e-2, 1e-2};
@@ -110,7 +110,7 @@ namespace strait
       const auto         open = [](const double p) { return p > .4; };
       const auto         next = [](const double p) { return .9 + .8 * (p - .9); };
       FeedbackParameters plain;
-      plain.acceleration = Acceleration::none;
+      plain.plain_rounds = true;
       FeedbackGoal exact{feedback_tolerance, std::numeric_limits<double>::infinity()};
       FeedbackGoal goal = exact;
       goal.once_open    = .1;

@@ -145,7 +145,7 @@ namespace
     parameters.rms_value         = 0.3;
     EXPECT_NEAR(statistics_of(parameters, 32).rms_slope, 0.3, 1e-13);
     EXPECT_NEAR(statistics_of(parameters, 81).rms_slope, 0.3, 1e-13);
-    parameters.normalisation = Normalisation::rms_height;
+    parameters.rms_is_of_height = true;
     EXPECT_NEAR(statistics_of(parameters, 32).rms_height, 0.3, 1e-13);
     parameters.size = {{1., 0.5}};
     EXPECT_NEAR(statistics_of(parameters, 32).rms_height, 0.3, 1e-13);

@@ -86,15 +86,18 @@ namespace
 
   TEST(EffectiveMedium, SlipClosesNarrowGaps)
   {
-    GapDistribution gaps;
-    gaps.contact_area = .1;
-    gaps.edges        = {0., .15, .4, 1.};
-    gaps.shares       = {.2, .3, .4};
-    gaps.gaps         = {.1, .3, .7};
-    EXPECT_NEAR(blocked_area(gaps), .1, rounding);
-    EXPECT_NEAR(blocked_area(gaps, -.05), .3, rounding);
-    EXPECT_NEAR(effective_cubed_gap(gaps, 2., -.15), 0., 0.); // .6 is blocked
-    EXPECT_NEAR(effective_cubed_gap(gaps, 4., -.15),
+    // Contact on a share of .1, and gaps of .1, .3 and .7 on .2, .3 and .4.
+    const SlabField gap =
+      sample(make_layout({10, 3, 1., 1.}, MPI_COMM_WORLD), [](const double x, double) {
+        return x < .05 ? 0. : x < .25 ? .1 : x < .55 ? .3 : .7;
+      });
+    const auto open = [&](const double slip_length) {
+      return gap_histogram(gap, {0., .15, .5, 1.}, -2 * slip_length);
+    };
+    EXPECT_NEAR(open(0.).contact_area, .1, rounding);
+    EXPECT_NEAR(open(-.05).contact_area, .3, rounding);
+    EXPECT_EQ(effective_cubed_gap(open(-.15), 2.), 0.); // .6 is blocked
+    EXPECT_NEAR(effective_cubed_gap(open(-.15), 4.),
                 std::pow(.4, 3) * (1 - .6 * 4 / 3),
                 rounding);
   }

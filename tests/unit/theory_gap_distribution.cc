@@ -69,17 +69,16 @@ namespace
     EXPECT_NEAR(edges[9] / edges[2], 10., 1e-12);
   }
 
-  TEST(GapHistogram, MergedBinsKeepSharesAndMean)
+  TEST(GapHistogram, ClosedGapsAreContact)
   {
-    const SlabField       gap    = ramp(400, 3);
-    const GapDistribution fine   = gap_histogram(gap, {0., .5, 1., 1.2, 2., 2.5, 3.});
-    const GapDistribution merged = merge_bins(fine, 2);
-    EXPECT_EQ(merged.edges, (std::vector<double>{0., .5, 1.2, 2.5, 3.}));
-    EXPECT_EQ(merged.contact_area, fine.contact_area);
-    EXPECT_NEAR(merged.shares[1], fine.shares[1] + fine.shares[2], 1e-15);
-    double sum = 0;
-    for (std::size_t k = 0; k < merged.gaps.size(); ++k)
-      sum += merged.shares[k] * merged.gaps[k];
-    EXPECT_NEAR(sum, mean(gap), 1e-13);
+    const SlabField       gap  = ramp(4000, 5);
+    const GapDistribution gaps = gap_histogram(gap, {0., .5, 1., 2.}, 1.);
+    EXPECT_NEAR(gaps.contact_area, .5, 1e-3);
+    EXPECT_NEAR(gaps.shares[0], .125, 5e-4);
+    EXPECT_NEAR(gaps.shares[1], .125, 5e-4);
+    EXPECT_NEAR(gaps.shares[2], .25, 1e-3);
+    EXPECT_NEAR(gaps.gaps[0], .25, 1e-3);
+    EXPECT_NEAR(gaps.gaps[2], 1.5, 1e-3);
+    EXPECT_EQ(gap_histogram(gap, 6, 10, 3.).contact_area, 1.);
   }
 } // namespace

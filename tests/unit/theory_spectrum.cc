@@ -79,7 +79,7 @@ namespace
   TEST(RadialSpectrum, ScaledToItsRmsHeight)
   {
     SurfaceParameters parameters = rough(.8);
-    parameters.normalisation     = Normalisation::rms_height;
+    parameters.rms_is_of_height  = true;
     parameters.rms_value         = .2;
     EXPECT_NEAR(model_spectrum(parameters).height_square(), .04, 1e-15);
   }

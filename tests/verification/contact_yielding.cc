@@ -17,7 +17,7 @@ namespace
   {
     ContactParameters parameters = contact_parameters(tolerance);
     parameters.hardness          = hardness;
-    parameters.yielding          = Yielding::cut_off;
+    parameters.yields            = true;
     return parameters;
   }
 

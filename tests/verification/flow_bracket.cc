@@ -145,7 +145,7 @@ namespace strait
           fluid.interpolation        = kind;
           const SlabField gap        = sample(channels, 128, 128);
           const Leakage   asymptotic = leak(gap, fluid);
-          fluid.bounds               = FlowBounds::rigorous;
+          fluid.rigorous_bounds      = true;
           fluid.target_accuracy      = .15;
           const Leakage rigorous     = leak(gap, fluid);
           EXPECT_EQ(rigorous.status, "ok");
@@ -158,7 +158,7 @@ namespace strait
     TEST(FlowBracket, RigorousBoundsOfParallelPlatesAreExact)
     {
       FluidParameters fluid = plain_fluid();
-      fluid.bounds          = FlowBounds::rigorous;
+      fluid.rigorous_bounds = true;
       const Leakage flow = leak(sample([](double, double) { return .3; }, 32, 32), fluid);
       EXPECT_NEAR(flow.lower, .027, 1e-9);
       EXPECT_NEAR(flow.upper, .027, 1e-9);

@@ -142,7 +142,7 @@ namespace strait
         {
           FluidParameters fluid =
             accurate(slips ? slipping_helium() : helium(Rarefaction::transitional));
-          fluid.refinement          = Refinement::uniform;
+          fluid.uniform_refinement  = true;
           const double        exact = exact_leak(gap, fluid) * gap.grid().ly;
           std::vector<double> errors;
           for (const unsigned int cells : {512, 2048})

@@ -127,7 +127,7 @@ namespace strait
           RoughSeal       seal(map + 1, 32, 8);
           const SlabField gap    = seal.gap(1e-3);
           FluidParameters fluid  = plain_fluid(.02);
-          fluid.bounds           = FlowBounds::rigorous;
+          fluid.rigorous_bounds  = true;
           fluid.maximum_unknowns = 10000;
           expect_overlap(leak_to(gap, .02, 20000), leak(gap, fluid));
         }

@@ -164,8 +164,8 @@ namespace strait
     // On uniform meshes, since of symmetric cells rounding decides which one is refined.
     TEST(FlowWindows, MayCrossTheSeamParallel)
     {
-      FluidParameters fluid = plain_fluid(.2);
-      fluid.refinement      = Refinement::uniform;
+      FluidParameters fluid    = plain_fluid(.2);
+      fluid.uniform_refinement = true;
       const SolvedOnWindows middle(sample(nested(64, 2, 20, 32, 32), saddle(4e-3)),
                                    fluid);
       const double          of_middle =
@@ -300,7 +300,7 @@ namespace strait
       const SlabField       gap        = sample(nested(48, 2, 18, 24, 24), saddle(4e-3));
       const SolvedOnWindows asymptotic = {gap, plain_fluid(1e-3)};
       FluidParameters       fluid      = plain_fluid(.2);
-      fluid.bounds                     = FlowBounds::rigorous;
+      fluid.rigorous_bounds            = true;
       const SolvedOnWindows rigorous(gap, fluid);
       EXPECT_EQ(rigorous.flow.status, "ok");
       EXPECT_LE(rigorous.flow.lower, asymptotic.flow.lower);

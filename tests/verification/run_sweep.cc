@@ -54,11 +54,11 @@ namespace strait
       scene.contact.grid_points = {{128, 128}};
       scene.programme.pressures = {.2 * 2 * pi};
       // The same mesh in both directions; adaptive ones break ties differently.
-      scene.fluid.refinement      = Refinement::uniform;
-      scene.fluid.target_accuracy = .02;
-      const Row along_x           = sweep(scene).front();
-      scene.fluid.direction       = FlowDirection::y;
-      const Row along_y           = sweep(scene).front();
+      scene.fluid.uniform_refinement = true;
+      scene.fluid.target_accuracy    = .02;
+      const Row along_x              = sweep(scene).front();
+      scene.fluid.direction          = FlowDirection::y;
+      const Row along_y              = sweep(scene).front();
       EXPECT_NEAR(along_x.upper / along_y.upper, 1., 1e-9);
       EXPECT_NEAR(along_x.lower / along_y.lower, 1., 1e-9);
     }

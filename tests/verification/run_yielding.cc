@@ -17,7 +17,7 @@ namespace strait
       scene.surface.short_cut_off_wavelength = 1. / 32;
       scene.contact.grid_points              = {{256, 256}};
       scene.contact.hardness                 = hardness;
-      scene.contact.yielding                 = Yielding::cut_off;
+      scene.contact.yields                   = true;
       scene.fluid.target_accuracy            = .05;
       return scene;
     }

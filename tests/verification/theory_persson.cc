@@ -161,6 +161,54 @@ namespace
     EXPECT_GT(n, 100);
   }
 
+  TEST(Persson, BroadBinsHoldTheSumOfFineOnes)
+  {
+    const PerssonTheory   theory(model_spectrum(rough()), 1.);
+    const PerssonState    state  = theory.solve(.05);
+    constexpr std::size_t merged = 10;
+    const GapDistribution fine   = theory.distribution(state);
+    const GapDistribution broad  = theory.distribution(state, 0., merged);
+    EXPECT_EQ(broad.contact_area, state.contact_area);
+    EXPECT_EQ(broad.shares[0], fine.shares[0]);
+    for (std::size_t k = 1; k < broad.shares.size(); ++k)
+      {
+        double sum = 0;
+        for (std::size_t j = merged * (k - 1) + 1;
+             j <= merged * k && j < fine.shares.size();
+             ++j)
+          sum += fine.shares[j];
+        EXPECT_NEAR(broad.edges[k], fine.edges[merged * (k - 1) + 1], 1e-12);
+        EXPECT_NEAR(broad.shares[k], sum, 1e-12);
+      }
+  }
+
+  TEST(Persson, ClosedGapsAreContact)
+  {
+    const PerssonTheory   theory(model_spectrum(rough()), 1.);
+    const PerssonState    state = theory.solve(.05);
+    const GapDistribution all   = theory.distribution(state);
+    EXPECT_EQ(all.contact_area, state.contact_area);
+    // Up to an edge of the bins, and three tenths of the area in all.
+    std::size_t first = 0;
+    double      below = all.contact_area;
+    while (below < .3)
+      below += all.shares[first++];
+    const double          closed = all.edges[first];
+    const GapDistribution open   = theory.distribution(state, closed);
+    EXPECT_NEAR(open.contact_area, below, 1e-12);
+
+    double sum = open.contact_area, mean_excess = 0, expected = 0;
+    for (std::size_t k = 0; k < open.gaps.size(); ++k)
+      {
+        sum += open.shares[k];
+        mean_excess += open.shares[k] * open.gaps[k];
+      }
+    EXPECT_NEAR(sum, 1., 1e-12);
+    for (std::size_t k = first; k < all.gaps.size(); ++k)
+      expected += all.shares[k] * (all.gaps[k] - closed);
+    EXPECT_NEAR(mean_excess / expected, 1., 1e-3); // of bins
+  }
+
   TEST(Persson, PressureFallsExponentiallyWithTheMeanGap)
   {
     const PerssonTheory theory(model_spectrum(rough()), 1.);
@@ -185,7 +233,7 @@ namespace
   TEST(Persson, DependsOnReducedQuantitiesAlone)
   {
     SurfaceParameters other = rough();
-    other.normalisation     = Normalisation::rms_height;
+    other.rms_is_of_height  = true;
     other.rms_value         = 3e-6;
     for (double *length : {&other.size[0],
                            &other.size[1],

@@ -63,13 +63,6 @@ namespace strait
     polonsky_keer
   };
 
-  /** What a contact does where its pressure reaches the hardness. */
-  enum class Yielding
-  {
-    none,   // it stays elastic
-    cut_off // it flows at that pressure, and keeps the indentation
-  };
-
   /** The section Contact/Zoom of a scene: windows of finer points around throats. */
   struct ZoomParameters
   {
@@ -88,8 +81,8 @@ namespace strait
     double              effective_modulus = 1.; // follows from the next two, if given
     std::vector<double> young_moduli;           // of one or two bodies
     std::vector<double> poisson_ratios;
-    double              hardness           = 0.; // 0: not known
-    Yielding            yielding           = Yielding::none;
+    double              hardness           = 0.;    // 0: not known
+    bool                yields             = false; // at the hardness, or never
     ContactControl      control            = ContactControl::load;
     ContactMethod       method             = ContactMethod::dual_cg;
     double              tolerance          = 1e-8; // residual in units of h_rms
@@ -106,13 +99,6 @@ namespace strait
       return control == ContactControl::load;
     }
 
-    /** Whether the contact flows. */
-    bool
-    yields() const
-    {
-      return yielding != Yielding::none;
-    }
-
     /** What the critical load of a surface of this rms slope is a fraction of: the
      * modulus times the slope or, where the contact yields, no more than twice the
      * hardness, for it touches on more than load over hardness. */
@@ -120,14 +106,14 @@ namespace strait
     pressure_scale(const double rms_slope) const
     {
       const double elastic = effective_modulus * rms_slope;
-      return yields() ? std::min(elastic, 2. * hardness) : elastic;
+      return yields ? std::min(elastic, 2. * hardness) : elastic;
     }
 
     /** Whether a state depends on the loads before it. */
     bool
     has_memory() const
     {
-      return adhesion.enabled || yields();
+      return adhesion.enabled || yields;
     }
 
     /**

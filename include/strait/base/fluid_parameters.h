@@ -13,13 +13,6 @@ namespace strait
   struct LeakRateUnit;
   struct UnitParameters;
 
-  /** How the next fluid pressure is guessed from those before. */
-  enum class Acceleration
-  {
-    anderson,
-    none
-  };
-
   /** What fluid that no reservoir reaches does, and by which law. */
   enum class TrappedFluidLaw
   {
@@ -32,12 +25,12 @@ namespace strait
   /** The subsection Fluid/Wall feedback: the fluid presses the walls apart. */
   struct FeedbackParameters
   {
-    bool         enabled            = false;
-    double       tolerance          = 1e-4; // of leak rate and fluid pressure
-    int          maximum_iterations = 200;
-    Acceleration acceleration       = Acceleration::anderson;
-    double       relaxation         = 1.;
-    double       pool_pressure      = 0.;
+    bool   enabled            = false;
+    double tolerance          = 1e-4; // of leak rate and fluid pressure
+    int    maximum_iterations = 200;
+    bool   plain_rounds       = false; // not combined by Anderson's method
+    double relaxation         = 1.;
+    double pool_pressure      = 0.;
 
     TrappedFluidLaw trapped_fluid      = TrappedFluidLaw::drained;
     double          bulk_modulus       = 0.; // at pressure 0; 0: not known
@@ -76,26 +69,12 @@ namespace strait
     bilinear
   };
 
-  /** How the coefficients of the two bounds are integrated. */
-  enum class FlowBounds
-  {
-    asymptotic, // by Gauss quadrature
-    rigorous    // from their extremes
-  };
-
   /** What becomes of a gas where its mean free path is no longer small beside the gap. */
   enum class Rarefaction
   {
     none,        // it is viscous throughout
     slip,        // it slips along the walls, to first order
     transitional // from viscous to molecular, by kinetic theory
-  };
-
-  /** Which cells are refined: the marked ones or all. */
-  enum class Refinement
-  {
-    adaptive,
-    uniform
   };
 
   /** The section Fluid of a scene: Reynolds flow through the gap. */
@@ -116,14 +95,14 @@ namespace strait
     std::vector<double> slip_lengths = {0.}; // <= 0, one row of results for each
     FlowDirection       direction    = FlowDirection::x;
     std::string         mesh_file; // empty: the whole box
-    unsigned int        element_degree   = 1;
-    FlowPreconditioner  preconditioner   = FlowPreconditioner::boomeramg;
-    GapInterpolation    interpolation    = GapInterpolation::monotone_cubic;
-    Refinement          refinement       = Refinement::adaptive;
-    double              target_accuracy  = 0.02;
-    unsigned int        maximum_unknowns = 1000000;
+    unsigned int        element_degree     = 1;
+    FlowPreconditioner  preconditioner     = FlowPreconditioner::boomeramg;
+    GapInterpolation    interpolation      = GapInterpolation::monotone_cubic;
+    bool                uniform_refinement = false; // of all cells, not the marked ones
+    double              target_accuracy    = 0.02;
+    unsigned int        maximum_unknowns   = 1000000;
     FeedbackParameters  feedback;
-    FlowBounds          bounds = FlowBounds::asymptotic;
+    bool                rigorous_bounds = false; // from extremes, not by Gauss quadrature
 
     /** Whether some slip length is not zero. */
     bool

@@ -79,20 +79,6 @@ namespace strait
   /** The name of an orientation in a scene. */
   std::string name_of(Orientation orientation);
 
-  /** The spectrum for which the theory is evaluated. */
-  enum class TheorySpectrum
-  {
-    model,  // what a self-affine surface has on average: no grid
-    surface // that of the heights on the grid
-  };
-
-  /** Whose gaps the effective medium is made of. */
-  enum class TheoryGaps
-  {
-    persson,
-    simulated
-  };
-
   /** What sets n of the effective medium. */
   enum class TheoryDimension
   {
@@ -104,12 +90,12 @@ namespace strait
   /** The section Theory: Persson's theory and the effective medium beside each step. */
   struct TheoryParameters
   {
-    bool            enabled           = false;
-    TheorySpectrum  spectrum          = TheorySpectrum::model;
-    TheoryGaps      gaps              = TheoryGaps::persson;
-    TheoryDimension dimension         = TheoryDimension::bruggeman;
-    double          critical_fraction = .42;
-    double          gamma             = .45;
+    bool            enabled             = false;
+    bool            spectrum_of_surface = false; // on the grid, not of its model
+    bool            simulated_gaps      = false; // in the effective medium, not Persson's
+    TheoryDimension dimension           = TheoryDimension::bruggeman;
+    double          critical_fraction   = .42;
+    double          gamma               = .45;
 
     void bind(ParameterSection section);
   };

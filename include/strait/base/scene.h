@@ -63,6 +63,14 @@ namespace strait
       return fluid.enabled && (seal.two_in_a_row || (is_wide && can_flow_in_a_row()));
     }
 
+    /** Whether a state depends on the one it was reached from by more than the
+     *  tolerance. */
+    bool
+    depends_on_path() const
+    {
+      return (contact.enabled && contact.has_memory()) || fluid.feedback.enabled;
+    }
+
     /** The scene file, with every default filled in. */
     std::string resolved;
 

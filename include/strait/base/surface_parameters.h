@@ -76,13 +76,6 @@ namespace strait
     fixed
   };
 
-  /** What the given rms value is of. */
-  enum class Normalisation
-  {
-    rms_slope,
-    rms_height
-  };
-
   /** The section Surface of a scene: the rough, rigid substrate. */
   struct SurfaceParameters
   {
@@ -93,7 +86,7 @@ namespace strait
     double                roll_off_wavelength      = 0.5;
     double                short_cut_off_wavelength = 0.0078125;
     Amplitudes            amplitudes               = Amplitudes::gaussian;
-    Normalisation         normalisation            = Normalisation::rms_slope;
+    bool                  rms_is_of_height         = false; // not of slope
     double                rms_value                = 1.;
     double                amplitude                = 1.; // sphere: its radius
     std::string           expression;

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <list>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,32 +12,13 @@ namespace strait
 {
   /**
    * Wall-clock time of nested parts of the program on this rank. A part is
-   * timed while the Scope that it gave exists; scopes must end in the reverse
+   * timed while what its scope() returned exists; scopes must end in the reverse
    * order of their beginning. Entering a part again adds to its time.
    */
   class Timers
   {
-    struct Node;
-
   public:
     using Clock = std::chrono::steady_clock;
-
-    /** Adds the time of its life to an entry. */
-    class Scope
-    {
-    public:
-      ~Scope();
-      Scope(const Scope &)            = delete;
-      Scope &operator=(const Scope &) = delete;
-
-    private:
-      friend class Timers;
-      Scope(Timers &timers, Node &part);
-
-      Timers           &timers;
-      Node             &part;
-      Clock::time_point start = Clock::now();
-    };
 
     /** One row of the table of times. */
     struct Part
@@ -51,7 +33,7 @@ namespace strait
     Timers &operator=(const Timers &) = delete;
 
     /** Time @p name as a part of the innermost part that is being timed. */
-    [[nodiscard]] Scope scope(const std::string &name);
+    [[nodiscard]] std::shared_ptr<void> scope(const std::string &name);
 
     /** Wall-clock seconds. */
     static double

@@ -59,11 +59,11 @@ namespace strait
   /** One limit of the model, and what a step says of it (validity.h). */
   struct ValidityCheck
   {
-    std::string word;     // of the column validity where the limit is passed
-    double      number;   // of the step
-    double      limit;    // for that number
-    bool        is_least; // it must not fall below the limit, rather than exceed it
-    std::string advice;   // what it means, and what to switch on or to change
+    std::string word;             // of the column validity where the limit is passed
+    double      number;           // of the step
+    double      limit;            // for that number
+    bool        is_least = false; // it must not fall below the limit, or not exceed it
+    std::string advice   = {};    // what it means, and what to switch on or to change
 
     /** Whether the model holds in this respect; a number that is none proves nothing. */
     bool

@@ -38,12 +38,6 @@ namespace strait
 
     SealState solve(const Control &control, const SealState *from, Aim aim) override;
 
-    bool
-    depends_on_path() const override
-    {
-      return true;
-    }
-
   private:
     class Iteration;
 

@@ -32,18 +32,11 @@ namespace strait
     /** Take note of the states of the next round, one per local grid point. */
     void note(const std::vector<NodeState> &now);
 
-    /** Whether a local grid point is in such a pool. */
-    bool
-    contains(const std::size_t k) const
-    {
-      return is_pool[k] && has_ceased[k];
-    }
-
-    /** What a local grid point in such a pool last was but a pool. */
-    NodeState
+    /** What a local grid point in such a pool last was but a pool; nothing elsewhere. */
+    std::optional<NodeState>
     state_before(const std::size_t k) const
     {
-      return before[k];
+      return is_pool[k] && has_ceased[k] ? std::optional(before[k]) : std::nullopt;
     }
 
   private:
@@ -75,9 +68,7 @@ namespace strait
      *  if that is null. All of them must outlive this object. */
     FluidOnWall(const Scene       &scene,
                 const Control     &control,
-                const FlowStage   &flow,
                 HarmonicExtension &extension,
-                std::size_t        n_local_points,
                 const SealState   *from);
 
     /** The pressure in the gap of @p contact, where the flow is @p fluid_flow, after
@@ -119,7 +110,6 @@ namespace strait
 
     const Scene       &scene;
     const Control      control;
-    const FlowStage   &flow;
     HarmonicExtension &extension;
     // At the start of the step, which its uncertainty counts from, or when pools last
     // met.

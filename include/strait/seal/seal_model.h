@@ -29,10 +29,6 @@ namespace strait
      *  null; a model may do more than the aim needs. Collective. Throws InputError if
      * there is no such state. */
     virtual SealState solve(const Control &control, const SealState *from, Aim aim) = 0;
-
-    /** Whether a state depends on the one it was reached from by more than the
-     *  tolerance. */
-    virtual bool depends_on_path() const = 0;
   };
 } // namespace strait
 

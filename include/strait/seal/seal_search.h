@@ -98,7 +98,7 @@ namespace strait
     std::optional<SealState>
     take_state()
     {
-      return std::exchange(place_of(side_of_path()), std::nullopt);
+      return std::exchange(place_of(side_of_path), std::nullopt);
     }
 
     /** The answers so far and the states that the next ones start from. Collective. */
@@ -133,7 +133,6 @@ namespace strait
                                       const Passage          &passage,
                                       double                  open,
                                       std::size_t             begin) const;
-    Side                      side_of_path() const;
     Probe                     ask(const Control &control, Side path_comes_from);
     Probe                     probe(const Control &control, Side path_comes_from);
     std::optional<SealState> &place_of(Side side);
@@ -144,6 +143,7 @@ namespace strait
     const SlabLayoutPtr layout;
     const FlowDomain    domain;
     Log                &log;
+    const Side          side_of_path; // in load
     AfterProbe          look_up = []() {};
 
     // The nearest states on either side; where no path matters, one, the last.

@@ -86,18 +86,14 @@ namespace strait
     Passage enclose_surely(SearchStart first, double level);
 
     /**
-     * Enclose where the state that is there at `known.before` is lost on the way to
-     * `known.beyond`, where it is lost in one step, and beyond that if small steps keep
-     * it. @p is_kept judges a probe. Nothing if it is not lost within a factor of 10⁶.
-     * Collective if asking is.
+     * Enclose where the state that is there at @p kept is lost, in steps that grow from
+     * @p step, which is negative on the way to smaller values. If it is known to be lost
+     * in one step to @p lost, that comes first, and small steps go on beyond it if they
+     * keep the state. @p is_kept judges a probe. Nothing if the state is not lost within
+     * a factor of 10⁶. Collective if asking is.
      */
-    std::optional<Passage> approach(Passage known, const Kept &is_kept);
-
-    /**
-     * The same from @p kept, where the state is there, in steps that grow from @p step,
-     * which is negative on the way to smaller values.
-     */
-    std::optional<Passage> leave(double kept, double step, const Kept &is_kept);
+    std::optional<Passage>
+    leave(double kept, double step, const Kept &is_kept, double lost = unknown);
 
     /** Ask at one value. Collective if asking is. */
     const Probe &ask_at(double value);
@@ -110,8 +106,7 @@ namespace strait
     }
 
   private:
-    std::optional<Passage>
-    lose_slowly(Passage at, double first_step, const Kept &is_kept);
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
     Ask                     ask;
     double                  tolerance;

@@ -59,12 +59,6 @@ namespace strait
 
     SealState solve(const Control &control, const SealState *from, Aim aim) override;
 
-    bool
-    depends_on_path() const override
-    {
-      return seal->depends_on_path();
-    }
-
   private:
     /** The windows that @p state should have for @p aim. Once none is lacking those that
      *  are not needed are left out, unless @p is_trimmed, which is then set. Collective.

@@ -65,12 +65,6 @@ namespace strait
     int exponent = 0;
     int i        = 0;
     int j        = 0;
-
-    bool
-    operator==(const GridCell &other) const
-    {
-      return exponent == other.exponent && i == other.i && j == other.j;
-    }
   };
 
   /** A grid point; along the flow, index n stands for the outlet's copy of 0. Or a point

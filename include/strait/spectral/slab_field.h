@@ -80,6 +80,9 @@ namespace strait
   /** Root mean square about the mean. Collective. */
   double rms(const SlabField &field);
 
+  /** Sum of a b over the grid points, of fields without windows. Collective. */
+  double product(const SlabField &a, const SlabField &b);
+
   /** Smallest value. Collective. */
   double min_value(const SlabField &field);
 

@@ -4,6 +4,8 @@
 
 #include <strait/spectral/slab_field.h>
 
+#include <cstdint>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -12,29 +14,57 @@
 namespace strait
 {
   /**
-   * Where a run's state is put to continue it later, or taken from.
+   * The file where a run's state is put to continue it later, or taken from.
    *
    * A class with such a state has one function `transfer(StateArchive &)` that names
    * its members one after the other, for both directions. All functions are collective.
    * Scalars, texts and lists are those of rank 0 when they are put and the same on all
    * ranks when they are taken. Fields do not depend on the number of ranks.
+   *
+   * In the file there are a signature, the items in their order, each after its size in
+   * bytes, and at the end a checksum of all that, so that a file that was cut off or
+   * changed is recognised before anything is taken from it. Rank 0 alone writes and
+   * reads; the rows of a field pass by it one after the other. The file is in the byte
+   * order of the machine.
    */
   class StateArchive
   {
   public:
-    virtual ~StateArchive() = default;
+    /** What is to be done with the file. */
+    enum class Access
+    {
+      write,
+      read
+    };
+
+    /**
+     * Write to a file beside @p path, where errors wait for commit(), or open @p path and
+     * check it from end to end. Collective. Throws InputError on all ranks if there is
+     * nothing to read, or no file that was committed.
+     */
+    StateArchive(const std::string &path, MPI_Comm comm, Access access);
+
+    /** Removes what was not committed. */
+    ~StateArchive();
+
+    StateArchive(const StateArchive &)            = delete;
+    StateArchive &operator=(const StateArchive &) = delete;
 
     /** Whether members are taken from the archive rather than put there. */
-    virtual bool is_reading() const = 0;
+    bool
+    is_reading() const
+    {
+      return access == Access::read;
+    }
 
     /** A number. */
-    virtual void value(double &number) = 0;
+    void value(double &number);
 
     /** A text, of any length. */
-    virtual void value(std::string &text) = 0;
+    void value(std::string &text);
 
     /** A list of numbers, of any length. */
-    virtual void value(std::vector<double> &numbers) = 0;
+    void value(std::vector<double> &numbers);
 
     /** A list of texts, of any length. */
     void value(std::vector<std::string> &texts);
@@ -65,13 +95,33 @@ namespace strait
     template <typename Number>
     void field(std::vector<Number> &values, const SlabLayout &layout);
 
-  protected:
-    /** All points of this rank, each of @p point_size bytes. */
-    virtual void rows(void *local, std::size_t point_size, const SlabLayout &layout) = 0;
+    /**
+     * Put the file that was written in the place of the one before, once it is safe on
+     * the disk: at any moment one of the two is there, whole. Collective. Throws
+     * ComputationError if anything could not be written; then the one before stays.
+     */
+    void commit();
 
   private:
     template <typename Number>
-    void all_values(Number *local, const SlabLayout &layout);
+    void              all_values(Number *local, const SlabLayout &layout);
+    void              rows(void *local, std::size_t point_size, const SlabLayout &layout);
+    std::string       item(std::string bytes);
+    std::size_t       size_of_item(std::size_t size);
+    bool              pass(void *data, std::size_t size);
+    void              keep_error_unless(bool succeeds);
+    void              check_whole_file();
+    [[noreturn]] void refuse() const;
+
+    const std::string path;
+    const MPI_Comm    comm;
+    const Access      access;
+
+    // Of rank 0.
+    std::FILE    *file      = nullptr;
+    std::size_t   remaining = 0; // bytes of items to be read
+    int           error     = 0; // errno of the first failure in writing
+    std::uint32_t checksum  = 0; // of what was written
   };
 
   /** A list of any length; @p transfer_item puts or takes each of its items. Collective.

@@ -20,15 +20,8 @@ namespace strait
    */
   double effective_conductivity(const std::vector<MediumPart> &medium, double n);
 
-  /**
-   * 12 η K_e of a gap in which @p gaps are distributed at random [length³]: with a
-   * @p slip_length d0 <= 0 each conducts as (g − 2|d0|)³, and not where that is negative.
-   */
-  double
-  effective_cubed_gap(const GapDistribution &gaps, double n, double slip_length = 0.);
-
-  /** Share of the area that does not conduct with the @p slip_length d0 <= 0. */
-  double blocked_area(const GapDistribution &gaps, double slip_length = 0.);
+  /** 12 η K_e of a gap in which @p gaps are distributed at random [length³]. */
+  double effective_cubed_gap(const GapDistribution &gaps, double n);
 
   /** The n at which K_e vanishes where the share @p blocked, between 0 and 1, does not
    *  conduct: 1/(1 − a_c). */

@@ -19,26 +19,21 @@ namespace strait
 
   /**
    * Edges of bins from zero: 0, smallest, and so on in equal ratios, @p per_decade of
-   * them a decade, until @p largest is reached. If gaps up to @p closed > 0 conduct
-   * nothing, these are the first bin, and the others are shifted beyond.
+   * them a decade, until @p largest is reached.
    */
-  std::vector<double>
-  gap_bins(double smallest, double largest, int per_decade, double closed = 0.);
+  std::vector<double> gap_bins(double smallest, double largest, int per_decade);
 
   /**
-   * The distribution of simulated gaps: what is not positive is contact. Bins reach from
-   * the largest gap down by @p n_decades, below which one bin holds the rest; the mean
-   * of its gaps stands for a bin. @p closed as for gap_bins(). Collective.
+   * The distribution of what simulated gaps exceed @p closed >= 0 by: where they do not,
+   * is contact. Bins reach from the largest gap down by @p n_decades, below which one bin
+   * holds the rest; the mean of what is in it stands for a bin. Collective.
    */
   GapDistribution
   gap_histogram(const SlabField &gap, int n_decades, int per_decade, double closed = 0.);
 
-  /** The same over given @p edges; gaps beyond the last count in the last bin. */
-  GapDistribution gap_histogram(const SlabField &gap, std::vector<double> edges);
-
-  /** The same in bins of @p n each, but for the first, which reaches from zero, and
-   *  maybe the last. */
-  GapDistribution merge_bins(const GapDistribution &fine, std::size_t n);
+  /** The same over given @p edges; what is beyond the last counts in the last bin. */
+  GapDistribution
+  gap_histogram(const SlabField &gap, std::vector<double> edges, double closed = 0.);
 } // namespace strait
 
 #endif

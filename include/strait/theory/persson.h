@@ -63,7 +63,7 @@ namespace strait
       return waves;
     }
 
-    /** How many bins of distribution() make a decade of the gap. */
+    /** How many bins of distribution() make a decade of the gap, unless merged. */
     int
     bins_per_decade() const
     {
@@ -83,10 +83,14 @@ namespace strait
     /** All there is to know at the nominal @p pressure > 0. */
     PerssonState solve(double pressure) const;
 
-    /** P(u) in bins that reach from nearly nothing to a thousand times the rms height,
-     *  beyond @p closed if gaps up to that conduct nothing. The sum over the bins is
-     *  1 − A/A0 by construction. */
-    GapDistribution distribution(const PerssonState &state, double closed = 0.) const;
+    /**
+     * P(u) of what the gaps exceed @p closed >= 0 by, in bins that reach from nearly
+     * nothing to a thousand times the rms height, @p merged times as broad as those of
+     * bins_per_decade(). Smaller gaps count as contact, and the sum over the bins is 1
+     * less the contact by construction.
+     */
+    GapDistribution
+    distribution(const PerssonState &state, double closed = 0., int merged = 1) const;
 
   private:
     /**

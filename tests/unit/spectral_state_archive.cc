@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
-#include <strait/run/checkpoint.h>
+#include <strait/spectral/state_archive.h>
 
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ namespace strait::test
     void
     save()
     {
-      Checkpoint writer(path, MPI_COMM_WORLD, Checkpoint::Access::write);
+      StateArchive writer(path, MPI_COMM_WORLD, StateArchive::Access::write);
       transfer(writer);
       writer.commit();
     }
@@ -96,7 +96,7 @@ TEST_F(CheckpointFile, GivesBackWhatWasPut)
   single.clear();
   absent  = SlabField(layout);
   nothing = {1.F};
-  Checkpoint reader(path, MPI_COMM_WORLD, Checkpoint::Access::read);
+  StateArchive reader(path, MPI_COMM_WORLD, StateArchive::Access::read);
   transfer(reader);
   EXPECT_EQ(number, -0.1);
   EXPECT_EQ(count, 1L << 50);
@@ -118,14 +118,15 @@ TEST_F(CheckpointFile, AnotherGridIsRefused)
   fill();
   save();
   layout = make_layout({500, 300, 1., 1.}, MPI_COMM_WORLD);
-  Checkpoint reader(path, MPI_COMM_WORLD, Checkpoint::Access::read);
+  StateArchive reader(path, MPI_COMM_WORLD, StateArchive::Access::read);
   EXPECT_THROW(transfer(reader), InputError);
 }
 
 TEST_F(CheckpointFile, SpoiltFilesAreRefused)
 {
-  EXPECT_THROW(Checkpoint(path, MPI_COMM_WORLD, Checkpoint::Access::read), InputError);
-  EXPECT_THROW(Checkpoint(folder.path(), MPI_COMM_WORLD, Checkpoint::Access::read),
+  EXPECT_THROW(StateArchive(path, MPI_COMM_WORLD, StateArchive::Access::read),
+               InputError);
+  EXPECT_THROW(StateArchive(folder.path(), MPI_COMM_WORLD, StateArchive::Access::read),
                InputError);
   fill();
   save();
@@ -134,7 +135,8 @@ TEST_F(CheckpointFile, SpoiltFilesAreRefused)
   for (const auto length : {size - 1, size / 2, std::uintmax_t(40), std::uintmax_t(0)})
     {
       run_on_root(MPI_COMM_WORLD, [&]() { std::filesystem::resize_file(path, length); });
-      EXPECT_THROW(Checkpoint(path, MPI_COMM_WORLD, Checkpoint::Access::read), InputError)
+      EXPECT_THROW(StateArchive(path, MPI_COMM_WORLD, StateArchive::Access::read),
+                   InputError)
         << length;
     }
   for (const std::uintmax_t at : {std::uintmax_t(0), size / 3, size - 20, size - 1})
@@ -147,7 +149,8 @@ TEST_F(CheckpointFile, SpoiltFilesAreRefused)
         file.seekp(static_cast<std::streamoff>(at));
         file.put(static_cast<char>(byte ^ 4));
       });
-      EXPECT_THROW(Checkpoint(path, MPI_COMM_WORLD, Checkpoint::Access::read), InputError)
+      EXPECT_THROW(StateArchive(path, MPI_COMM_WORLD, StateArchive::Access::read),
+                   InputError)
         << at;
     }
 }
@@ -173,7 +176,7 @@ TEST_F(CheckpointFile, KeepsTheWindowsOfAField)
   single.assign(field.begin(), field.end());
   const std::vector<float> single_then = single;
   {
-    Checkpoint writer(path, MPI_COMM_WORLD, Checkpoint::Access::write);
+    StateArchive writer(path, MPI_COMM_WORLD, StateArchive::Access::write);
     transfer_fields(writer);
     writer.commit();
   }
@@ -182,7 +185,7 @@ TEST_F(CheckpointFile, KeepsTheWindowsOfAField)
   count                      = 0;
   field                      = SlabField();
   single.clear();
-  Checkpoint reader(path, MPI_COMM_WORLD, Checkpoint::Access::read);
+  StateArchive reader(path, MPI_COMM_WORLD, StateArchive::Access::read);
   transfer_fields(reader);
   EXPECT_EQ(number, 3.);
   EXPECT_EQ(count, 17);
@@ -199,14 +202,14 @@ TEST_F(CheckpointFile, ListsAreThoseOfRankZero)
   if (layout->rank() == 0)
     texts = {"some", "more", ""};
   {
-    Checkpoint writer(path, MPI_COMM_WORLD, Checkpoint::Access::write);
+    StateArchive writer(path, MPI_COMM_WORLD, StateArchive::Access::write);
     writer.value(texts);
     field = SlabField(layout, 2.);
     writer.field(field, layout);
     writer.commit();
   }
   texts.clear();
-  Checkpoint reader(path, MPI_COMM_WORLD, Checkpoint::Access::read);
+  StateArchive reader(path, MPI_COMM_WORLD, StateArchive::Access::read);
   reader.value(texts);
   reader.field(field, layout);
   EXPECT_EQ(texts, (std::vector<std::string>{"some", "more", ""}));
@@ -218,11 +221,11 @@ TEST_F(CheckpointFile, WhatIsNotCommittedChangesNothing)
   fill();
   save();
   {
-    Checkpoint writer(path, MPI_COMM_WORLD, Checkpoint::Access::write);
+    StateArchive writer(path, MPI_COMM_WORLD, StateArchive::Access::write);
     number = 7;
     writer.value(number);
   }
-  Checkpoint reader(path, MPI_COMM_WORLD, Checkpoint::Access::read);
+  StateArchive reader(path, MPI_COMM_WORLD, StateArchive::Access::read);
   transfer(reader);
   EXPECT_EQ(number, -0.1);
   run_on_root(MPI_COMM_WORLD,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
-#include <strait/run/checkpoint.h>
+#include <strait/spectral/state_archive.h>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -18,15 +18,6 @@ namespace strait
   {
     /** The first bytes. The number is another one whenever the items have changed. */
     const std::string signature = "strait checkpoint 16\n";
-
-    std::uint32_t
-    continued_checksum(const std::uint32_t checksum,
-                       const void         *data,
-                       const std::size_t   size)
-    {
-      return static_cast<std::uint32_t>(
-        crc32_z(checksum, static_cast<const Bytef *>(data), size));
-    }
 
     std::string
     name_beside(const std::string &path)
@@ -47,7 +38,9 @@ namespace strait
     }
   } // namespace
 
-  Checkpoint::Checkpoint(const std::string &path_, MPI_Comm comm_, const Access access_)
+  StateArchive::StateArchive(const std::string &path_,
+                             MPI_Comm           comm_,
+                             const Access       access_)
     : path(path_)
     , comm(comm_)
     , access(access_)
@@ -66,7 +59,7 @@ namespace strait
     });
   }
 
-  Checkpoint::~Checkpoint()
+  StateArchive::~StateArchive()
   {
     if (file == nullptr)
       return;
@@ -76,7 +69,7 @@ namespace strait
   }
 
   void
-  Checkpoint::refuse() const
+  StateArchive::refuse() const
   {
     throw InputError("The file '" + path +
                      "' is not a whole checkpoint of this version of strait, so the run "
@@ -84,7 +77,7 @@ namespace strait
   }
 
   void
-  Checkpoint::check_whole_file()
+  StateArchive::check_whole_file()
   {
     if (file == nullptr)
       throw InputError("There is no checkpoint '" + path +
@@ -94,7 +87,8 @@ namespace strait
     if (failure || size < signature.size() + sizeof checksum)
       refuse();
     const std::size_t length = size - sizeof checksum;
-    std::uint32_t     now = 0, then = 0;
+    uLong             now    = crc32_z(0, nullptr, 0);
+    std::uint32_t     then   = 0;
     std::vector<char> block(1 << 20);
     for (std::size_t at = 0; at < length; at += block.size())
       {
@@ -103,7 +97,7 @@ namespace strait
             (at == 0 &&
              std::memcmp(block.data(), signature.data(), signature.size()) != 0))
           refuse();
-        now = continued_checksum(now, block.data(), block.size());
+        now = crc32_z(now, reinterpret_cast<const Bytef *>(block.data()), block.size());
       }
     if (std::fread(&then, sizeof then, 1, file) != 1 || then != now ||
         std::fseek(file, static_cast<long>(signature.size()), SEEK_SET) != 0)
@@ -113,7 +107,7 @@ namespace strait
 
   /** Write, or read, these bytes on rank 0. Returns whether they could be read. */
   bool
-  Checkpoint::pass(void *data, const std::size_t size)
+  StateArchive::pass(void *data, const std::size_t size)
   {
     if (is_reading())
       {
@@ -122,14 +116,15 @@ namespace strait
         remaining -= size;
         return true;
       }
-    checksum = continued_checksum(checksum, data, size);
+    checksum =
+      static_cast<std::uint32_t>(crc32_z(checksum, static_cast<Bytef *>(data), size));
     keep_error_unless(error != 0 || std::fwrite(data, 1, size, file) == size);
     return true;
   }
 
   /** Keep the error of a call that has failed, if it is the first. */
   void
-  Checkpoint::keep_error_unless(const bool succeeds)
+  StateArchive::keep_error_unless(const bool succeeds)
   {
     if (error == 0 && !succeeds)
       error = errno != 0 ? errno : EIO;
@@ -137,7 +132,7 @@ namespace strait
 
   /** The size of the next item, @p size if it is written. For rank 0. */
   std::size_t
-  Checkpoint::size_of_item(std::size_t size)
+  StateArchive::size_of_item(std::size_t size)
   {
     if (!pass(&size, sizeof size) || (is_reading() && size > remaining))
       refuse();
@@ -147,7 +142,7 @@ namespace strait
   /** What is read, on all ranks; or @p bytes, which rank 0 writes without the others,
    *  that may have other ones and fewer or more of them. */
   std::string
-  Checkpoint::item(std::string bytes)
+  StateArchive::item(std::string bytes)
   {
     const auto pass_item = [&]() {
       bytes.resize(size_of_item(bytes.size()));
@@ -165,7 +160,7 @@ namespace strait
   }
 
   void
-  Checkpoint::value(double &number)
+  StateArchive::value(double &number)
   {
     std::vector<double> numbers(1, number);
     value(numbers);
@@ -175,13 +170,13 @@ namespace strait
   }
 
   void
-  Checkpoint::value(std::string &text)
+  StateArchive::value(std::string &text)
   {
     text = item(text);
   }
 
   void
-  Checkpoint::value(std::vector<double> &numbers)
+  StateArchive::value(std::vector<double> &numbers)
   {
     const auto       *begin = reinterpret_cast<const char *>(numbers.data());
     const std::string bytes = item({begin, numbers.size() * sizeof(double)});
@@ -190,7 +185,7 @@ namespace strait
   }
 
   void
-  Checkpoint::rows(void *local, const std::size_t point_size, const SlabLayout &layout)
+  StateArchive::rows(void *local, const std::size_t point_size, const SlabLayout &layout)
   {
     const std::size_t row_size = layout.grid().nx * point_size;
     const std::size_t size     = layout.grid().ny * row_size;
@@ -231,7 +226,7 @@ namespace strait
   }
 
   void
-  Checkpoint::commit()
+  StateArchive::commit()
   {
     run_on_root(comm, [this]() {
       std::uint32_t of_all = checksum;
