@@ -162,10 +162,10 @@ namespace strait
       file.set_attribute("dy", grid.dy());
       file.set_attribute("units", std::string("those of the scene"));
       run_on_root(layout.communicator(), [&]() {
-        const std::string base = "fields-" + std::to_string(step.number);
+        const std::string base  = "fields-" + std::to_string(step.number);
+        const std::string begin = directory + "/" + base;
         for (const auto &[level, of_level] : pieces)
-          write_text(directory + "/" + base +
-                       (level == 0 ? "" : "-level-" + std::to_string(level)) + ".xmf",
+          write_text(begin + (level == 0 ? ".xmf" : format("-level-%d.xmf", level)),
                      grid_description(base + ".h5", of_level, datasets));
       });
     }
