@@ -89,6 +89,15 @@ class Paper(unittest.TestCase):
 
     def test_saddle_triangular(self):
         self.saddle("saddle_triangular", "240, 416", 3.87382, 3.91, 1.35)
+        # With windows on half of these points, of doc/closing.md.
+        folder = self.run_scene("saddle_triangular", {
+            "Contact/Grid points": "120, 208", "Contact/Zoom/Enabled": "true",
+            "Load programme/Pressures": "", "Load programme/Threshold tolerance": 1e-4,
+            "Load programme/Reduced loads": "0.05, 0.02", "Fluid/Target accuracy": .02}, "_zoom")
+        rows = self.by_reduced_load(folder)
+        self.assertAlmostEqual(self.exponent(rows, .05, .02), 3.802, delta=.01)
+        self.assertAlmostEqual(self.exponent(rows, .05, .02, "worst_constriction_gap"), 1.312,
+                               delta=.003)
 
     def test_saddle_honeycomb(self):
         self.saddle("saddle_honeycomb", "240, 416", .345261, 3.50, 1.205)
