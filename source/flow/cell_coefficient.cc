@@ -196,9 +196,10 @@ namespace strait
                 {
                   const double coarser = mean;
                   mean = integrate(gap, rows, values_on(cell, 2 * n_parts), sums);
-                  if (mean > 0)
-                    for (double &entry : sums)
-                      entry *= 1. + std::abs(mean - coarser) / mean;
+                  const double factor =
+                    mean > 0 ? 1. + std::abs(mean - coarser) / mean : 1.;
+                  for (double &entry : sums)
+                    entry *= factor;
                 }
               means.push_back(mean);
               entries.insert(entries.end(), sums.begin(), sums.end());
@@ -259,8 +260,10 @@ namespace strait
               gap.coefficient_of(coefficient, rows(x[0], x[1])) * at.JxW(q);
             area += at.JxW(q);
             total += c;
+            if (!(c > 0))
+              continue;
             double *entry = sums.data();
-            for (unsigned int i = 0; c > 0 && i < n; ++i)
+            for (unsigned int i = 0; i < n; ++i)
               for (unsigned int j = 0; j <= i; ++j)
                 *entry++ += c * (at.shape_grad(i, q) * at.shape_grad(j, q));
           }

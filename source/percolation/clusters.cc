@@ -132,15 +132,24 @@ namespace strait
       touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
       const auto                       pairs = gather_all(gap.communicator(), touching);
       std::unordered_map<Label, Label> lesser; // names of the same cluster
-      const auto                       least = [&lesser](Label name) {
-        for (auto found = lesser.find(name); found != lesser.end();
-             found      = lesser.find(name))
-          name = found->second;
+
+      // Halves the way for the next one that asks.
+      const auto least = [&lesser](Label name) {
+        auto found = lesser.find(name);
+        while (found != lesser.end())
+          {
+            if (const auto next = lesser.find(found->second); next != lesser.end())
+              found->second = next->second;
+            name  = found->second;
+            found = lesser.find(name);
+          }
         return name;
       };
       for (const auto &[a, b] : pairs)
         if (const auto [low, high] = std::minmax({least(a), least(b)}); low != high)
           lesser[high] = low;
+      if (lesser.empty())
+        return;
       for (Label &label : labels)
         label = least(label);
     }

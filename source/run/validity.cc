@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/text.h>
 #include <strait/interface/rarefied_gas.h>
 #include <strait/run/validity.h>
 

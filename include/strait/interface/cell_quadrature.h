@@ -40,7 +40,7 @@ namespace strait
      * the pressure in one between two throats of 10⁻⁷ of its gap was off by a tenth of
      * the drop. With 10¹⁷ times meshes have half as many cells again, as the pool then
      * resists as much as coarse cells. What it does resist beside the throat is less than
-     * 10⁻⁸ of that.
+     * 10⁻⁸ of what the throat does.
      */
     double
     operator()(const double gap) const
