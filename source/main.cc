@@ -69,9 +69,9 @@ namespace
     if (!run_all_realisations(
           command.scene, command.overrides, scene, log, command.resume))
       throw ComputationError(
-        "Some steps did not reach what was asked; the column status of "
-        "the table in '" +
-        scene.output.directory + "' tells which and why.");
+        "Some steps, or states that a critical load or blow-out pressure rests on, did "
+        "not reach what was asked; the column status of the table in '" +
+        scene.output.directory + "' and its log tell which and why.");
     return 0;
   }
 } // namespace

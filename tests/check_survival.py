@@ -118,9 +118,8 @@ subsection Load programme
   set Pressures = 0.035, 0.04, 0.045, 0.05, 0.055, 0.06
 end
 """
-COUNTED = ZOOMED + """
+COUNTED = ZOOMED.replace("= 0.035, 0.04, 0.045, 0.05, 0.055, 0.06", "=") + """
 subsection Load programme
-  set Pressures =
   set Find threshold = true
   set Threshold tolerance = 1e-4
   set Reduced loads = 0.2, 0.1, 0.05, 0.02
@@ -383,16 +382,17 @@ class Survival(unittest.TestCase):
     def test_stopped_in_a_search(self):
         search = "subsection Load programme\n  set Threshold tolerance = 1e-4\n"
         threshold = search + "  set Find threshold = true\nend\n"
-        blow_out = search + "  set Find blow-out = true\n  set Pressures = 0.2\nend\n"
+        blow_out = search + "  set Find blow-out = true\nend\n"
         both = (COUPLED.replace("= 0.02", "= 0.06\n  set Target accuracy = 0.2")
                 .replace("subsection Surface\n", "subsection Surface\n  set Seed = 3\n")
-                .replace("0.125", "0.25").replace("= 64", "= 32") + search.replace("1e-4", "3e-3")
+                .replace("0.125", "0.25").replace("= 64", "= 32")
+                .replace("= 0.05, 0.053, 0.056", "= 0.3") + search.replace("1e-4", "3e-3")
                 + "  set Find threshold = true\n  set Find blow-out = true\n"
-                "  set Find re-sealing = true\n  set Pressures = 0.3\nend\n")
-        for name, text in (("dry", DRY + threshold),
+                "  set Find re-sealing = true\nend\n")
+        for name, text in (("dry", DRY.replace("1e-3", "1e-4")),
                            ("adhesive", ADHESIVE + threshold),
                            ("coupled", COUPLED.replace("0.02", "0.002") + threshold),
-                           ("blow-out", COUPLED + blow_out),
+                           ("blow-out", COUPLED.replace("0.05, 0.053, 0.056", "0.2") + blow_out),
                            ("both", both)):
             with self.subTest(name):
                 scene = self.scene(text, name + ".prm")
@@ -524,6 +524,46 @@ end
         self.assert_refused("heights.txt.* is not the one that the run .* began with", scene, output)
         write(text[:32])
         self.run_to_end(scene, output, "--resume")
+
+    def assert_kept_out(self, scene, output, running):
+        """No run gets into the folder of another, which waits meanwhile."""
+        running.send_signal(signal.SIGSTOP)
+        try:
+            before = contents(output)
+            for ranks in (1, 2):
+                for options in ((), ("--force",), ("--resume",)):
+                    message = self.run_to_end(scene, output, *options, status=2, ranks=ranks)
+                    self.assertRegex(message, "^strait: Another run is writing into '.*'; wait for "
+                                     "it to end or choose another Output/Directory.\n$")
+            self.run_to_end(scene, output, "--dry-run")
+            self.assertEqual(contents(output), before)
+        finally:
+            running.send_signal(signal.SIGCONT)
+
+    def test_two_in_one_folder(self):
+        ensemble = DRY.replace(", 0.054, 0.057", "") + (
+            "subsection Realisations\n  set Seeds = 1, 2\nend\n")
+        for name, text, of_first in (("one", DRY, ""), ("several", ensemble, "realisation-1")):
+            with self.subTest(name):
+                scene = self.scene(text, name + ".prm")
+                reference = self.path(name + "-reference")
+                self.run_to_end(scene, reference)
+                output = self.path(name)
+                with self.start(scene, output) as process:
+                    self.wait_for_rows(process, os.path.join(output, of_first), 1)
+                    self.assert_kept_out(scene, output, process)
+                    message = process.communicate(timeout=120)[1]
+                self.assertEqual(process.returncode, 0, message)
+                self.assert_same(reference, output)
+                # One that is killed leaves no lock behind.
+                shutil.rmtree(output)
+                with self.start(scene, output) as process:
+                    self.wait_for_rows(process, os.path.join(output, of_first), 1)
+                    process.kill()
+                    process.communicate()
+                self.assertEqual(process.returncode, -signal.SIGKILL)
+                self.run_to_end(scene, output)
+                self.assert_same(reference, output)
 
     def test_full_disk(self):
         """A file may not grow beyond a limit: of the checkpoint, then of the fields."""

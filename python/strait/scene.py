@@ -181,8 +181,9 @@ class Scene(_core.Scene):
         _core.wait_for_all_ranks()  # the folder may go when the first of them is done with it
         if not converged:
             error = _core.NotConverged(
-                "Some steps did not reach what was asked; the column status of the table "
-                f"in '{scene.directory}' tells which and why.")
+                "Some steps, or states that a critical load or blow-out pressure rests on, did "
+                "not reach what was asked; the column status of the table in "
+                f"'{scene.directory}' and its log tell which and why.")
             error.run = run
             raise error
         return run

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/base/exceptions.h>
 #include <strait/base/log.h>
+#include <strait/base/unwritable.h>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <iostream>
 #include <sstream>
 
@@ -157,11 +158,11 @@ namespace strait
   Log::attach_file(const std::string &path, const bool append)
   {
     run_on_root(comm, [&]() {
+      errno = 0;
       file.open(path, append ? std::ios::app : std::ios::out);
       file << early_lines << std::flush;
       if (!file)
-        throw InputError("Cannot write the log file '" + path +
-                         "'; choose another Output/Directory.");
+        throw_unwritable("The log file '" + path + "'", errno);
       early_lines.clear();
     });
   }

@@ -6,6 +6,7 @@
 #include <boost/algorithm/string.hpp>
 #include <boost/algorithm/string/trim_all.hpp>
 
+#include <map>
 #include <sstream>
 
 namespace strait
@@ -56,6 +57,21 @@ namespace strait
     {
       return boost::trim_fill_copy(name, " ");
     }
+
+    /** The line that sets each parameter, by the names of its sections and its own. */
+    using LinesOfSettings = std::map<std::vector<std::string>, int>;
+
+    /** Throw if a line above sets the parameter of @p entry, which @p line sets. */
+    void
+    check_set_once(const SceneEntry &entry, const int line, LinesOfSettings &lines)
+    {
+      std::vector<std::string> path = entry.section;
+      path.push_back(entry.name);
+      const auto [earlier, is_first] = lines.emplace(path, line);
+      require(is_first,
+              entry.place + ": '" + join(path, "/") + "' was set before in line " +
+                std::to_string(earlier->second) + "; remove one of them.");
+    }
   } // namespace
 
   std::vector<SceneEntry>
@@ -64,6 +80,7 @@ namespace strait
     std::vector<SceneEntry>  entries;
     std::vector<std::string> section;
     std::vector<std::string> opened_at;
+    LinesOfSettings          lines_of_settings;
     // Some editors begin a text with a mark of its encoding.
     const std::string mark     = "\xef\xbb\xbf";
     const bool        has_mark = text.compare(0, mark.size(), mark) == 0;
@@ -86,11 +103,14 @@ namespace strait
             entries.push_back({section, "", "", place, folder});
           }
         else if (word == "set" && equals != std::string::npos)
-          entries.push_back({section,
-                             squeeze(rest.substr(0, equals)),
-                             trim(rest.substr(equals + 1)),
-                             place,
-                             folder});
+          {
+            entries.push_back({section,
+                               squeeze(rest.substr(0, equals)),
+                               trim(rest.substr(equals + 1)),
+                               place,
+                               folder});
+            check_set_once(entries.back(), line.number, lines_of_settings);
+          }
         else if (word == "end" && rest.empty())
           {
             require(!section.empty(), place + ": this 'end' closes no subsection.");

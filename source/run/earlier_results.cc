@@ -3,10 +3,12 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/scene_text.h>
 #include <strait/base/text.h>
+#include <strait/base/unwritable.h>
 #include <strait/run/disk_space.h>
 #include <strait/run/earlier_results.h>
 #include <strait/run/result_tables.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -100,6 +102,37 @@ namespace strait
           return "which this version of strait cannot read";
         }
     }
+
+    /** Throws if a folder cannot be made or written to. */
+    void
+    make_folder(const std::string &folder)
+    {
+      const std::string what = "The output directory '" + folder + "'";
+      std::error_code   error;
+      fs::create_directories(folder, error);
+      if (error)
+        throw_unwritable(what, error.value());
+      errno = 0;
+      if (!std::ofstream(fs::path(folder) / "log.txt", std::ios::app))
+        throw_unwritable(what, errno);
+    }
+
+    /** Remove what earlier runs left in a folder, and only that. */
+    void
+    remove_results(const std::string &folder)
+    {
+      std::error_code error;
+      const bool      had_realisations = fs::exists(fs::path(folder) / "ensemble.csv");
+      for (const fs::path &file : results_in(folder))
+        fs::remove(file, error);
+      // There may be fewer realisations now.
+      static const std::regex realisation("realisation-[0-9]+");
+      for (const auto &entry : fs::directory_iterator(folder, error))
+        if (had_realisations &&
+            std::regex_match(entry.path().filename().string(), realisation))
+          for (const fs::path &file : results_in(entry.path().string()))
+            fs::remove(file, error);
+    }
   } // namespace
 
   std::string
@@ -156,31 +189,20 @@ namespace strait
     });
   }
 
-  void
+  std::unique_ptr<const FolderLock>
   begin_results(const Scene &scene, MPI_Comm comm, Log &log, const bool resumed)
   {
-    const std::string &folder = scene.output.directory;
-    if (!resumed)
-      run_on_root(comm, [&folder]() {
-        std::error_code error;
-        fs::create_directories(folder, error);
-        const fs::path probe = fs::path(folder) / "log.txt";
-        if (error || !std::ofstream(probe, std::ios::app))
-          throw InputError(
-            "The output directory '" + folder +
-            "' cannot be written; choose another with Output/Directory or --output.");
-        const bool had_realisations = fs::exists(fs::path(folder) / "ensemble.csv");
-        for (const fs::path &file : results_in(folder))
-          fs::remove(file, error);
-        // There may be fewer realisations now.
-        static const std::regex realisation("realisation-[0-9]+");
-        for (const auto &entry : fs::directory_iterator(folder, error))
-          if (had_realisations &&
-              std::regex_match(entry.path().filename().string(), realisation))
-            for (const fs::path &file : results_in(entry.path().string()))
-              fs::remove(file, error);
-      });
+    const std::string                &folder = scene.output.directory;
+    std::unique_ptr<const FolderLock> lock;
+    run_on_root(comm, [&]() {
+      if (!resumed)
+        make_folder(folder);
+      lock = std::make_unique<const FolderLock>(folder);
+      if (!resumed)
+        remove_results(folder);
+    });
     log.attach_file(folder + "/log.txt", resumed);
     run_on_root(comm, [&]() { write_text(folder + "/parameters.prm", scene.resolved); });
+    return lock;
   }
 } // namespace strait

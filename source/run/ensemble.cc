@@ -89,6 +89,15 @@ namespace strait
       set("Surface/Seed", std::to_string(realisation.seed));
       set("Surface/Invert", yes_or_no(is_inverted));
       set("Surface/Rotate", yes_or_no(is_rotated));
+      if (scene.surface.kind == SurfaceKind::file && is_rotated != scene.surface.rotate)
+        {
+          // A map turns with its frame.
+          const auto &size = scene.surface.size;
+          const auto &grid = scene.contact.grid_points;
+          set("Surface/Size", to_text(size[1]) + ", " + to_text(size[0]));
+          set("Contact/Grid points",
+              std::to_string(grid[1]) + ", " + std::to_string(grid[0]));
+        }
       set("Realisations/Seeds", "");
       set("Realisations/Orientations", name_of(Orientation::as_is));
       set("Realisations/Ranks each", "");
@@ -186,7 +195,7 @@ namespace strait
     const RankGroups  groups(scene.realisations.ranks_each);
     const std::string folder = scene.output.directory;
     RunState          state(scene, MPI_COMM_WORLD, resume);
-    begin_results(scene, MPI_COMM_WORLD, log, resume);
+    const auto        lock = begin_results(scene, MPI_COMM_WORLD, log, resume);
     state.save_end(RunSummary()); // that it is these realisations
     Table<RealisationRow> table = ensemble_table(scene);
     run_on_root(MPI_COMM_WORLD, [&]() { table.open(folder + "/ensemble.csv"); });
@@ -236,8 +245,8 @@ namespace strait
       if (row.n_missing > 0)
         log.warn(
           format("%s is known of %zu of %zu realisations; the column status of "
-                 "ensemble.csv tells why, or Load programme/Reduced loads has too few "
-                 "steps for it",
+                 "ensemble.csv or the log of the realisation tells why, or Load "
+                 "programme/Reduced loads has too few steps for it",
                  row.quantity.c_str(),
                  row.n_samples,
                  rows.size()));

@@ -33,7 +33,7 @@ namespace strait
       .add(&RealisationRow::crossover_load,
            "crossover_load [pressure]: (1 − ε_x) L_c at the smallest slip length, where "
            "the exponential decay far from the threshold turns into the power law, see "
-           "below")
+           "below; `nan` if it is too slow for that")
       .add(&RealisationRow::exponent,
            "exponent [1]: of the leak rate at the smallest slip length")
       .add(&RealisationRow::exponent_error,
@@ -41,13 +41,13 @@ namespace strait
       .when({"with `Theory/Enabled`", scene.theory.enabled})
       .add(&RealisationRow::theory_crossover_load,
            "theory_crossover_load [pressure]: that of the theory's leak rate at the same "
-           "steps")
+           "steps; `nan` likewise")
       .when()
       .add(&RealisationRow::status,
            "status: `ok`, `failed`, or the words of `status` of all its rows of "
            "leakage.csv, after `not-converged` if these are failures of solvers; and "
            "`no-exponent` or `no-crossover` where fewer than two of the steps that these "
-           "take are resolved")
+           "take are resolved, or where the decay is too slow for a crossover")
       .add(&RealisationRow::validity,
            "validity: `ok`, or the words of `validity` of all its rows");
     return table;

@@ -70,7 +70,7 @@ namespace strait
   }
 
   double
-  crossover_reduced_load(const std::vector<ScalingPoint> &points)
+  decay_rate(const std::vector<ScalingPoint> &points)
   {
     std::vector<double> x, y;
     for (const auto &[epsilon, value, status] : points)
@@ -79,6 +79,13 @@ namespace strait
           x.push_back(epsilon);
           y.push_back(std::log(value));
         }
-    return x.size() < 2 ? std::nan("") : leak_rate_exponent / fit_line(x, y).first;
+    return x.size() < 2 ? std::nan("") : fit_line(x, y).first;
+  }
+
+  double
+  crossover_reduced_load(const std::vector<ScalingPoint> &points)
+  {
+    const double rate = decay_rate(points);
+    return rate >= leak_rate_exponent ? leak_rate_exponent / rate : std::nan("");
   }
 } // namespace strait

@@ -40,7 +40,10 @@ namespace strait
           of_leakage(&Leakage::rate),
           "leak_rate [length³/time]: Q, volume per time from inlet to outlet: geometric "
           "mean of its bounds, or the upper one if they differ by more than a factor of "
-          "two; 0 if nothing percolates; negative if the outlet has the higher pressure")
+          "two; with `Fluid/Rarefaction` the same of those that enclose what leaks if the "
+          "gas slips as it does in the solution, `mesh_error` apart, but within "
+          "`leak_rate_lower` and `leak_rate_upper`; 0 if nothing percolates; negative if "
+          "the outlet has the higher pressure")
         .add(of_leakage(&Leakage::lower),
              "leak_rate_lower [length³/time]: lower bound of its magnitude, the best of "
              "all meshes; with `Wall feedback` bounds are widened by what the last mesh "
@@ -110,7 +113,8 @@ namespace strait
           [=](const Step &step) { return effective_gap(step.flow->leakage, fluid); },
           "effective_gap [length]: (12 η K_eff)^(1/3) with K_eff = Q L/(W Δp), or in a "
           "mesh ([meshes](meshes.md)) Q/(S Δp) with Q = S K Δp at a uniform K: smooth "
-          "plates with this gap leak as much")
+          "plates with this gap leak as much; with `Fluid/Rarefaction` the gap of smooth "
+          "plates through which as much of the rarefied gas leaks, which is smaller")
         .add([](const Step &step) { return step.place_of_bottleneck()[0]; },
              "worst_constriction_x [length]: narrowest grid point of the path of least "
              "resistance ∫ds/g³; at the outlet, the copy of x = 0 at x = Lx; `nan` if "

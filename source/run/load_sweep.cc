@@ -67,6 +67,8 @@ namespace strait
     log.stage("critical load");
     thresholds = search->find_critical_loads(
       coarser.find_critical_loads(search_start(scene, contact, surface.rms_slope)));
+    for (const Transition &threshold : thresholds)
+      converged = converged && threshold.converged;
     // A channel that a fluid has opened is not closed again before the first step, the
     // throat is seen on the points that it was lost on, and what opens again keeps its
     // indentations; a path on which contacts alone remember begins without a past.
@@ -91,7 +93,11 @@ namespace strait
   {
     const auto scope = timers.scope("blow-out");
     log.stage("blow-out pressure");
-    return search->find_blow_outs();
+    const std::vector<BlowOut> found = search->find_blow_outs();
+    for (const BlowOut &blow_out : found)
+      converged = converged && blow_out.opening.converged &&
+                  (!blow_out.closing || blow_out.closing->converged);
+    return found;
   }
 
   bool

@@ -84,7 +84,7 @@ namespace strait
     , constrictions(constriction_table(scene))
     , scaling(scene.programme.largest_fitted)
   {
-    begin_results(scene, comm, log, resumed);
+    lock = begin_results(scene, comm, log, resumed);
     if (!resumed)
       run_on_root(comm, [&]() {
         table.open(path + "/leakage.csv");

@@ -2,6 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/run/earlier_results.h>
+#include <strait/run/folder_lock.h>
 #include <strait/run/run_state.h>
 
 #include <zlib.h>
@@ -65,6 +66,8 @@ namespace strait
     , files(resume || scene.output.checkpoint ? files_of(scene, comm)
                                               : std::vector<std::string>())
   {
+    // Whatever it takes until the folder is written to would be in vain.
+    run_on_root(comm, [this]() { const FolderLock nobody_else(scene.output.directory); });
     if (!resume)
       return;
     archive = std::make_unique<StateArchive>(path, comm, StateArchive::Access::read);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace strait
 {
@@ -92,6 +93,13 @@ namespace strait
     return result;
   }
 
+  bool
+  Scaling::is_slow(const Quantity quantity) const
+  {
+    return decay_rate(series(quantity, smallest_slip(), Trust::resolved)) <
+           leak_rate_exponent;
+  }
+
   void
   Scaling::report_missing(Log &log) const
   {
@@ -107,6 +115,15 @@ namespace strait
                         supply.window.from,
                         supply.window.to,
                         supply.status_of_others.c_str()));
+    for (const auto &[quantity, name] :
+         {std::pair{leak_rate, "leak rate"}, {theory_leak_rate, "theory's leak rate"}})
+      if (is_slow(quantity))
+        log.warn(
+          format("no crossover load of the %s: its logarithm rises by less than "
+                 "69/20 times 1 - L/L_c from %.3g to %.3g",
+                 name,
+                 exponential_decay.from,
+                 exponential_decay.to));
   }
 
   void
@@ -132,6 +149,8 @@ namespace strait
     for (const Supply &supply : supplies())
       if (supply.is_short())
         add_words(summary.status, supply.word);
+    if (is_slow(leak_rate))
+      add_words(summary.status, "no-crossover");
   }
 
   namespace

@@ -61,7 +61,6 @@ namespace strait
     , layout(layout_)
     , flow(flow_)
     , log(log_)
-    , extension(layout, scene.fluid.direction)
   {
   }
 
@@ -87,7 +86,7 @@ namespace strait
              : nullptr)
     , flow(seal.flow)
     , feedback(seal.scene.fluid.feedback, seal.layout)
-    , on_wall(seal.scene, control, seal.extension, from_)
+    , on_wall(seal.scene, control, from_)
   {
     state.control = control;
     state.fluid.emplace();
@@ -163,8 +162,10 @@ namespace strait
                                            .5 * now.relative_width(),
                                            loosely});
             stays              = fluid.mesh_error <= another_state;
-            const bool is_narrow =
-              now.relative_width() + 2. * fluid.mesh_error <= target_accuracy;
+            // The bracket of the row may take as much as that of the first mesh.
+            const double width =
+              std::max(now.relative_width(), mesh_share * target_accuracy);
+            const bool is_narrow = width + 2. * fluid.mesh_error <= target_accuracy;
             if (is_narrow || (stays ? finer == max_finer : states == max_states))
               break;
           }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
 #include <strait/seal/fixed_point.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -17,8 +18,8 @@ namespace strait
     constexpr double least_damping = 1. / 16;
   } // namespace
 
-  FixedPoint::FixedPoint(Product product_, const int history_, const double relaxation)
-    : product(std::move(product_))
+  FixedPoint::FixedPoint(MPI_Comm comm_, const int history_, const double relaxation)
+    : comm(comm_)
     , history(history_)
     , share(relaxation)
   {
@@ -48,8 +49,8 @@ namespace strait
     remember(x, image, n);
     if (has_before)
       {
-        const double now    = product(last_residual, last_residual);
-        const double change = product(last_residual, differences.back().residual);
+        const double now    = product(comm, last_residual, last_residual);
+        const double change = product(comm, last_residual, differences.back().residual);
         damping = now < change ? std::max(.5 * damping, least_damping * most_damping)
                                : 2. * damping;
       }
@@ -104,8 +105,8 @@ namespace strait
           {
             for (std::size_t j = 0; j <= i; ++j)
               A(i, j) = A(j, i) =
-                product(differences[i].residual, differences[j].residual);
-            b(i) = product(differences[i].residual, last_residual);
+                product(comm, differences[i].residual, differences[j].residual);
+            b(i) = product(comm, differences[i].residual, last_residual);
           }
         A.compute_inverse_svd(dependent);
         A.vmult(weights, b);

@@ -22,8 +22,9 @@ namespace strait
     // states that are left again.
     constexpr unsigned long long most_on_the_way = 10000;
 
-    // A mesh that is fine around a throat serves until the narrowest point is elsewhere
-    // and this many times narrower; and for a bracket until the leak rate is as many
+    // A mesh that is fine around a throat serves, should that close and open again as
+    // well, until no channel leads there or one is this many times narrower elsewhere;
+    // and for a bracket until the leak rate is as many
     // times what it was when the mesh was made, or less by as much. Half of it makes a
     // new mesh each time. Double of it takes the pressure around a new throat from cells
     // that are too coarse for it, and keeps more cells that no longer matter.
@@ -152,14 +153,15 @@ namespace strait
     const auto is_still_narrow = [&]() {
       const int    ix    = meshed_bottleneck.ix % gap.grid().nx;
       const double there = fetch_rows(channel.gap, {meshed_bottleneck.iy})[ix];
-      return there < another_gap * channel.paths.front().bottleneck_gap;
+      return there > 0. && there < another_gap * channel.paths.front().bottleneck_gap;
     };
-    if (!flow.solution || !is_still_narrow())
+    if (!flow.followed || !is_still_narrow())
       {
         // Refined as for a bracket: on the first mesh the pressure is too coarse.
         mesh_and_bracket(flow, tolerance_factor, most_on_the_way);
         return;
       }
+    flow.solution = flow.followed;
     fill(gap_field, channel, false);
     const auto scope   = timers.scope("mesh and solver");
     flow.leakage.upper = flow.solution->solve_pressure();
@@ -197,8 +199,10 @@ namespace strait
     fill(gap_field, flow.channel, true);
     {
       const auto scope = timers.scope("mesh and solver");
+      flow.followed.reset();
       flow.solution.reset();
-      flow.solution = std::make_shared<ReynoldsSolver>(parameters, gap_field, seal.get());
+      flow.solution = flow.followed =
+        std::make_shared<ReynoldsSolver>(parameters, gap_field, seal.get());
     }
     bracket(flow, tolerance_factor, most_unknowns);
     meshed_bottleneck = flow.channel.paths.front().bottleneck;

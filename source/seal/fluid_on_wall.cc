@@ -2,6 +2,7 @@
 #include <strait/flow/reynolds_solver.h>
 #include <strait/flow/solution_on_grid.h>
 #include <strait/seal/fluid_on_wall.h>
+#include <strait/seal/harmonic_extension.h>
 
 #include <algorithm>
 #include <limits>
@@ -25,13 +26,11 @@ namespace strait
         }
   }
 
-  FluidOnWall::FluidOnWall(const Scene       &scene_,
-                           const Control     &control_,
-                           HarmonicExtension &extension_,
-                           const SealState   *from)
+  FluidOnWall::FluidOnWall(const Scene     &scene_,
+                           const Control   &control_,
+                           const SealState *from)
     : scene(scene_)
     , control(control_)
-    , extension(extension_)
     , past(from != nullptr && from->fluid && from->fluid->trapped ? from : nullptr)
     , has_extended(from != nullptr && from->fluid)
   {
@@ -76,12 +75,11 @@ namespace strait
         assign(result, open, fluid_flow, nullptr);
       }
     has_extended = true;
-    // The next round starts from here, so that no more is needed than to come nearer.
-    // With half of it each round takes an iteration or so more, with double of it fewer,
-    // and more rounds until the pressure under the contact has followed.
-    constexpr double reduction = 1e-3;
-    extension.extend(
-      result, open, control.inlet_pressure, scene.fluid.outlet_pressure, reduction);
+    extend_under_contact(result,
+                         open,
+                         scene.fluid.direction,
+                         control.inlet_pressure,
+                         scene.fluid.outlet_pressure);
     // Neither a pool that is too full lifts the wall off nor fluid before a channel that
     // is closed: its pressure falls as soon as the wall has given way. Not until the
     // solid carries next to nothing is it certain that the wall does not.
@@ -122,7 +120,8 @@ namespace strait
             case NodeState::percolating:
               if (before)
                 break; // it keeps what it had when it was cut off
-              // On the seam the channel may reach one side only; see extend().
+              // On the seam the channel may reach one side only; see
+              // extend_under_contact().
               pressure[k] = channel.area.empty() || channel.area[k] == 0
                               ? inlet
                               : fluid_flow.solution->pressure_at(channel.integral[k] /

@@ -10,30 +10,6 @@
 
 namespace strait
 {
-  void
-  transfer(StateArchive &archive, std::vector<Transition> &transitions)
-  {
-    transfer_all(archive, transitions, [&](Transition &transition) {
-      archive.values(transition.slip_length,
-                     transition.lower,
-                     transition.upper,
-                     transition.contact_area,
-                     transition.bottleneck[0],
-                     transition.bottleneck[1],
-                     transition.n_solves,
-                     transition.fft_pairs);
-    });
-  }
-
-  const Transition *
-  threshold_of(const std::vector<Transition> &thresholds, const double slip_length)
-  {
-    for (const Transition &threshold : thresholds)
-      if (threshold.slip_length == slip_length)
-        return &threshold;
-    return nullptr;
-  }
-
   SealSearch::SealSearch(const Scene         &scene_,
                          SealModel           &model_,
                          const SlabLayoutPtr &layout_,
@@ -57,7 +33,8 @@ namespace strait
     const auto              ask_load    = [&](const double load) {
       return ask({load, scene.fluid.inlet_pressure, slip_length}, side_of_path);
     };
-    const double                    tolerance = scene.programme.threshold_tolerance;
+    const auto   name_of = [](const double load) { return "a load of " + to_text(load); };
+    const double tolerance = scene.programme.threshold_tolerance;
     std::optional<TransitionSearch> search;
     for (const double next_length : scene.fluid.slip_lengths)
       {
@@ -65,13 +42,15 @@ namespace strait
         // A contact, once probed, serves all slip lengths, unless it remembers the way.
         if (!search || scene.depends_on_path())
           {
-            search.emplace(ask_load, tolerance);
+            search.emplace(ask_load, tolerance, name_of);
             // Each path comes from nowhere, unless a search goes on that had begun so.
             if (!repeats())
               open_state = sealed_state = std::nullopt;
           }
-        result.push_back(critical_load(*search, first, slip_length));
-        const Transition &found = result.back();
+        const std::size_t begin = next;
+        const Passage passage = enclose(*search, first, -2. * slip_length, side_of_path);
+        Transition   &found   = result.emplace_back(between(*search, passage, begin));
+        found.slip_length     = slip_length;
         log.line(
           format("threshold%s: critical load between %.10g and %.10g, contact "
                  "%.3f %% (%d contact solves, %ld FFT pairs)",
@@ -87,35 +66,31 @@ namespace strait
     return result;
   }
 
-  Transition
-  SealSearch::critical_load(TransitionSearch  &search,
-                            const SearchStart &first,
-                            const double       slip_length)
+  /** Between a smaller value at which the openness is above @p level and a larger one; on
+   *  the path that comes from @p side, if a path matters. */
+  Passage
+  SealSearch::enclose(TransitionSearch  &search,
+                      const SearchStart &first,
+                      const double       level,
+                      const Side         side) const
   {
-    const std::size_t begin = next;
-    const double      level = -2. * slip_length;
     Passage found = scene.contact.zoom.enabled ? search.enclose_surely(first, level)
                                                : search.enclose(first, level);
-    if (scene.depends_on_path())
-      {
-        const bool from_open = side_of_path == Side::open;
-        if (!from_open)
-          std::swap(found.before, found.beyond);
-        const auto is_kept = [&](const Probe &probe) {
-          return (probe.openness > level) == from_open;
-        };
-        const auto passage =
-          search.leave(found.before, found.beyond - found.before, is_kept, found.beyond);
-        if (!passage)
-          throw ComputationError(
-            std::string("The threshold was not found: the contact stays ") +
-            (from_open ? "open" : "sealed") + " however far the load goes.");
-        found = *passage;
-      }
-    Transition result =
-      between(search, found, std::min(found.before, found.beyond), begin);
-    result.slip_length = slip_length;
-    return result;
+    if (!scene.depends_on_path())
+      return found;
+    const bool from_open = side == Side::open;
+    if (!from_open)
+      std::swap(found.before, found.beyond);
+    const auto is_kept = [&](const Probe &probe) {
+      return (probe.openness > level) == from_open;
+    };
+    const auto passage =
+      search.leave(found.before, found.beyond - found.before, is_kept, found.beyond);
+    if (!passage)
+      throw ComputationError("The transition was not found: the seal stays " +
+                             std::string(from_open ? "open" : "sealed") +
+                             " however far one goes.");
+    return *passage;
   }
 
   std::vector<BlowOut>
@@ -150,71 +125,74 @@ namespace strait
     const std::size_t begin  = next;
     const double      outlet = scene.fluid.outlet_pressure;
     const double      slip   = scene.fluid.slip_lengths.front();
+    const double      level  = -2. * slip;
     Side              side   = Side::sealed;
-    // The difference of pressure is what varies.
-    TransitionSearch search(
-      [&](const double difference) {
-        return ask({load, outlet + difference, slip}, side);
-      },
-      scene.programme.threshold_tolerance);
-    const auto leaks = [slip](const Probe &probe) { return probe.openness > -2. * slip; };
-    const auto holds = [&](const Probe &probe) { return !leaks(probe); };
+    // What varies is the inverse of the difference in pressure: the openness falls with
+    // it, as with a load.
+    const auto inlet_pressure = [outlet](const double value) {
+      return outlet + 1. / value;
+    };
+    const auto ask_pressure = [&](const double value) {
+      return ask({load, inlet_pressure(value), slip}, side);
+    };
+    const auto name_of = [&](const double value) {
+      return "an inlet pressure of " + to_text(inlet_pressure(value));
+    };
+    TransitionSearch search(ask_pressure, scene.programme.threshold_tolerance, name_of);
+    const auto leaks = [level](const Probe &probe) { return probe.openness > level; };
+    // The lower pressure is at the larger value.
+    const auto in_pressure = [&](const Passage &passage) {
+      Transition result   = between(search, passage, begin);
+      result.contact_area = search.at(result.upper).contact_area;
+      result.lower        = inlet_pressure(result.upper);
+      result.upper        = inlet_pressure(std::min(passage.before, passage.beyond));
+      return result;
+    };
 
     BlowOut result;
-    result.load                 = load;
-    const double least          = TransitionSearch::negligible * load;
-    const Probe  at_least       = search.ask_at(least);
-    const bool   leaks_anyway   = leaks(at_least);
-    result.opening.contact_area = at_least.contact_area;
-    result.opening.bottleneck   = at_least.bottleneck;
-    if (!leaks_anyway)
-      {
-        const auto passage = holds(search.ask_at(load))
-                               ? search.leave(load, load, holds)
-                               : search.leave(least, load, holds, load);
-        if (!passage)
-          throw ComputationError("An inlet pressure of " + to_text(outlet + load) +
-                                 " and much more is held; no blow-out pressure was "
-                                 "found.");
-        result.opening = between(search, *passage, passage->beyond, begin);
-      }
+    result.load = load;
     if (scene.programme.find_resealing)
-      result.closing.emplace();
-    if (result.closing && !leaks_anyway)
+      result.closing = Transition{0., outlet, outlet};
+    const double none     = 1. / (TransitionSearch::negligible * load);
+    const Probe  at_least = ask_pressure(none);
+    if (leaks(at_least))
+      {
+        result.opening = {
+          0., outlet, outlet, at_least.contact_area, at_least.bottleneck, 1, 0};
+        return result;
+      }
+    // From a tenth of the load on, for large steps may keep what small ones lose.
+    const Passage opening = enclose(search, {10. / load, .6, none}, level, side);
+    result.opening        = in_pressure(opening);
+    if (result.closing)
       {
         side = Side::open;
         // Where there is no hysteresis it closes at once.
-        const double leaking = result.opening.upper;
-        const double step    = -scene.programme.threshold_tolerance * leaking;
+        const double leaking = std::min(opening.before, opening.beyond);
+        const double step    = scene.programme.threshold_tolerance * leaking;
         // What opened there is known roughly only.
         if (!leaks(search.ask_at(leaking)))
           result.closing = result.opening;
         else if (const auto passage = search.leave(leaking, step, leaks))
-          result.closing = between(search, *passage, passage->before, begin);
+          result.closing = in_pressure(*passage);
+        result.opening.n_solves = static_cast<int>(next - begin);
       }
-    result.opening.n_solves = static_cast<int>(next - begin);
-    const auto add_outlet   = [outlet](Transition &difference) {
-      difference.lower += outlet;
-      difference.upper += outlet;
-    };
-    add_outlet(result.opening);
-    if (result.closing)
-      add_outlet(*result.closing);
     return result;
   }
 
-  /** That of the answers from @p begin on, at whose end @p open the seal leaks. */
+  /** That of the answers from @p begin on. */
   Transition
   SealSearch::between(const TransitionSearch &search,
                       const Passage          &passage,
-                      const double            open,
                       const std::size_t       begin) const
   {
     Transition result;
     std::tie(result.lower, result.upper) = std::minmax(passage.before, passage.beyond);
     result.contact_area                  = search.at(result.lower).contact_area;
-    result.bottleneck                    = search.at(open).bottleneck;
-    result.n_solves                      = static_cast<int>(next - begin);
+    result.bottleneck                    = search.at(result.lower).bottleneck;
+    result.converged =
+      search.at(result.lower).converged && search.at(result.upper).converged;
+    result.n_solves = static_cast<int>(next - begin);
     for (std::size_t k = begin; k < next; ++k)
       result.fft_pairs += answers[k].fft_pairs;
     return result;
@@ -262,23 +240,26 @@ namespace strait
       std::max(grid.dx(), grid.dy()) / scene.contact.effective_modulus;
     const Bottleneck bottleneck = find_bottleneck(signed_gap(state, softness), domain);
 
-    const Probe result = {bottleneck.value,
-                          state.contact->contact_area,
-                          position_of(state.gap().layout(), bottleneck.point),
-                          state.costs.fft_pairs};
-    const bool  leaks  = result.openness > -2. * control.slip_length;
-    report(state, leaks);
-    const bool is_sound = state.contact->converged &&
+    const bool  leaks    = bottleneck.value > -2. * control.slip_length;
+    const Probe result   = {bottleneck.value,
+                            state.contact->contact_area,
+                            position_of(state.gap().layout(), bottleneck.point),
+                            state.costs.fft_pairs,
+                            report(state, leaks)};
+    const bool  is_sound = state.contact->converged &&
                           !(state.contact->adhesion && state.contact->adhesion->detached);
     if (is_sound || !scene.depends_on_path())
       place_of(leaks ? Side::open : Side::sealed) = std::move(state);
     return result;
   }
 
-  void
+  /** Returns whether all solvers converged. */
+  bool
   SealSearch::report(const SealState &state, const bool leaks) const
   {
     const Control &control = state.control;
+    const bool     agrees  = !state.fluid || state.fluid->converged ||
+                        state.fluid->undecided || state.fluid->lifted_off;
     log.progress(format("  load %.8g, inlet pressure %.6g: %s",
                         control.target,
                         control.inlet_pressure,
@@ -287,13 +268,13 @@ namespace strait
       log.warn(format("the contact did not converge at a load of %.6g, residual %.1e",
                       control.target,
                       state.contact->residual));
-    if (state.fluid && !state.fluid->converged && !state.fluid->undecided &&
-        !state.fluid->lifted_off)
+    if (!agrees)
       log.warn(
         format("contact and flow did not agree at a load of %.6g and an inlet "
                "pressure of %.6g",
                control.target,
                control.inlet_pressure));
+    return state.contact->converged && agrees;
   }
 
   void
@@ -304,7 +285,8 @@ namespace strait
                      probe.contact_area,
                      probe.bottleneck[0],
                      probe.bottleneck[1],
-                     probe.fft_pairs);
+                     probe.fft_pairs,
+                     probe.converged);
     });
     if (archive.is_reading())
       next = 0;

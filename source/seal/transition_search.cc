@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
-#include <strait/base/text.h>
 #include <strait/seal/transition_search.h>
 
 #include <algorithm>
@@ -184,9 +183,10 @@ namespace strait
     }
   } // namespace
 
-  TransitionSearch::TransitionSearch(Ask ask_, const double tolerance_)
+  TransitionSearch::TransitionSearch(Ask ask_, const double tolerance_, Name name_)
     : ask(std::move(ask_))
     , tolerance(tolerance_)
+    , name(std::move(name_))
   {
   }
 
@@ -216,8 +216,8 @@ namespace strait
             !(negligible * value < first.value && value > negligible * first.value))
           throw ComputationError(
             std::string("The threshold was not found: the contact ") +
-            (known.sealed.empty() ? "still leaks" : "is still sealed") +
-            " at a load of " + to_text(value) + ".");
+            (known.sealed.empty() ? "still leaks at " : "is still sealed at ") +
+            name(value) + ".");
         ask_at(value);
         known = known_at(asked, level);
         guess = estimate(known);

@@ -24,17 +24,6 @@ namespace strait
     // rounds are spent on jumping to and fro.
     constexpr int changes_allowed = 3;
 
-    FixedPoint::Product
-    product_over(MPI_Comm comm)
-    {
-      return [comm](const std::vector<float> &a, const std::vector<float> &b) {
-        double local = 0;
-        for (std::size_t i = 0; i < a.size(); ++i)
-          local += static_cast<double>(a[i]) * b[i];
-        return sum(comm, local);
-      };
-    }
-
     double
     root_mean_square(const SlabField &field)
     {
@@ -74,7 +63,7 @@ namespace strait
                              const SlabLayoutPtr      &layout)
     : parameters(feedback_parameters)
     , assumed(layout)
-    , fixed_point(product_over(layout->communicator()),
+    , fixed_point(layout->communicator(),
                   parameters.plain_rounds ? 0 : rounds_combined,
                   parameters.relaxation)
   {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace strait
 {
@@ -46,8 +45,7 @@ namespace strait
   double
   product(const SlabField &a, const SlabField &b)
   {
-    return sum(a.layout().communicator(),
-               std::inner_product(a.begin(), a.end(), b.begin(), 0.));
+    return product(a.layout().communicator(), a, b);
   }
 
   double

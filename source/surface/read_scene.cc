@@ -50,16 +50,21 @@ namespace strait
         const auto       is_named = [&empty](const SceneEntry &entry) {
           return entry.section == empty.section && entry.name == empty.name;
         };
-        const auto last = std::find_if(entries.rbegin(), entries.rend(), is_named);
-        if (last != entries.rend() && !last->value.empty())
-          continue;
-        open.push_back(empty);
-        completed.erase(std::remove_if(completed.begin(), completed.end(), is_named),
+        const auto last    = std::find_if(entries.rbegin(), entries.rend(), is_named);
+        const bool is_open = last == entries.rend() || last->value.empty();
+        if (is_open)
+          open.push_back(empty);
+        const auto is_void = [&](const SceneEntry &entry) {
+          return is_named(entry) && (is_open || entry.value.empty());
+        };
+        completed.erase(std::remove_if(completed.begin(), completed.end(), is_void),
                         completed.end());
       }
     const SurfaceParameters surface = parse_scene(completed).surface;
-    if (open.empty() || surface.kind != SurfaceKind::file || surface.map.file.empty())
+    if (surface.kind != SurfaceKind::file || surface.map.file.empty())
       return make_scene(entries);
+    if (open.empty())
+      return make_scene(completed);
 
     const auto frame = frame_of_map(surface);
     for (SceneEntry &entry : open)

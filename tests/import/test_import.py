@@ -241,14 +241,62 @@ class Result(Case):
         result = self.run_tool(path)
         self.assertRegex(result.stdout, "warning: an rms slope above 1")
 
-    def test_existing_map_is_kept(self):
-        path = self.write("map.txt", files.COMPLETE["gwyddion.txt"])
-        kept = self.write("map.nc", "precious")
-        result = subprocess.run([str(TOOL), path], text=True, capture_output=True, check=False)
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("--force", result.stderr)
-        with open(kept, encoding="utf-8") as file:
-            self.assertEqual(file.read(), "precious")
+    def run_there(self, *arguments):
+        """Status and message of the program in the folder of the files."""
+        result = subprocess.run([str(TOOL), *arguments], text=True, capture_output=True,
+                                check=False, timeout=60, cwd=self.folder)
+        return result.returncode, result.stderr
+
+    def content(self, name):
+        with open(os.path.join(self.folder, name), "rb") as file:
+            return file.read()
+
+    def test_existing_files_are_kept(self):
+        self.write("map.txt", files.COMPLETE["gwyddion.txt"])
+        for name in ("map.nc", "map.png"):
+            with self.subTest(name):
+                kept = self.write(name, "precious")
+                status, message = self.run_there("map.txt")
+                self.assertEqual(status, 2)
+                self.assertRegex(message, f"'{name}' exists already: .* -o, or add --force")
+                self.assertEqual(self.content(name), b"precious")
+                os.remove(kept)
+                self.assertEqual(os.listdir(self.folder), ["map.txt"])
+        self.write("map.png", "not precious")
+        self.assertEqual(self.run_there("map.txt", "--force"), (0, ""))
+        self.assertEqual(self.content("map.png")[:4], b"\x89PNG")
+
+    def test_output_that_is_no_map(self):
+        self.write("map.txt", files.COMPLETE["gwyddion.txt"])
+        for name, words in (("a.png", "with -o, ending in .nc"), ("a.PNG", "ending in .nc"),
+                            (".", "is a folder"), (self.folder, "is a folder")):
+            for force in ([], ["--force"]):
+                with self.subTest(name, force=force):
+                    status, message = self.run_there("map.txt", "-o", name, *force)
+                    self.assertEqual(status, 2)
+                    self.assertIn(words, message)
+                    self.assertEqual(os.listdir(self.folder), ["map.txt"])
+
+    def test_measurement_is_kept(self):
+        text = files.COMPLETE["gwyddion.txt"]
+        for name in ("map.txt", "map.nc", "scan.png"):
+            self.write(name, text)
+        os.mkdir(os.path.join(self.folder, "sub"))
+        os.symlink("map.txt", os.path.join(self.folder, "link.txt"))
+        before = sorted(os.listdir(self.folder))
+        for arguments in (["map.nc"], ["map.txt", "-o", "map.txt"],
+                          ["map.txt", "-o", "sub/../map.txt"],
+                          [os.path.join(self.folder, "map.txt"), "-o", "map.txt"],
+                          ["link.txt", "-o", "map.txt"], ["map.txt", "-o", "link.txt"],
+                          ["scan.png"], ["scan.png", "-o", "scan.nc"]):   # by its picture
+            for force in ([], ["--force"]):
+                with self.subTest(arguments=arguments, force=force):
+                    status, message = self.run_there(*arguments, *force)
+                    self.assertEqual(status, 2)
+                    self.assertRegex(message, "would replace the measurement itself: .* -o")
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+        for name in ("map.txt", "map.nc", "scan.png"):
+            self.assertEqual(self.content(name), text.encode())
 
 
 @unittest.skipUnless(PROGRAM, "STRAIT_PROGRAM does not name the program")

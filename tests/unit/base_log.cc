@@ -129,6 +129,24 @@ TEST(Log, UnwritableFileIsAnErrorOnAllRanks)
   EXPECT_THROW(log.attach_file("/no/such/folder/log.txt"), InputError);
 }
 
+TEST(Log, FullDiskIsNoFaultOfTheInput)
+{
+  std::ostringstream screen;
+  Log                log(MPI_COMM_WORLD, screen, Log::Screen::plain);
+  log.line("one");
+  try
+    {
+      log.attach_file("/dev/full");
+      FAIL() << "nothing was thrown";
+    }
+  catch (const ComputationError &error)
+    {
+      EXPECT_EQ(std::string(error.what()),
+                "The log file '/dev/full' cannot be written (No space left on device); "
+                "make room, and continue with --resume if the run had begun.");
+    }
+}
+
 TEST(Timers, PartsNestAndTheRestIsOther)
 {
   using namespace std::chrono_literals;

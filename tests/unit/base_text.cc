@@ -95,6 +95,21 @@ TEST(SceneText, BrokenStructureNamesTheLine)
   EXPECT_NE(parse_error("set x\n").find("f.prm:1: cannot read"), std::string::npos);
 }
 
+TEST(SceneText, AParameterIsSetOnceInAFile)
+{
+  EXPECT_EQ(parse_error("subsection A\n set x = 1, \\\n 2\n\n set x = 3\nend\n"),
+            "f.prm:5: 'A/x' was set before in line 2; remove one of them.");
+  // Also where the section is opened again, and whatever the white space.
+  EXPECT_EQ(parse_error("subsection A\n set x y = 1\nend\n"
+                        "subsection A\n set x  y = 1\nend\n"),
+            "f.prm:5: 'A/x y' was set before in line 2; remove one of them.");
+  EXPECT_EQ(parse_error("subsection A\n set x = 1\n"
+                        " subsection B\n  set x = 2\n end\nend\n"
+                        "subsection B\n set x = 3\nend\n"
+                        "subsection A\n set y = 4 # set x = 5\nend\n"),
+            "none");
+}
+
 TEST(SceneText, Overrides)
 {
   const SceneEntry entry = lex_override("Contact/Adhesion/Enabled = a=b", "/here");

@@ -159,6 +159,45 @@ namespace strait
       EXPECT_EQ(summary_of(scaling).status, "ok");
     }
 
+    // A decay of less than the power law's exponent never comes to it: the crossover
+    // would be at a negative load.
+    TEST(Scaling, NoCrossoverOfSlowDecay)
+    {
+      const auto crossover = [](const double slope) {
+        std::vector<ScalingPoint> points;
+        for (const double epsilon : {.7, .5, .3})
+          points.push_back({epsilon, std::exp(slope * epsilon), "ok"});
+        return crossover_reduced_load(points);
+      };
+      EXPECT_NEAR(crossover(6.9), .5, 1e-12);
+      EXPECT_NEAR(crossover(3.46), 3.45 / 3.46, 1e-12);
+      for (const double slope : {3.44, 1., 0., -5.})
+        EXPECT_TRUE(std::isnan(crossover(slope))) << slope;
+
+      // The leak rate alone is too slow: the theory's is its square.
+      Scaling scaling(.02);
+      for (const double epsilon : {.7, .5})
+        scaling.collect(step_at(epsilon, std::exp(3. * epsilon)));
+      const RunSummary summary = summary_of(scaling, {{0., 2., 2.}});
+      EXPECT_TRUE(std::isnan(summary.crossover));
+      EXPECT_TRUE(std::isnan(summary.crossover_load));
+      EXPECT_NEAR(summary.theory_crossover_load, 2. * (1. - .575), 1e-12);
+      EXPECT_EQ(summary.status, "no-crossover");
+      const std::vector<std::string> warnings = fits_of(scaling).warnings;
+      ASSERT_EQ(warnings.size(), 1U);
+      EXPECT_EQ(warnings[0],
+                "no crossover load of the leak rate: its logarithm rises by less than "
+                "69/20 times 1 - L/L_c from 0.3 to 0.7");
+
+      // Both are, and the status speaks of the leak rate alone.
+      Scaling slow(.02);
+      for (const double epsilon : {.7, .5})
+        slow.collect(step_at(epsilon, std::exp(epsilon)));
+      EXPECT_TRUE(std::isnan(summary_of(slow, {{0., 2., 2.}}).theory_crossover_load));
+      EXPECT_EQ(summary_of(slow).status, "no-crossover");
+      EXPECT_EQ(fits_of(slow).warnings.size(), 2U);
+    }
+
     TEST(Scaling, WordsAreJoinedOnce)
     {
       std::string all = "ok";

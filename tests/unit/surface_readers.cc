@@ -202,6 +202,24 @@ namespace
         << text.substr(0, 100);
   }
 
+  TEST(MatrixTextReader, HeaderThatContradictsItself)
+  {
+    const auto complaint = [](const std::string &line) {
+      return complaint_of_map(
+        "# Channel: Z\n# Width: 64 um\n# Height: 2 um\n"
+        "# Value units: nm\n" +
+        line + "\n1 2\n3 4\n");
+    };
+    EXPECT_TRUE(mentions(complaint("# Width: 32 um"),
+                         "states 'Width' in its header as '64 um' and as '32 um': "
+                         "remove one of these lines."));
+    EXPECT_TRUE(mentions(complaint("#Height:2 mm"), "'Height'"));
+    EXPECT_TRUE(mentions(complaint("# Value units: um"), "'Value units'"));
+    EXPECT_TRUE(mentions(complaint("# Channel: error"), "'Channel'"));
+    // What is said again in the same words contradicts nothing.
+    EXPECT_EQ((*read_map(header + header + "1 2\n3 4\n").size)[0], 3.);
+  }
+
   TEST(MatrixTextReader, BadFiles)
   {
     EXPECT_TRUE(

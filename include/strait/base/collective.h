@@ -4,7 +4,9 @@
 
 #include <mpi.h>
 
+#include <cstddef>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -74,6 +76,22 @@ namespace strait
 
   /** The same in single precision. */
   void sum_in_place(MPI_Comm comm, float *values, int count);
+
+  /** Σ a[k] b[k] over the values of all ranks, in double precision. Collective. */
+  template <typename Values>
+  double
+  product(MPI_Comm comm, const Values &a, const Values &b)
+  {
+    // Each addition waits for the one before, unless there are several sums.
+    double            sums[8] = {};
+    const std::size_t n = a.size(), n_together = n - n % std::size(sums);
+    for (std::size_t k = 0; k < n_together; k += std::size(sums))
+      for (std::size_t j = 0; j < std::size(sums); ++j)
+        sums[j] += static_cast<double>(a[k + j]) * b[k + j];
+    for (std::size_t k = n_together; k < n; ++k)
+      sums[0] += static_cast<double>(a[k]) * b[k];
+    return sum(comm, std::accumulate(std::begin(sums), std::end(sums), 0.));
+  }
 
   /** Collective: the items of all ranks, one rank after the other. They are sent as
    *  bytes. */

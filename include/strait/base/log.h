@@ -59,8 +59,8 @@ namespace strait
 
     /**
      * Collective. From now on write to the file @p path as well, beginning with
-     * the lines so far; with @p append after what is in it. Throws InputError on all
-     * ranks if it cannot be written.
+     * the lines so far; with @p append after what is in it. Throws on all ranks if it
+     * cannot be written: ComputationError if the disk is full, else InputError.
      */
     void attach_file(const std::string &path, bool append = false);
 

@@ -20,7 +20,8 @@ namespace strait
   /**
    * Take a scene file apart: subsection, set, end, comments (#) and
    * continued lines (\). Gives the entries in the order of the file. Throws
-   * InputError for a line that is none of these, an "end" too many or too few.
+   * InputError for a line that is none of these, an "end" too many or too few, or a
+   * parameter that is set twice.
    */
   std::vector<SceneEntry>
   lex_scene(const std::string &text, const std::string &file, const std::string &folder);

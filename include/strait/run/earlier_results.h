@@ -4,9 +4,11 @@
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
+#include <strait/run/folder_lock.h>
 
 #include <mpi.h>
 
+#include <memory>
 #include <string>
 
 namespace strait
@@ -29,10 +31,13 @@ namespace strait
   /**
    * Make the output directory of @p scene, unless the run is @p resumed remove the
    * results of an earlier one from it, and only those, so that a folder never mixes two
-   * runs, and begin with the log and parameters.prm. Collective. Throws InputError on all
-   * ranks if the folder cannot be made or written to.
+   * runs, and begin with the log and parameters.prm. Returns on rank 0 the lock of the
+   * folder, to be held until the last result is written. Collective. Throws on all ranks:
+   * InputError, before anything is touched, if another run holds the lock, or if the
+   * folder cannot be made or written to; ComputationError if the disk is full.
    */
-  void begin_results(const Scene &scene, MPI_Comm comm, Log &log, bool resumed);
+  [[nodiscard]] std::unique_ptr<const FolderLock>
+  begin_results(const Scene &scene, MPI_Comm comm, Log &log, bool resumed);
 } // namespace strait
 
 #endif

@@ -70,11 +70,15 @@ namespace strait
    */
   ExponentFit fit_exponent(const std::vector<ScalingPoint> &points, double largest);
 
+  /** s of value ∝ exp(s ε) by least squares over exponential_decay. Not a number with
+   *  fewer than two points in that range. */
+  double decay_rate(const std::vector<ScalingPoint> &points);
+
   /**
    * The reduced load ε_x at which the exponential decay far from the threshold turns
-   * into the power law ε^β near it. Far away value ∝ exp(s ε) with s from least
-   * squares over exponential_decay; the local exponent s ε reaches leak_rate_exponent,
-   * β, at ε_x = β/s. Not a number with fewer than two points in that range.
+   * into the power law ε^β near it: the local exponent s ε, with s of decay_rate(),
+   * reaches leak_rate_exponent, β, at ε_x = β/s. Not a number if s is not known, or below
+   * β, as no load has an ε above 1.
    */
   double crossover_reduced_load(const std::vector<ScalingPoint> &points);
 } // namespace strait

@@ -6,25 +6,28 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
+#include <strait/run/folder_lock.h>
 #include <strait/run/result_tables.h>
 #include <strait/run/run_summary.h>
 #include <strait/run/scaling.h>
 #include <strait/run/step.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace strait
 {
   /**
-   * The folder of one run: tables, fields, pictures, log and record.
+   * The folder of one run: tables, fields, pictures, log and record. While it lives no
+   * other run can write there.
    */
   class OutputDirectory
   {
   public:
-    /** Collective. Throws InputError on all ranks if the folder cannot be made or
-     *  written to. With @p resumed the folder stays as it is until transfer() restores
-     *  the tables. @p scene must outlive this object. */
+    /** Collective. Throws on all ranks what begin_results() does. With @p resumed the
+     *  folder stays as it is until transfer() restores the tables. @p scene must outlive
+     *  this object. */
     OutputDirectory(const Scene &scene, MPI_Comm comm, Log &log, bool resumed = false);
 
     /** The tables so far; those on the disk may have rows of steps that were not
@@ -57,8 +60,11 @@ namespace strait
     MPI_Comm     comm;
     Log         &log;
     std::string  path;
-    Table<Step>  table, constrictions;
-    Scaling      scaling;
+
+    std::unique_ptr<const FolderLock> lock; // on rank 0, until the tables are closed
+
+    Table<Step> table, constrictions;
+    Scaling     scaling;
 
     std::vector<std::string> error_budget; // JSON, of the steps so far
     std::vector<std::string> validity;     // likewise

@@ -8,7 +8,7 @@
 #include <strait/run/run_summary.h>
 #include <strait/run/step.h>
 #include <strait/seal/path.h>
-#include <strait/seal/seal_search.h>
+#include <strait/seal/transition.h>
 #include <strait/surface/spectrum.h>
 
 #include <iosfwd>

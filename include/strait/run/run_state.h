@@ -25,7 +25,8 @@ namespace strait
     /**
      * With @p resume the checkpoint in the output directory is opened. Collective.
      * Throws InputError if there is none, or one of another scene or of other files
-     * that it reads; nothing is written then. @p scene must outlive this object.
+     * that it reads, or if another run is at work there; nothing is written then. @p
+     * scene must outlive this object.
      */
     RunState(const Scene &scene, MPI_Comm comm, bool resume);
 

@@ -39,8 +39,9 @@ namespace strait
     /** Tell @p summary the exponent and the crossover of the leak rate at the smallest
      *  slip, whose critical load is among @p thresholds, and the crossover of what the
      *  theory says at the same steps. Its status gets words for what could not be told of
-     * the leak rate because too few of the steps it takes are resolved: no-exponent,
-     * no-crossover. */
+     *  the leak rate because too few of the steps it takes are resolved: no-exponent,
+     *  no-crossover; and the latter as well if the leak rate decays too slowly for one.
+     */
     void summarise(const std::vector<Transition> &thresholds, RunSummary &summary) const;
 
     /** The local slopes of each quantity, and its fit over all steps that are trusted,
@@ -114,7 +115,10 @@ namespace strait
 
     /** Those of the exponent and of the crossover of the leak rate. */
     std::array<Supply, 2> supplies() const;
-    void                  report_missing(Log &log) const;
+
+    /** Whether @p quantity decays so slowly that it has no crossover. */
+    bool is_slow(Quantity quantity) const;
+    void report_missing(Log &log) const;
 
     double              largest;
     std::vector<Sample> samples;

@@ -5,7 +5,7 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/run/step.h>
-#include <strait/seal/seal_search.h>
+#include <strait/seal/transition.h>
 
 #include <string>
 #include <vector>

@@ -6,7 +6,6 @@
 #include <strait/base/scene.h>
 #include <strait/contact/contact_model.h>
 #include <strait/seal/flow_stage.h>
-#include <strait/seal/harmonic_extension.h>
 #include <strait/seal/seal_model.h>
 
 #include <memory>
@@ -46,7 +45,6 @@ namespace strait
     const SlabLayoutPtr           layout;
     FlowStage                    &flow;
     Log                          &log;
-    HarmonicExtension             extension;
   };
 
   /**

@@ -2,9 +2,10 @@
 #ifndef strait_seal_fixed_point_h
 #define strait_seal_fixed_point_h
 
+#include <mpi.h>
+
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace strait
@@ -16,24 +17,21 @@ namespace strait
    * Anderson acceleration (J. ACM 12, 1965; type II of Fang and Saad 2009): of all
    * combinations of the last rounds, with weights that add up to one, the one whose
    * residual F(x) − x would be smallest if F were affine. Without history it is plain
-   * relaxation. Knows neither physics nor how the values are distributed.
+   * relaxation. Knows no physics.
    */
   class FixedPoint
   {
   public:
-    /** Sum of a[i]·b[i] over all values, those of other ranks included. Collective. */
-    using Product =
-      std::function<double(const std::vector<float> &a, const std::vector<float> &b)>;
-
     /**
-     * @p history: how many earlier rounds are combined, 0 or more, at 8 B a value
-     * each; @p relaxation: share of the residual that is taken, in (0, 1].
+     * The values are divided among the ranks of @p comm. @p history: how many earlier
+     * rounds are combined, 0 or more, at 8 B a value each; @p relaxation: share of the
+     * residual that is taken, in (0, 1].
      */
-    FixedPoint(Product product, int history, double relaxation);
+    FixedPoint(MPI_Comm comm, int history, double relaxation);
 
     /**
      * The next iterate, in place of @p x, after F(@p x) = @p image was found. Both have
-     * @p n values on this rank. Collective if the product is.
+     * @p n values on this rank. Collective.
      */
     void advance(double *x, const double *image, std::size_t n);
 
@@ -77,7 +75,7 @@ namespace strait
     void                remember(const double *x, const double *image, std::size_t n);
     std::vector<double> best_weights() const;
 
-    Product                 product;
+    MPI_Comm                comm;
     int                     history;
     double                  share;
     std::vector<Difference> differences; // the latest last

@@ -32,6 +32,10 @@ namespace strait
      *  valid until the flow stage is given another gap. */
     const SealMesh                 *seal = nullptr;
     std::shared_ptr<ReynoldsSolver> solution;
+
+    /** The last solution, whose mesh follow() goes on with where a channel opens again.
+     */
+    std::shared_ptr<ReynoldsSolver> followed;
   };
 
   /** From a gap to what the fluid does in it: percolation, paths, mesh, flow. */

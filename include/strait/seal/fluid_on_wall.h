@@ -5,7 +5,6 @@
 #include <strait/base/scene.h>
 #include <strait/percolation/clusters.h>
 #include <strait/seal/flow_stage.h>
-#include <strait/seal/harmonic_extension.h>
 #include <strait/seal/pools_in_gap.h>
 #include <strait/seal/seal_state.h>
 
@@ -66,10 +65,7 @@ namespace strait
 
     /** On the way to the state under @p control from the state @p from, or without a past
      *  if that is null. All of them must outlive this object. */
-    FluidOnWall(const Scene       &scene,
-                const Control     &control,
-                HarmonicExtension &extension,
-                const SealState   *from);
+    FluidOnWall(const Scene &scene, const Control &control, const SealState *from);
 
     /** The pressure in the gap of @p contact, where the flow is @p fluid_flow, after
      *  @p assumed has made that gap. Collective. */
@@ -108,9 +104,8 @@ namespace strait
               const SlabField    &assumed,
               const PoolsInGap   &pools) const;
 
-    const Scene       &scene;
-    const Control      control;
-    HarmonicExtension &extension;
+    const Scene  &scene;
+    const Control control;
     // At the start of the step, which its uncertainty counts from, or when pools last
     // met.
     TrappedFluid                known;

@@ -3,9 +3,7 @@
 #define strait_seal_harmonic_extension_h
 
 #include <strait/base/fluid_parameters.h>
-#include <strait/spectral/fourier_transform.h>
-
-#include <vector>
+#include <strait/spectral/slab_field.h>
 
 namespace strait
 {
@@ -21,53 +19,20 @@ namespace strait
    * spring: −∇²p + κ (p − p_f) = 0, with κ from 0 where the gap vanishes to infinity
    * where the point counts as open.
    *
-   * Conjugate gradients, preconditioned with the inverse Laplacian of the whole box,
-   * screened, in single precision: 20 to 40 FFT pairs.
+   * Conjugate gradients, preconditioned by successive over-relaxation to and fro, each
+   * rank by its own rows.
+   *
+   * @p pressure: on entry that of the fluid where @p flow_gap > 0 and a start
+   * elsewhere; on return that everywhere, to 1e-7 of the boundary values. On the seam,
+   * which is inlet and outlet at once, every point gets the mean of the two reservoirs,
+   * as the sum over the grid is a trapezoidal rule. Returns the number of iterations.
+   * Collective.
    */
-  class HarmonicExtension
-  {
-  public:
-    HarmonicExtension(SlabLayoutPtr layout, FlowDirection direction);
-
-    /**
-     * @p pressure: on entry that of the fluid where @p flow_gap > 0 and a start
-     * elsewhere; on return that everywhere, to 1e-7 of the boundary values, or with the
-     * residual of the start times @p reduction where that is more. On the seam, which is
-     * inlet and outlet at once, every point gets the mean of the two reservoirs, as the
-     * sum over the grid is a trapezoidal rule. Returns the number of iterations.
-     * Collective.
-     */
-    int extend(SlabField       &pressure,
-               const SlabField &flow_gap,
-               double           inlet_pressure,
-               double           outlet_pressure,
-               double           reduction = 0.);
-
-  private:
-    bool is_on_seam(int ix, int local_row) const;
-
-    /** The strength of all springs. */
-    void classify(const SlabField &flow_gap);
-
-    /** −Laplacian times dx·dy, and the springs' pull towards 0, where the pressure is
-     *  sought, zero elsewhere; the seam counts as @p inlet from its one side and as
-     *  @p outlet from the other. */
-    void apply(const SlabField &values, double inlet, double outlet, SlabField &result);
-
-    /** z = the preconditioner times r, zero where the pressure is known. */
-    void precondition(const SlabField &r, SlabField &z);
-
-    SlabLayoutPtr       layout;
-    FlowDirection       direction;
-    double              weight_x, weight_y;       // dy/dx and dx/dy
-    std::vector<double> stiffness_x, stiffness_y; // of each wave number
-    // κ dx dy; infinite where the pressure is known.
-    std::vector<double> spring;
-
-    BasicFourierTransform<float> transform;
-    std::vector<float>           softness; // that makes all points alike; 0 where known
-    std::vector<float>           waves;    // what is transformed
-  };
+  int extend_under_contact(SlabField       &pressure,
+                           const SlabField &flow_gap,
+                           FlowDirection    direction,
+                           double           inlet_pressure,
+                           double           outlet_pressure);
 } // namespace strait
 
 #endif

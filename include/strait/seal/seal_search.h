@@ -6,6 +6,7 @@
 #include <strait/base/scene.h>
 #include <strait/percolation/flow_region.h>
 #include <strait/seal/seal_model.h>
+#include <strait/seal/transition.h>
 #include <strait/seal/transition_search.h>
 
 #include <cstddef>
@@ -16,46 +17,6 @@
 
 namespace strait
 {
-  /** A load or an inlet pressure at which a seal begins or ceases to leak, enclosed. */
-  struct Transition
-  {
-    double slip_length = 0.;
-    // With hysteresis these are on the path that the search follows.
-    double                lower        = 0.;
-    double                upper        = 0.;
-    double                contact_area = 0.;         // at lower
-    std::array<double, 2> bottleneck   = {{0., 0.}}; // place in the open state [length]
-    int                   n_solves     = 0;          // states that were asked for
-    long                  fft_pairs    = 0;          // of those
-
-    double
-    middle() const
-    {
-      return .5 * (lower + upper);
-    }
-
-    double
-    relative_width() const
-    {
-      return (upper - lower) / upper;
-    }
-  };
-
-  /** The critical load of a slip length; null if there is none. */
-  const Transition *threshold_of(const std::vector<Transition> &thresholds,
-                                 double                         slip_length);
-
-  /** All of them, in either direction. Collective. */
-  void transfer(StateArchive &archive, std::vector<Transition> &transitions);
-
-  /** The inlet pressures at which a seal under a load opens and closes again. */
-  struct BlowOut
-  {
-    double                    load = 0.;
-    Transition                opening; // 0 where it leaks without any pressure
-    std::optional<Transition> closing; // if it was sought; 0 where it never closes
-  };
-
   /**
    * Finds where a seal begins or ceases to leak: the critical loads, and the inlet
    * pressures that blow it out. All of them are transitions along a path of states, and
@@ -126,17 +87,18 @@ namespace strait
       sealed
     };
 
-    Transition
-    critical_load(TransitionSearch &search, const SearchStart &first, double slip_length);
+    Passage                   enclose(TransitionSearch  &search,
+                                      const SearchStart &first,
+                                      double             level,
+                                      Side               side) const;
     BlowOut                   blow_out(double load);
     Transition                between(const TransitionSearch &search,
                                       const Passage          &passage,
-                                      double                  open,
                                       std::size_t             begin) const;
     Probe                     ask(const Control &control, Side path_comes_from);
     Probe                     probe(const Control &control, Side path_comes_from);
     std::optional<SealState> &place_of(Side side);
-    void                      report(const SealState &state, bool leaks) const;
+    bool                      report(const SealState &state, bool leaks) const;
 
     const Scene        &scene;
     SealModel          &model;

@@ -2,11 +2,14 @@
 #ifndef strait_seal_transition_search_h
 #define strait_seal_transition_search_h
 
+#include <strait/base/text.h>
+
 #include <array>
 #include <functional>
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
 
 namespace strait
 {
@@ -19,6 +22,7 @@ namespace strait
     double                contact_area = 0.;
     std::array<double, 2> bottleneck   = {{0., 0.}}; // its place [length]
     long                  fft_pairs    = 0;
+    bool                  converged    = true; // the solvers that it took
   };
 
   /** Between two values of what varies along a path, a load or a pressure. */
@@ -62,14 +66,16 @@ namespace strait
   public:
     using Ask  = std::function<Probe(double value)>;
     using Kept = std::function<bool(const Probe &)>;
+    using Name = std::function<std::string(double value)>;
 
     /** Of a usual load or pressure: what leaks with so little leaks by itself, and what
      *  does not change its mind between that and as many times more never does. Half and
      *  double of it judge alike, as neither bends the walls. */
     static constexpr double negligible = 1e-6;
 
-    /** @p tolerance: relative width of the bracket to reach. */
-    TransitionSearch(Ask ask, double tolerance);
+    /** @p tolerance: relative width of the bracket to reach; @p name: what messages call
+     *  a value. */
+    TransitionSearch(Ask ask, double tolerance, Name name = to_text);
 
     /**
      * Enclose the value above which the openness is no more than @p level, beginning with
@@ -110,6 +116,7 @@ namespace strait
 
     Ask                     ask;
     double                  tolerance;
+    Name                    name;
     std::map<double, Probe> asked;
   };
 } // namespace strait

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <fstream>
+#include <map>
 
 namespace strait
 {
@@ -32,9 +33,24 @@ namespace strait
     /** The lines above the numbers. */
     struct Header
     {
-      std::optional<double> width, height;
-      LengthUnit            width_unit, height_unit, value_unit;
+      std::optional<double>              width, height;
+      LengthUnit                         width_unit, height_unit, value_unit;
+      std::map<std::string, std::string> stated; // each value as it stands, by its key
     };
+
+    /** Throw if a line above states another value of @p key. */
+    void
+    check_for_contradiction(Header            &header,
+                            const std::string &key,
+                            const std::string &value,
+                            const std::string &file)
+    {
+      const std::string &earlier = header.stated.emplace(key, value).first->second;
+      if (earlier != value)
+        reject_height_map(file,
+                          "states '" + key + "' in its header as '" + earlier +
+                            "' and as '" + value + "': remove one of these lines.");
+    }
 
     /** The number of a side, and its unit as it stands. */
     double
@@ -61,6 +77,7 @@ namespace strait
         return;
       const std::string key   = trim(line.substr(1, colon - 1));
       const std::string value = trim(line.substr(colon + 1));
+      check_for_contradiction(header, key, value, file);
       if (key == "Width")
         header.width = parse_side(value, header.width_unit, file);
       else if (key == "Height")

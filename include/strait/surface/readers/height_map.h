@@ -78,7 +78,8 @@ namespace strait
    *
    * as Gwyddion writes it in English, or without units in those of the scene. Other lines
    * that begin with # and have a colon are refused, but for "# Channel:": they may state
-   * a unit in another language. So is whatever follows the last row.
+   * a unit in another language. So is whatever follows the last row, and a line that
+   * contradicts an earlier one.
    */
   HeightMap read_matrix_text(const std::string &file);
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
+#include <strait/base/unwritable.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace strait
+{
+  void
+  throw_unwritable(const std::string &what, const int error)
+  {
+    const std::string found =
+      what + " cannot be written" +
+      (error == 0 ? "" : std::string(" (") + std::strerror(error) + ")");
+    if (error == ENOSPC || error == EDQUOT || error == EFBIG)
+      throw ComputationError(
+        found + "; make room, and continue with --resume if the run had begun.");
+    throw InputError(found + "; choose another with Output/Directory or --output.");
+  }
+} // namespace strait
