@@ -246,6 +246,8 @@ namespace strait
       feedback.check(is_gas, std::min(inlet_pressure, outlet_pressure));
     require(!slip_lengths.empty(),
             "Fluid/Slip length is empty; give 0 for a fluid that does not slip.");
+    require(!has_repetitions(slip_lengths),
+            "Fluid/Slip length lists a value twice; remove the copy.");
     require(!enabled || inlet_pressure != outlet_pressure || feedback.enabled,
             "Fluid/Inlet pressure and Outlet pressure are both " +
               to_text(inlet_pressure) +

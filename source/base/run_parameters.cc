@@ -4,20 +4,11 @@
 #include <strait/base/run_parameters.h>
 #include <strait/base/units.h>
 
-#include <set>
-
 namespace strait
 {
   namespace
   {
     const Names orientation_names{"as is", "inverted", "rotated", "inverted and rotated"};
-
-    template <typename Value>
-    bool
-    has_repetitions(const std::vector<Value> &values)
-    {
-      return std::set<Value>(values.begin(), values.end()).size() != values.size();
-    }
   } // namespace
 
   void

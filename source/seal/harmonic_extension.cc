@@ -202,9 +202,9 @@ namespace strait
             pressure[k] += alpha * t[k];
             r[k] -= alpha * q[k];
           }
-        beta = 1. / r_z;
-        r_z  = precondition();
-        beta *= r_z;
+        const double before = r_z;
+        r_z                 = precondition();
+        beta                = r_z / before;
         ++iteration;
       }
     return iteration;

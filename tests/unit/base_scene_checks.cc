@@ -350,6 +350,7 @@ TEST(Scene, ValuesOutOfRange)
                             "Fluid/Target accuracy=1",
                             "Fluid/Maximum unknowns=-5",
                             "Fluid/Slip length=",
+                            "Fluid/Slip length=0, 0",
                             "Fluid/Wall feedback/Relaxation=0",
                             "Contact/Poisson ratios=0.6",
                             "Surface/Window width=0.6",

@@ -8,12 +8,21 @@
 #include <functional>
 #include <initializer_list>
 #include <limits>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace strait
 {
+  /** Whether a list has a value twice. */
+  template <typename Value>
+  bool
+  has_repetitions(const std::vector<Value> &values)
+  {
+    return std::set<Value>(values.begin(), values.end()).size() != values.size();
+  }
+
   // The values that a parameter of the scene may take. Each of these classes writes a
   // value with text(), reads it with read(), which gives false for what is not allowed,
   // and says in words() what is: of whole numbers or others, of one or of a list.
