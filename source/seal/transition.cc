@@ -14,7 +14,8 @@ namespace strait
                      transition.bottleneck[0],
                      transition.bottleneck[1],
                      transition.n_solves,
-                     transition.fft_pairs);
+                     transition.fft_pairs,
+                     transition.converged);
     });
   }
 
