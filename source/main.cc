@@ -5,9 +5,9 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/log.h>
 #include <strait/base/signals.h>
-#include <strait/run/earlier_results.h>
 #include <strait/run/ensemble.h>
 #include <strait/run/result_tables.h>
+#include <strait/run/run_state.h>
 #include <strait/run/scripts.h>
 #include <strait/run/simulation.h>
 #include <strait/surface/read_scene.h>
@@ -65,7 +65,7 @@ namespace
         return 0;
       }
     if (!command.force && !command.resume)
-      refuse_results_of_another_scene(scene, MPI_COMM_WORLD);
+      refuse_to_replace_results(scene, MPI_COMM_WORLD);
     if (!run_all_realisations(
           command.scene, command.overrides, scene, log, command.resume))
       throw ComputationError(

@@ -266,6 +266,12 @@ class Survival(unittest.TestCase):
             finished += 1
         print(f"{kills} kills, {finished} runs finished", flush=True)
 
+    def assert_not_begun_anew(self, scene, output):
+        before = contents(output)
+        message = self.run_to_end(scene, output, status=2)
+        self.assertRegex(message, "run of this scene that has not come to its end; .*--force")
+        self.assertEqual(contents(output), before)
+
     def stopped_and_resumed(self, text, rows, number=signal.SIGTERM):
         """Stop a run after each of the numbers of rows; compare it.
 
@@ -289,6 +295,7 @@ class Survival(unittest.TestCase):
             self.assertGreaterEqual(n_rows(output), n)
             self.assertTrue(os.path.exists(os.path.join(output, "run.json")))
             options = ["--resume"]
+        self.assert_not_begun_anew(scene, output)
         self.run_to_end(scene, output, "--resume")
         self.assert_same(reference, output)
         before = contents(output)
@@ -448,8 +455,10 @@ end
             process.communicate()
         first = os.path.join(output, "realisation-1")
         before = contents(first)
+        self.assert_not_begun_anew(scene, output)
         self.run_to_end(scene, output, "--resume")
         self.assertEqual(contents(first), before)
+        self.run_to_end(scene, output)  # as it is done, it may be run again
         self.assert_same(reference, output)
         for number in (1, 2, 3):
             name = f"realisation-{number}"
@@ -562,7 +571,7 @@ end
                     process.kill()
                     process.communicate()
                 self.assertEqual(process.returncode, -signal.SIGKILL)
-                self.run_to_end(scene, output)
+                self.run_to_end(scene, output, "--force")
                 self.assert_same(reference, output)
 
     def test_full_disk(self):

@@ -5,8 +5,8 @@
 #include <strait/base/scene_text.h>
 #include <strait/base/table.h>
 #include <strait/base/text.h>
-#include <strait/run/earlier_results.h>
 #include <strait/run/ensemble.h>
+#include <strait/run/run_state.h>
 #include <strait/run/simulation.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/read_scene.h>
@@ -106,7 +106,7 @@ namespace strait::python
       const Computing        computing;
       Log log(MPI_COMM_WORLD, screen, verbose ? Log::Screen::plain : Log::Screen::silent);
       if (!force && !resume)
-        refuse_results_of_another_scene(source.scene, MPI_COMM_WORLD);
+        refuse_to_replace_results(source.scene, MPI_COMM_WORLD);
       const bool converged =
         run_all_realisations(source.path, source.overrides, source.scene, log, resume);
       MPI_Barrier(MPI_COMM_WORLD); // all ranks may read what rank 0 wrote

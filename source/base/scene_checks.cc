@@ -22,9 +22,11 @@ namespace strait
                          "pressures."
                        : "; give positive mean gaps (Contact/Control = mean gap)."));
       require(!scene.programme.find_threshold ||
-                (scene.contact.enabled && scene.fluid.enabled && by_load),
-              "Load programme/Find threshold looks for a critical load; it needs "
-              "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
+                (scene.contact.enabled && scene.fluid.enabled && by_load &&
+                 scene.surface.kind != SurfaceKind::flat),
+              "Load programme/Find threshold looks for a critical load; it needs a "
+              "surface that is not flat, Contact/Enabled, Fluid/Enabled and "
+              "Contact/Control = load.");
       require(!scene.programme.find_blow_out || (scene.fluid.feedback.enabled && by_load),
               "Load programme/Find blow-out raises the inlet pressure until the "
               "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
@@ -40,6 +42,8 @@ namespace strait
     void
     check_leak_rate_units(const Scene &scene)
     {
+      require(!has_repetitions(scene.output.leak_rate_units),
+              "Output/Leak rate units names a unit twice; remove one of them.");
       for (const std::string &name : scene.output.leak_rate_units)
         {
           require(scene.units.are_complete(),
@@ -198,9 +202,9 @@ namespace strait
         require(condition, "Contact/Zoom " + reason);
       };
       require_here(
-        scene.contact.enabled && scene.fluid.enabled,
+        scene.contact.enabled && scene.fluid.enabled && scene.contact.loads(),
         "resolves the throats of a contact that a fluid flows through; it needs "
-        "Contact/Enabled and Fluid/Enabled.");
+        "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
       require_here(
         !scene.contact.adhesion.enabled,
         "solves for the pressure, which does not determine the state of a contact "
@@ -212,7 +216,6 @@ namespace strait
         scene.fluid.mesh_file.empty(),
         "follows the flow through the box and not through Fluid/Mesh; remove one "
         "of them.");
-      require_here(scene.contact.loads(), "needs Contact/Control = load.");
       // A window has room on a grid that is as wide as what surrounds it.
       require_here(std::min(scene.contact.grid_points[0], scene.contact.grid_points[1]) >=
                      8,
@@ -270,10 +273,9 @@ namespace strait
   std::vector<std::string>
   Scene::warnings() const
   {
-    std::vector<std::string> warnings     = without_effect;
-    const double             shorter_side = std::min(surface.size[0], surface.size[1]);
+    std::vector<std::string> warnings = without_effect;
     if (surface.kind == SurfaceKind::self_affine &&
-        surface.roll_off_wavelength > shorter_side)
+        surface.roll_off_wavelength > std::min(surface.size[0], surface.size[1]))
       warnings.emplace_back(
         "Surface/Roll-off wavelength exceeds the shorter side of the box, so the "
         "surface is not isotropic.");

@@ -196,7 +196,7 @@ namespace strait
     const std::string folder = scene.output.directory;
     RunState          state(scene, MPI_COMM_WORLD, resume);
     const auto        lock = begin_results(scene, MPI_COMM_WORLD, log, resume);
-    state.save_end(RunSummary()); // that it is these realisations
+    state.save_mark({}); // that it is these realisations
     Table<RealisationRow> table = ensemble_table(scene);
     run_on_root(MPI_COMM_WORLD, [&]() { table.open(folder + "/ensemble.csv"); });
 
@@ -255,6 +255,7 @@ namespace strait
         assess_whole_seal(scene, log);
       draw_results(scene, log);
     });
+    state.save_mark(RunSummary());
     return all_converged;
   }
 } // namespace strait

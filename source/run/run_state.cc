@@ -119,13 +119,31 @@ namespace strait
   }
 
   void
-  RunState::save_end(const RunSummary &summary)
+  RunState::save_mark(const std::optional<RunSummary> &end)
   {
-    left = summary;
+    left = end;
     if (!scene.output.checkpoint)
       return;
     StateArchive writer(path, comm, StateArchive::Access::write);
     transfer(writer);
     writer.commit();
+  }
+
+  void
+  refuse_to_replace_results(const Scene &scene, MPI_Comm comm)
+  {
+    refuse_results_of_another_scene(scene, comm);
+    try
+      {
+        if (RunState(scene, comm, true).finished())
+          return;
+      }
+    catch (const InputError &)
+      {
+        return; // there is nothing to go on with
+      }
+    throw InputError("The folder '" + scene.output.directory +
+                     "' holds a run of this scene that has not come to its end; go on "
+                     "with --resume, or begin anew with --force.");
   }
 } // namespace strait

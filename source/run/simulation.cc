@@ -254,7 +254,7 @@ namespace strait
     log.line("results are in " + scene.output.directory);
     output.summarise(sweep.known_thresholds(), summary);
     if (!summary.stopped)
-      state.save_end(summary);
+      state.save_mark(summary);
     return summary;
   }
 

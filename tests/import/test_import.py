@@ -177,6 +177,26 @@ class Arrays(Case):
         files.write_netcdf(path, x, y, files.MICRONS)
         self.check_refusal(path, "coordinates 'x' without equal steps")
 
+    def test_contradictions(self):
+        import h5py
+
+        path = os.path.join(self.folder, "map.nc")
+        x, y = 2. * np.arange(files.NX), 1. * np.arange(files.NY)
+        files.write_netcdf(path, x, y, files.MICRONS)
+        with netcdf_file(path, "a") as file:
+            file.variables["x"].length = 240.
+        self.check_refusal(path, "a side of 240 and 12 points in steps of 2, which contradict")
+        self.check_map(path, "--size", "24, 10 um")
+        path = os.path.join(self.folder, "attributes.h5")
+        for side in (24., 22., 240.):   # of twelve steps, of eleven, of neither
+            with h5py.File(path, "w") as file:
+                file["height"] = files.MICRONS
+                file["height"].attrs.update({"unit": "um", "lateral_unit": "um", "lx": side,
+                                             "ly": 10., "dx": 2., "dy": 1.})
+            if side < 100:
+                self.assertAlmostEqual(self.read(path)[1], side * 1e-6)
+        self.check_refusal(path, "a side of 240 and 12 points in steps of 2, which contradict")
+
     def test_marks_of_missing_values(self):
         path = os.path.join(self.folder, "map.nc")
         tenths = np.rint(10 * files.MICRONS)

@@ -72,6 +72,7 @@ TEST(Scene, ThresholdAndReducedLoads)
                      {"Load programme/Find threshold=false",
                       "Load programme/Pressures=1"}));
   expect_in("Contact/Control = load", error_of(text, {"Contact/Control=mean gap"}));
+  expect_in("a surface that is not flat", error_of(text, {"Surface/Kind=flat"}));
   expect_in("a number from 1e-09 to 0.1",
             error_of(text, {"Load programme/Threshold tolerance=1"}));
 }
@@ -123,6 +124,7 @@ TEST(Scene, ValuesOutOfRange)
                             "Surface/Window width=0.6",
                             "Units/Length=furlong",
                             "Output/Leak rate units=gallons",
+                            "Output/Leak rate units=ml/h, ml/h",
                             "Realisations/Orientations=",
                             "Load programme/Largest reduced load of fits=2",
                             "Load programme/Pressures=",

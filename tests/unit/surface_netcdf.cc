@@ -78,6 +78,23 @@ namespace
     EXPECT_FALSE(read_map(replaced(canonical_map(), "nm", "qm")).height_unit.metres);
   }
 
+  TEST(NetcdfReader, CoordinatesAndLengthAgree)
+  {
+    // The last of the coordinates along x, which are 0, 10 and 20 for a length of 30, and
+    // of those along y, 0 and 20, which are for a length of 40 in each case.
+    const auto with_last_x = [](const std::string &bytes) {
+      return replaced(canonical_map(), std::string("\x40\x34\0\0\0\0\0\0", 8), bytes);
+    };
+    for (const char *bytes : {"\x40\x44\0\0\0\0\0\0", "\xc0\x34\0\0\0\0\0\0"})
+      EXPECT_TRUE(
+        mentions(complaint_of_map(with_last_x({bytes, 8})),
+                 "has coordinates 'x' that do not rise in steps of its length"));
+    // As of a map that begins and ends with a point.
+    EXPECT_EQ(read_map(with_last_x(std::string("\x40\x3e\0\0\0\0\0\0", 8))).size->at(0),
+              30.);
+    EXPECT_EQ(read_map(with_last_x(std::string(8, '\0'))).size->at(0), 30.);
+  }
+
   TEST(NetcdfReader, DamagedFiles)
   {
     const std::string whole = canonical_map();

@@ -73,6 +73,15 @@ def _interpret(values, attributes):
     return np.where(is_missing, np.nan, result)
 
 
+def _dispute(axis, n, side, step):
+    """A side and a step between n points that contradict each other; "" if they agree to a
+    hundredth, be the side that of n steps or of n - 1."""
+    if not (isinstance(side, float) and isinstance(step, float)) or (
+            abs((n - .5) * step - side) <= .6 * abs(step) + .01 * abs(side)):
+        return ""
+    return f"along {axis} a side of {side:g} and {n} points in steps of {step:g}"
+
+
 def _map(name, values, attributes, of_file=None):
     """A channel of what attributes of an array, and of its file, say."""
     known = {**(of_file or {}), **attributes}
@@ -81,29 +90,33 @@ def _map(name, values, attributes, of_file=None):
     lateral = _first(known, "lateral_unit", "lateral_units")
     lateral = metres_in(str(lateral)) if lateral else None
     sides = [_first(known, "lx"), _first(known, "ly")]
+    steps = [_first(known, "dx"), _first(known, "dy")]
+    disputed = _dispute("x", nx, sides[0], steps[0]) or _dispute("y", ny, sides[1], steps[1])
     if None in sides:
-        steps = [_first(known, "dx"), _first(known, "dy")]
         sides = None if None in steps else [nx * steps[0], ny * steps[1]]
     extent = tuple(sides) if sides and all(isinstance(side, float) for side in sides) else None
     size = tuple(side * lateral for side in extent) if extent and lateral else None
     metres = metres_in(str(unit)) if unit else None
     return Channel(name, _interpret(values, attributes), size, extent, metres,
-                   "" if metres or not unit else str(unit), bool(known.get("periodic")))
+                   "" if metres or not unit else str(unit), bool(known.get("periodic")),
+                   disputed=disputed)
 
 
 # NetCDF: contact.engineering's layout.
 
 def _side(n, coordinate):
-    """Length of a side, the metres of its unit, and whether it is periodic."""
+    """Length of a side, of a step, the metres of their unit, and whether the side is periodic."""
     if coordinate is None:
-        return None, None, False
+        return None, None, None, False
     values, attributes = coordinate
     unit = _first(attributes, "unit", "units")
     metres = metres_in(str(unit)) if unit else None
+    # Equal numbers are those of a dimension to which none were written.
+    step = float(abs(values[-1] - values[0])) / (n - 1) if len(values) > 1 else 0.
     length = attributes.get("length")
-    if not isinstance(length, float) and len(values) > 1:
-        length = float(abs(values[-1] - values[0])) * n / (n - 1)
-    return length, metres, bool(attributes.get("periodic"))
+    if not isinstance(length, float) and step:
+        length = n * step
+    return length, step or None, metres, bool(attributes.get("periodic"))
 
 
 def _is_regular(values):
@@ -121,19 +134,20 @@ def _netcdf_channel(name, values, dimensions, attributes, coordinates):
     for axis, dimension in enumerate(dimensions):
         along = np.asarray(coordinates[dimension][0], float) if dimension in coordinates else (
             np.zeros(0))
-        # Equal numbers are those of a dimension to which none were written.
         if len(along) > 1 and (along != along[0]).any():
             if not _is_regular(along):
                 refusal = (f"has coordinates '{dimension}' without equal steps, which no map has: "
                            "resample it to a regular grid")
             elif along[0] > along[-1]:
                 values = np.flip(values, axis)
-    lx, metres_x, periodic_x = _side(values.shape[1], coordinates.get(dimensions[1]))
-    ly, metres_y, periodic_y = _side(values.shape[0], coordinates.get(dimensions[0]))
+    ny, nx = values.shape
+    lx, dx, metres_x, periodic_x = _side(nx, coordinates.get(dimensions[1]))
+    ly, dy, metres_y, periodic_y = _side(ny, coordinates.get(dimensions[0]))
     channel = _map(name, values, attributes)
     if lx and ly:
         channel.extent = lx, ly
         channel.size = (lx * metres_x, ly * metres_y) if metres_x and metres_y else None
+        channel.disputed = _dispute("x", nx, lx, dx) or _dispute("y", ny, ly, dy)
     channel.periodic, channel.refusal = periodic_x and periodic_y, refusal
     return channel
 

@@ -24,6 +24,7 @@ class Channel:
     quantity: str = ""     # unit of what is no length, such as V
     periodic: bool = False
     note: str = ""         # what the user should know of it
+    disputed: str = ""     # two sizes that the file states, where they contradict each other
     refusal: str = ""      # why it cannot be taken, where another channel of the file may be
 
     def __str__(self):

@@ -52,6 +52,8 @@ def settle(channel, options):
     notes = [channel.note] if channel.note else []
     if channel.refusal:
         raise Refused(channel.refusal)
+    if channel.disputed and not size:
+        raise Refused(f"states {channel.disputed}, which contradict each other: --size tells")
     ny, nx = channel.values.shape
     check_extents(nx, ny, channel.values.nbytes)
     if min(nx, ny) < 2:

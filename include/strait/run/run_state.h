@@ -46,8 +46,9 @@ namespace strait
     /** Collective. Throws ComputationError if the disk is full. */
     void save(LoadSweep &sweep, OutputDirectory &output, Log &log);
 
-    /** Replace the checkpoint by a mark that all is done. Collective. */
-    void save_end(const RunSummary &summary);
+    /** Replace the checkpoint by a mark of the scene alone, and of what it left if it has
+     *  come to its @p end. Collective. */
+    void save_mark(const std::optional<RunSummary> &end);
 
   private:
     void transfer(StateArchive &file);
@@ -59,6 +60,12 @@ namespace strait
     std::optional<RunSummary>      left;    // by a run that has come to its end
     const std::vector<std::string> files;   // the scene's, and what is in them
   };
+
+  /**
+   * Throws InputError on all ranks if the output directory of @p scene holds results of
+   * another scene, or a run of this one that can be resumed. Collective.
+   */
+  void refuse_to_replace_results(const Scene &scene, MPI_Comm comm);
 } // namespace strait
 
 #endif

@@ -4,6 +4,7 @@
 #include <boost/endian/conversion.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -179,6 +180,40 @@ namespace strait
       std::size_t position = 0;
     };
 
+    double
+    value_at(const std::string &file, const Variable &variable, const std::uint64_t i)
+    {
+      const std::uint64_t n_bytes = bytes_of(variable.type);
+      char                bytes[8]{};
+      std::ifstream       stream(file, std::ios::binary);
+      stream.seekg(static_cast<std::streamoff>(variable.begin + i * n_bytes));
+      if (!stream.read(bytes, static_cast<std::streamsize>(n_bytes)))
+        reject_height_map(file, "is too short: copy or import it again.");
+      return decode(bytes, variable.type);
+    }
+
+    /** Refuse coordinates of @p n points that do not rise, to a hundredth, in steps of a
+     *  side of this @p length, of n steps or of n − 1. */
+    void
+    check_coordinates(const std::string &file,
+                      const std::string &name,
+                      const Variable    &variable,
+                      const int          n,
+                      const double       length)
+    {
+      if (n < 2 || variable.type < type_int || variable.type > type_double)
+        return;
+      const double rise = value_at(file, variable, static_cast<std::uint64_t>(n) - 1) -
+                          value_at(file, variable, 0);
+      const double step = rise / (n - 1);
+      // Equal numbers are those of a dimension to which none were written.
+      if (rise != 0 &&
+          !(std::abs((n - .5) * step - length) <= .6 * std::abs(step) + .01 * length))
+        reject_for_import(file,
+                          "has coordinates '" + name +
+                            "' that do not rise in steps of its length");
+    }
+
     /** What the coordinate variables say of the sides; nothing if one states no length.
      */
     void
@@ -194,6 +229,8 @@ namespace strait
         return;
       if (x->second.unit().name != y->second.unit().name)
         reject_for_import(file, "states different units for its sides");
+      check_coordinates(file, name_x, x->second, map.nx, *x->second["length"].number);
+      check_coordinates(file, name_y, y->second, map.ny, *y->second["length"].number);
       map.size         = {{*x->second["length"].number, *y->second["length"].number}};
       map.lateral_unit = x->second.unit();
       map.is_periodic  = x->second["periodic"].number.value_or(0.) != 0. &&
