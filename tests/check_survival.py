@@ -458,6 +458,10 @@ end
         self.assert_not_begun_anew(scene, output)
         self.run_to_end(scene, output, "--resume")
         self.assertEqual(contents(first), before)
+        # A checkpoint of another realisation is refused before a table is written.
+        shutil.copy(os.path.join(output, "realisation-1", "checkpoint"),
+                    os.path.join(output, "realisation-2", "checkpoint"))
+        self.assert_refused("had Surface/Seed = 1 where", scene, output)
         self.run_to_end(scene, output)  # as it is done, it may be run again
         self.assert_same(reference, output)
         for number in (1, 2, 3):

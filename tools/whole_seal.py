@@ -57,6 +57,12 @@ def in_endless_row(alone, two, error_alone, error_two):
     return np.where(alone > 0, 1 / difference, 0.), np.where(two > 0, error, 0.)
 
 
+def comes_again(table, loads):
+    """Whether a path comes to one of the loads a second time."""
+    alike = nearest_slip(table)
+    return any(np.count_nonzero(at_load(table["pressure"], load) & alike) > 1 for load in loads)
+
+
 class Patches:
     """What the realisations conduct: squares under the seal's pressure drop, at all loads."""
 
@@ -65,6 +71,7 @@ class Patches:
         self.errors, self.dropped, self.in_rows = [], [], True
         self.factor, self.unit, self.load_unit, self.slip = 1., "", "", ""
         self.knows_budget, budgets = True, []
+        self.loads_again = False  # on the way back of a path that matters, which is left out
         for path in realisations(folder).values():
             try:
                 run, values = Run(path), read_parameters(scene_in(path))
@@ -80,6 +87,7 @@ class Patches:
                 self.ends.append(alone)
             self.in_rows = self.in_rows and "two_boxes_leak_rate" in run.table
             self.errors.append(errors)
+            self.loads_again = self.loads_again or comes_again(run.table, seal.loads)
             self.knows_budget = self.knows_budget and "leak_rate_error" in run.table
             # Without a run.json nothing is known of its steps.
             budgets += run.record.get("error_budget", [{"relative_errors": {}}])
@@ -213,6 +221,9 @@ def doubts(seal, patches):
     if seal.n_along > 1 and seal.depends_on_drop:
         yield ("each patch was solved under the whole pressure drop, of which it has a part in a "
                "row, and with Wall feedback or Rarefaction its conductance depends on that")
+    if patches.loads_again:
+        yield ("the loads come more than once, and these are the leak rates of the first time: "
+               "list in Load programme/Pressures the path to those that the seal works at")
     if seal.n_along * seal.length > 1.5 * seal.width:
         yield f"a patch is longer than the contact is wide ({seal.width:.4g})"
     if not patches.knows_grid:

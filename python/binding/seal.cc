@@ -10,6 +10,7 @@
 
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <tuple>
@@ -200,9 +201,14 @@ namespace strait::python
                   const std::optional<double> inlet_pressure,
                   const std::optional<double> slip_length) const
     {
-      return {target,
-              inlet_pressure.value_or(scene.fluid.inlet_pressure),
-              slip_length.value_or(scene.fluid.slip_lengths.front())};
+      const Control result = {target,
+                              inlet_pressure.value_or(scene.fluid.inlet_pressure),
+                              slip_length.value_or(scene.fluid.slip_lengths.front())};
+      require(std::isfinite(result.inlet_pressure),
+              "The inlet pressure must be a finite number.");
+      require(std::isfinite(result.slip_length) && result.slip_length <= 0.,
+              "The slip length must be a finite number of at most 0.");
+      return result;
     }
 
     Control

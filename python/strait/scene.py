@@ -196,6 +196,13 @@ class _TemporaryFolder:
         self.remove = weakref.finalize(self, shutil.rmtree, path, ignore_errors=True)
 
 
+def unmasked(heights: np.ndarray | None) -> np.ndarray | None:
+    """Raises SceneError if a mask hides points: what lies behind it would be taken for heights."""
+    if np.ma.is_masked(heights):
+        raise _core.SceneError("The heights have masked points; fill them first.")
+    return heights
+
+
 def statistics(heights: np.ndarray, size: float | tuple[float, float] = 1.) -> dict[str, float]:
     """Rms height, slope and curvature, highest and lowest point of a periodic surface on a box
     of `size`; slope and curvature are those of the sum of waves through the points.
@@ -204,4 +211,4 @@ def statistics(heights: np.ndarray, size: float | tuple[float, float] = 1.) -> d
     >>> round(statistics(np.cos(2 * np.pi * x) * np.ones((32, 1)))["rms_slope"], 6)
     4.442883
     """
-    return _core.statistics(heights, np.broadcast_to(size, 2))
+    return _core.statistics(unmasked(heights), np.broadcast_to(size, 2))

@@ -9,14 +9,19 @@ namespace strait
 {
   namespace
   {
-    /** Whether @p text is a number of the type of @p number and nothing else. */
+    /** Whether @p text is a number of the type of @p number and nothing else; not one
+     * that is too small for it. */
     template <typename Number>
     bool
     is_number(const std::string &text, Number &number)
     {
       std::istringstream in(text);
       in >> number;
-      return in && in.peek() == std::istringstream::traits_type::eof();
+      const bool vanishes =
+        number == 0 &&
+        text.substr(0, text.find_first_of("eE")).find_first_of("123456789") !=
+          std::string::npos;
+      return in && in.peek() == std::istringstream::traits_type::eof() && !vanishes;
     }
 
     // Numbers other than 0 are no further from 1 than this: a conductivity g³/12η and the

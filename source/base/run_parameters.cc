@@ -33,7 +33,8 @@ namespace strait
       .meaning = "Relative width of the brackets of L_c and of blow-out pressures [1].";
     section.add("Reduced loads", reduced_loads, positive.below(1.)).meaning =
       "Further steps at these values of 1 - L/L_c, once L_c is known [1].";
-    section.add("Largest reduced load of fits", largest_fitted, not_negative.at_most(1.))
+    section.when("Find threshold", {"true"})
+      .add("Largest reduced load of fits", largest_fitted, not_negative.at_most(1.))
       .meaning = "Exponents are fitted to the steps up to this value of 1 - L/L_c [1].";
     section.add("Path", path, Names{"loading", "unloading", "cycle"}).meaning =
       "From which side the threshold is approached, and the order of the steps at "

@@ -148,8 +148,8 @@ namespace strait
            expression,
            Text{"text", [](const std::string &) { return true; }})
       .meaning =
-      "h [length] as a formula of x and y [length], in muParser's "
-      "syntax; pi is known.";
+      "h [length] as a formula of x and y [length], in muParser's syntax, that repeats "
+      "with the box; pi and its sides lx and ly are known.";
     map.bind(section.when("Kind", {"file"}));
     section.add("Invert", invert).meaning = "Use -h instead of h.";
     section.add("Rotate", rotate).meaning = "Rotate the surface by 90 degrees.";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/exceptions.h>
 #include <strait/base/table.h>
 #include <strait/base/text.h>
 #include <strait/base/units.h>
+#include <strait/base/unwritable.h>
 
 #include <boost/algorithm/string.hpp>
 
@@ -83,7 +83,8 @@ namespace strait
   {
     file_name = path;
     file      = std::ofstream(path, std::ios::app);
-    throw_if_bad();
+    if (!file)
+      throw_unfinished(file_name);
   }
 
   void
@@ -97,14 +98,7 @@ namespace strait
         file.close();
         std::filesystem::resize_file(file_name, size, no_size);
       }
-    throw_if_bad();
-  }
-
-  void
-  TableFile::throw_if_bad() const
-  {
     if (!file)
-      throw ComputationError("The table '" + file_name +
-                             "' could not be written; is the disk full?");
+      throw_unfinished(file_name);
   }
 } // namespace strait

@@ -8,6 +8,15 @@
 namespace strait
 {
   void
+  throw_unfinished(const std::string &path, const int error)
+  {
+    throw ComputationError("The file '" + path + "' could not be written (" +
+                           (error != 0 ? std::strerror(error) : "is the disk full?") +
+                           "); make room, and continue with --resume if a step was "
+                           "complete.");
+  }
+
+  void
   throw_unwritable(const std::string &what, const int error)
   {
     const std::string found =

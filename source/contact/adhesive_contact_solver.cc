@@ -189,6 +189,7 @@ namespace strait
 
     AdhesiveState &adhesion  = state.adhesion.emplace();
     adhesion.adhesive_energy = solution.adhesive_energy;
+    adhesion.attraction      = problem.adhesion.at(0.).traction;
     adhesion.total_energy    = solution.energy;
     adhesion.detached        = solution.detached;
     return state;

@@ -130,6 +130,7 @@ namespace strait
       return;
     AdhesiveState &adhesion = *state.adhesion;
     archive.values(adhesion.adhesive_energy,
+                   adhesion.attraction,
                    adhesion.total_energy,
                    adhesion.smallest_curvature,
                    adhesion.detached);

@@ -14,8 +14,7 @@ namespace strait
       in_contact[i] = pressure[i] != 0;
 
     ContactSolution solution;
-    int             steps_beyond = 0; // since the pressure was within its limits
-    double least_residual = std::numeric_limits<double>::infinity(); // at that time
+    double          least_residual = std::numeric_limits<double>::infinity();
     find_gap();
     while (true)
       {
@@ -35,8 +34,7 @@ namespace strait
 
         const double slope    = choose_direction();
         bool         followed = true; // a direction, by more than truncation
-        if (any_beyond && (late || cautious || steps_beyond >= 2 ||
-                           solution.residual <= 0.3 * tolerance.residual))
+        if (any_beyond)
           {
             // Truncation alone where more has not helped or the pressure has two limits:
             // where many points neither bear nor part it may lead round in circles.
@@ -44,16 +42,13 @@ namespace strait
                        solution.residual < least_residual;
             step_within_limits(followed ? last_length : 0.);
             least_residual = std::min(least_residual, solution.residual);
-            steps_beyond   = 0;
           }
-        else if (step(slope))
-          ++steps_beyond;
-        else if (any_beyond)
-          step_within_limits(0.);
-        else if (gap_is_exact) // nothing is left to improve: one point, say
-          break;
-        else
-          find_gap();
+        else if (!step(slope))
+          {
+            if (gap_is_exact) // nothing is left to improve: one point, say
+              break;
+            find_gap();
+          }
         watch_energy();
         solution.iterations += followed ? 1 : 0;
       }

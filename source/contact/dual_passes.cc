@@ -190,8 +190,8 @@ namespace strait
    * Bring the pressure within its limits and, on the way, go along the direction: one
    * step for the price of one response. A minimum is not sought, as truncation is not
    * straight: of @p length, that of the last step or 0, one half is gone. (All of it
-   * takes a sixth more responses at 2048² points and as many at 1024², three tenths and
-   * nothing a sixth more at both.) Direction and response of before remain, for what
+   * takes a tenth to a sixth more responses at 2048² points and as many at 1024², a
+   * quarter a tenth more at both.) Direction and response of before remain, for what
    * follows is to be conjugate to them.
    */
   void

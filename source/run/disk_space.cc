@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/base/exceptions.h>
+#include <strait/base/unwritable.h>
 #include <strait/run/disk_space.h>
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -29,9 +28,7 @@ namespace strait
         close(file);
       unlink(probe.c_str());
       if (error != 0)
-        throw ComputationError("The file '" + path + "' of " +
-                               std::to_string(bytes / 1000) +
-                               " kB could not be written: " + std::strerror(error) + ".");
+        throw_unfinished(path, error);
     });
   }
 
@@ -42,8 +39,7 @@ namespace strait
     std::string   tail(end.size(), ' ');
     std::ifstream file(path, std::ios::binary);
     if (!file.seekg(-n_bytes, std::ios::end).read(tail.data(), n_bytes) || tail != end)
-      throw ComputationError("The file '" + path +
-                             "' could not be written; is the disk full?");
+      throw_unfinished(path);
   }
 
   void
@@ -58,7 +54,6 @@ namespace strait
     if (file && !error)
       return;
     std::filesystem::remove(fresh, error);
-    throw ComputationError("The file '" + path +
-                           "' could not be written; is the disk full?");
+    throw_unfinished(path);
   }
 } // namespace strait

@@ -192,16 +192,21 @@ namespace strait
         return run.converged;
       }
 
-    const RankGroups  groups(scene.realisations.ranks_each);
-    const std::string folder = scene.output.directory;
-    RunState          state(scene, MPI_COMM_WORLD, resume);
-    const auto        lock = begin_results(scene, MPI_COMM_WORLD, log, resume);
+    const RankGroups            groups(scene.realisations.ranks_each);
+    const std::string           folder       = scene.output.directory;
+    std::vector<RealisationRow> realisations = list_realisations(scene);
+    RunState                    state(scene, MPI_COMM_WORLD, resume);
+    if (resume) // before anything is written
+      for (const RealisationRow &next : realisations)
+        if (const Scene alone = scene_of(next, scene, path, overrides);
+            has_checkpoint(alone, MPI_COMM_WORLD))
+          const RunState of_this_scene(alone, MPI_COMM_WORLD, true);
+    const auto lock = begin_results(scene, MPI_COMM_WORLD, log, resume);
     state.save_mark({}); // that it is these realisations
     Table<RealisationRow> table = ensemble_table(scene);
     run_on_root(MPI_COMM_WORLD, [&]() { table.open(folder + "/ensemble.csv"); });
 
     bool                        all_converged = true;
-    std::vector<RealisationRow> realisations  = list_realisations(scene);
     std::vector<RealisationRow> rows; // of those that are done
     while (rows.size() < realisations.size())
       {

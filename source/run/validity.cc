@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
 #include <strait/base/text.h>
-#include <strait/interface/rarefied_gas.h>
 #include <strait/run/validity.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace strait
@@ -69,6 +68,23 @@ namespace strait
       return pressure > 0. ? pressure / load : 0.;
     }
 
+    /** @p what, which @p change does to the scene, as far as that may have it. */
+    std::string
+    advice_to(const char *what, Scene scene, const std::function<void(Scene &)> &change)
+    {
+      change(scene);
+      try
+        {
+          scene.check();
+          return what;
+        }
+      catch (const InputError &)
+        {
+          return std::string(what) +
+                 " in a scene without the effects of this one that exclude that";
+        }
+    }
+
     // One function for each mechanism that is left out. Those of gas, meniscus and grid
     // are for steps with a path of least resistance.
 
@@ -90,7 +106,9 @@ namespace strait
       if (scene.contact.yields)
         return;
       if (contact && !contact->pressure.empty() && contact->contact_area > 0.)
-        in_contact = mean(contact->pressure) / contact->contact_area;
+        // The wall's reaction is more than what the solid bears by the attraction there.
+        in_contact = mean(contact->pressure) / contact->contact_area -
+                     (contact->adhesion ? contact->adhesion->attraction : 0.);
       else if (!contact && step.theory && step.theory->contact_area > 0.)
         in_contact = step.theory->pressure / step.theory->contact_area;
       if (std::isnan(in_contact)) // no contact, or no state to show
@@ -102,8 +120,11 @@ namespace strait
             {"plastic", of_hardness, most_of_hardness},
             format("the mean pressure in contact is %.3g of Contact/Hardness, so that "
                    "asperities flow: there is more contact and less leakage than in the "
-                   "elastic contact that is computed; switch on Contact/Yielding",
-                   of_hardness));
+                   "elastic contact that is computed; ",
+                   of_hardness) +
+              advice_to("switch on Contact/Yielding", scene, [](Scene &other) {
+                other.contact.yields = true;
+              }));
       else if (scene.has_physical_modulus())
         add(step,
             {"large-strain", of_modulus, most_of_modulus},
@@ -120,12 +141,23 @@ namespace strait
       const bool is_meant = scene.has_physical_modulus() || fluid.excess_pressure() != 1.;
       if (!step.flow || !step.state.contact || fluid.feedback.enabled || !is_meant)
         return;
-      const double number = part_of_load(step, fluid.excess_pressure());
+      // The pressures of a liquid count from that outside of the seal.
+      const double suction =
+        fluid.is_gas ? 0. : -std::min(fluid.inlet_pressure, fluid.outlet_pressure);
+      const bool   pulls = suction > fluid.excess_pressure();
+      const double number =
+        part_of_load(step, std::max(suction, fluid.excess_pressure()));
       add(step,
           {"fluid-pressure", number, most_fluid_pressure},
-          format("the fluid's pressure is %.3g of the nominal pressure and presses the "
-                 "walls apart, so that more leaks: switch on Fluid/Wall feedback",
-                 number));
+          format(
+            "the fluid's %s is %.3g of the nominal pressure and %s, so that %s leaks: ",
+            pulls ? "suction" : "pressure",
+            number,
+            pulls ? "pulls the walls together" : "presses the walls apart",
+            pulls ? "less" : "more") +
+            advice_to("switch on Fluid/Wall feedback", scene, [](Scene &other) {
+              other.fluid.feedback.enabled = true;
+            }));
     }
 
     void
@@ -155,9 +187,13 @@ namespace strait
         step,
         {"coarse-throat", points, least_points_along_throat, true},
         format("there are %.2g grid points along the throat, so that the contact grid's "
-               "error may exceed that of the bracket: switch on Contact/Zoom or raise "
-               "Contact/Grid points",
-               points));
+               "error may exceed that of the bracket: raise Contact/Grid points",
+               points) +
+          (scene.contact.zoom.enabled
+             ? ""
+             : ", or " + advice_to("switch on Contact/Zoom", scene, [](Scene &other) {
+                 other.contact.zoom.enabled = true;
+               })));
     }
 
     void
@@ -167,20 +203,20 @@ namespace strait
       if (!scene.fluid.is_gas || scene.fluid.molar_mass == 0. ||
           scene.fluid.rarefaction == Rarefaction::transitional)
         return;
-      const auto advice = [slips](const char *place, const double number) {
+      const std::string remedy =
+        advice_to("set Fluid/Rarefaction = transitional", scene, [](Scene &other) {
+          other.fluid.rarefaction = Rarefaction::transitional;
+        });
+      const auto advice = [&](const char *place, const double number) {
+        const std::string known = format("the Knudsen number %s is %.3g", place, number);
         if (slips)
-          return format(
-            "the Knudsen number %s is %.3g, where slip of first order is no "
-            "longer enough: set Fluid/Rarefaction = transitional",
-            place,
-            number);
-        return format(
-          "the Knudsen number %s is %.3g: the gas slips along the walls and leaks "
-          "faster, there by a factor of about %.3g or more: set Fluid/Rarefaction = "
-          "transitional",
-          place,
-          number,
-          1. + 6. * number);
+          return known + ", where slip of first order is no longer enough: " + remedy;
+        return known +
+               format(
+                 ": the gas slips along the walls and leaks faster, there by a factor "
+                 "of about %.3g or more: ",
+                 1. + 6. * number) +
+               remedy;
       };
       const auto   knudsen = knudsen_numbers(step.flow->channel.paths.front(), scene);
       const double most    = slips ? most_knudsen_with_slip : most_knudsen;
@@ -208,7 +244,9 @@ namespace strait
                       static_cast<double>(
                         std::count(states.begin(), states.end(), NodeState::trapped))) /
                     layout.grid().n_points();
-      const double guessed = part_of_load(step, area * scene.fluid.excess_pressure());
+      const double reservoirs =
+        std::max(scene.fluid.inlet_pressure, scene.fluid.outlet_pressure);
+      const double guessed = part_of_load(step, area * reservoirs);
       const double by_step = trapped ? part_of_load(step, trapped->uncertainty) : 0.;
       add(step,
           {"trapped-fluid", std::max(guessed, by_step), most_trapped_load},
@@ -252,50 +290,5 @@ namespace strait
         if (!check.holds() && is_new)
           log.warn(start + check.advice + format(" (step %d)", step.number));
       }
-  }
-
-  KnudsenNumbers
-  knudsen_numbers(const FlowPath &path, const Scene &scene)
-  {
-    // The mean free path times the pressure depends on the temperature only.
-    const double constant    = RarefiedGas(scene.fluid).knudsen_number(1., 1.);
-    const double inlet       = scene.fluid.inlet_pressure;
-    const double outlet      = scene.fluid.outlet_pressure;
-    const auto   pressure_at = [inlet, outlet](const double part) { // of the resistance
-      return std::sqrt((1. - part) * inlet * inlet + part * outlet * outlet);
-    };
-    const auto pressure = [&](const std::size_t k) {
-      return pressure_at(path.resistances[k] / path.resistance());
-    };
-    KnudsenNumbers result;
-    result.at_throat =
-      constant / (path.bottleneck_gap * pressure_at(path.part_before_throat()));
-    // The mean of λ/g over the resistance r is Σ c/g ∫ dr/p, with dr/p = −2 dp/(p_in² −
-    // p_out²).
-    for (std::size_t k = 1; k < path.gaps.size(); ++k)
-      result.mean += .5 * constant * (1. / path.gaps[k - 1] + 1. / path.gaps[k]) * 2. *
-                     (pressure(k - 1) - pressure(k)) / (inlet * inlet - outlet * outlet);
-    return result;
-  }
-
-  std::string
-  validity_record(const Step &step)
-  {
-    using Json  = nlohmann::ordered_json;
-    Json checks = Json::array();
-    for (const ValidityCheck &check : step.checks)
-      {
-        Json entry = {{"word", check.word},
-                      {"number", check.number},
-                      {check.is_least ? "least" : "most", check.limit},
-                      {"holds", check.holds()}};
-        if (!check.holds())
-          entry["advice"] = check.advice;
-        checks.push_back(std::move(entry));
-      }
-    const Json record = {{"step", step.number},
-                         {"validity", step.validity()},
-                         {"checks", checks}};
-    return record.dump();
   }
 } // namespace strait

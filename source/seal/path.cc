@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
+#include <strait/contact/gap_optimisation.h>
 #include <strait/seal/path.h>
 
 #include <algorithm>
@@ -78,8 +79,8 @@ namespace strait
       const double     rise         = after.energy - before.energy;
       const double     area         = after.contact_area - before.contact_area;
       const double     steepening   = slope_after - slope_before;
-      const double     rounding     = 4 * std::numeric_limits<double>::epsilon() *
-                              std::max(std::abs(before.energy), std::abs(after.energy));
+      const double     rounding =
+        energy_noise * std::max(std::abs(before.energy), std::abs(after.energy));
       // The largest slope of the path before: this state may be beyond a jump.
       const double noise =
         slope_noise * trend.largest_slope * std::abs(change) + rounding;

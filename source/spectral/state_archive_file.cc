@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
+#include <strait/base/unwritable.h>
 #include <strait/spectral/state_archive.h>
 
 #include <fcntl.h>
@@ -17,7 +18,7 @@ namespace strait
   namespace
   {
     /** The first bytes. The number is another one whenever the items have changed. */
-    const std::string signature = "strait checkpoint 17\n";
+    const std::string signature = "strait checkpoint 18\n";
 
     std::string
     name_beside(const std::string &path)
@@ -242,10 +243,7 @@ namespace strait
       if (error != 0)
         {
           unlink(name_beside(path).c_str());
-          throw ComputationError(
-            "The checkpoint '" + path + "' could not be written (" +
-            std::strerror(error) +
-            "); what was written before is kept, make room and continue with --resume.");
+          throw_unfinished(path, error);
         }
       sync_folder_of(path);
     });

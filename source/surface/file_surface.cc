@@ -125,6 +125,14 @@ namespace strait
     return result;
   }
 
+  /** The sides of a map that states none: those of the scene, before it is mirrored. */
+  static std::array<double, 2>
+  sides_of_map(const SurfaceParameters &parameters)
+  {
+    const double n = parameters.map.make_periodic == MakePeriodic::mirror ? 2. : 1.;
+    return {{parameters.size[0] / n, parameters.size[1] / n}};
+  }
+
   SlabField
   heights_of_map(const SurfaceParameters &parameters,
                  const std::string       &file,
@@ -141,10 +149,13 @@ namespace strait
                                      map.nx,
                                      map.ny));
       convert_to_scene_units(map, parameters.map, file);
+      const bool states_size = map.size.has_value();
+      if (!states_size)
+        map.size = sides_of_map(parameters);
       detrend(map, parameters.map.detrend);
       fill_missing_points(map, parameters.map.largest_missing_share, file, remarks);
       make_periodic(map, parameters.map, file, remarks);
-      if (map.size)
+      if (states_size)
         check_size(parameters, *map.size, file);
       bring_to_grid(map, parameters, layout->grid(), file, remarks);
     });

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
+#include <strait/base/text.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/map_processing.h>
 #include <strait/surface/self_affine_surface.h>
 
 #include <muParser.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -73,6 +75,9 @@ namespace strait
           parser.DefineConst("pi", std::acos(-1.));
           parser.SetExpr(text);
           parser.Eval(); // muParser compiles at the first evaluation
+          require(expression->x == 0. && expression->y == 0.,
+                  "Surface/Expression \"" + text +
+                    "\" gives x or y another value: give a height, and compare with ==.");
           require(parser.GetNumResults() == 1,
                   "Surface/Expression \"" + text +
                     "\" has several values, separated by commas: give one height.");
@@ -87,6 +92,32 @@ namespace strait
           throw InputError("Surface/Expression \"" + text +
                            "\" cannot be read: " + error.GetMsg());
         }
+    }
+
+    /** Note in @p remarks if the formula @p height of an expression does not repeat with
+     *  the box, at the lines of @p grid. */
+    void
+    check_period(const HeightFunction &height, const PeriodicGrid &grid, Remarks &remarks)
+    {
+      double     largest = 0., across_x = 0., across_y = 0.; // height and differences
+      const auto note = [&](const double here, const double there, double &across) {
+        largest = std::max({largest, std::abs(here), std::abs(there)});
+        across  = std::max(across, std::abs(there - here));
+      };
+      for (int iy = 0; iy < grid.ny; ++iy)
+        note(height(0., iy * grid.dy()), height(grid.lx, iy * grid.dy()), across_x);
+      for (int ix = 0; ix < grid.nx; ++ix)
+        note(height(ix * grid.dx(), 0.), height(ix * grid.dx(), grid.ly), across_y);
+      // All digits of a formula repeat but the last.
+      for (const auto &[axis, across] : {std::pair("x", across_x), {"y", across_y}})
+        if (across > 1e-9 * largest)
+          remarks.warnings.push_back(format(
+            "Surface/Expression does not repeat along %s: at the end of the box it "
+            "differs by up to %.3g from its beginning, where the last points of "
+            "the grid are joined with the first; give whole periods, and lx and ly "
+            "for the sides of the box",
+            axis,
+            across));
     }
 
     /** A surface that is given by a formula. */
@@ -173,6 +204,7 @@ namespace strait
             break;
           case SurfaceKind::expression:
             formula = parsed(parameters.expression, parameters.size);
+            check_period(formula, layout->grid(), remarks);
             break;
         }
       return heights_of_formula(parameters, formula, layout);

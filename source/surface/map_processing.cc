@@ -35,7 +35,9 @@ namespace strait
     {
       double height = 0.; // rms about the mean
       double slope  = 0.; // rms, of differences between neighbours
-      double seam   = 0.; // rms step between opposite edges over that of neighbours
+      // Of the rms step between opposite edges over that of neighbours, the larger one of
+      // those along x and along y.
+      double seam = 0.;
     };
 
     Roughness
@@ -45,7 +47,8 @@ namespace strait
         return map.values[static_cast<std::size_t>(iy) * map.nx + ix];
       };
       const double dx = size[0] / map.nx, dy = size[1] / map.ny;
-      double       sum = 0, squares = 0, steps_x = 0, steps_y = 0, seam = 0;
+      double       sum = 0, squares = 0, steps_x = 0, steps_y = 0;
+      double       seam_x = 0, seam_y = 0;
       for (int iy = 0; iy < map.ny; ++iy)
         for (int ix = 0; ix < map.nx; ++ix)
           {
@@ -57,18 +60,21 @@ namespace strait
               steps_y += std::pow(at(ix, iy) - at(ix, iy - 1), 2);
           }
       for (int iy = 0; iy < map.ny; ++iy)
-        seam += std::pow(at(0, iy) - at(map.nx - 1, iy), 2);
+        seam_x += std::pow(at(0, iy) - at(map.nx - 1, iy), 2);
       for (int ix = 0; ix < map.nx; ++ix)
-        seam += std::pow(at(ix, 0) - at(ix, map.ny - 1), 2);
+        seam_y += std::pow(at(ix, 0) - at(ix, map.ny - 1), 2);
       const double n   = static_cast<double>(map.nx) * map.ny;
       const double n_x = n - map.ny, n_y = n - map.nx;
       Roughness    result;
       result.height = std::sqrt(std::max(squares / n - std::pow(sum / n, 2), 0.));
       if (map.nx < 2 || map.ny < 2)
         return result;
-      result.slope = std::sqrt(steps_x / n_x / (dx * dx) + steps_y / n_y / (dy * dy));
-      const double step = (steps_x + steps_y) / (n_x + n_y);
-      result.seam       = step > 0 ? std::sqrt(seam / (map.nx + map.ny) / step) : 0.;
+      result.slope     = std::sqrt(steps_x / n_x / (dx * dx) + steps_y / n_y / (dy * dy));
+      const auto ratio = [](const double of_seam, const double of_neighbours) {
+        return of_neighbours > 0 ? std::sqrt(of_seam / of_neighbours) : 0.;
+      };
+      result.seam = std::max(ratio(seam_x / map.ny, steps_x / n_x),
+                             ratio(seam_y / map.nx, steps_y / n_y));
       return result;
     }
 

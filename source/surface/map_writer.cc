@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/base/exceptions.h>
+#include <strait/base/unwritable.h>
 #include <strait/surface/map_writer.h>
 #include <strait/surface/readers/height_map.h>
 
@@ -137,7 +137,7 @@ namespace strait
         }
       file.close();
       if (!file)
-        throw ComputationError("The file '" + path + "' could not be written.");
+        throw_unfinished(path);
     });
   }
 } // namespace strait

@@ -135,6 +135,47 @@ class Text(Case):
                 header = files.gwyddion_header("Channel", "Width", "Height", "Value units")
                 self.check_map(self.write("hole.txt", header + "\n".join(lines)), hole=True)
 
+    def read_edge(self, text, separator=";"):
+        """A map of which the first row is another text; the missing points of its rows."""
+        header = files.SIDES + "z unit: um\n"
+        below = files.rows(separator).split("\n", 1)[1]
+        return np.isnan(self.read(self.write("edge.csv", header + text + "\n" + below))[0]).sum(1)
+
+    def test_missing_points_at_the_edge(self):
+        first = files.rows(";").splitlines()[0].split(";")
+        for mark in ("#N/A", "-nan(ind)", "****", "NULL"):
+            with self.subTest(mark):
+                one = self.read_edge(";".join([mark, *first[1:]]))
+                self.assertEqual(one.tolist(), [1] + [0] * (files.NY - 1))
+                whole = self.read_edge(";".join([mark] * files.NX))
+                self.assertEqual(whole.tolist(), [files.NX] + [0] * (files.NY - 1))
+        with self.assertRaisesRegex(Refused, "'void' in line 4"):
+            self.read_edge(";".join(["void"] * files.NX))
+        # Of cells that are empty nobody knows whether they are points.
+        for separator in ";\t,":
+            with self.assertRaisesRegex(Refused, "has empty cells only in line 4"):
+                self.read_edge(separator * (files.NX - 1), separator)
+
+    def test_mark_in_the_header(self):
+        lines = files.rows(" ").splitlines()
+        row = lines[files.HOLE[0]].split()
+        row[files.HOLE[1]] = "-9999"
+        lines[files.HOLE[0]] = " ".join(row)
+        for statement in ("# NODATA_value: -9999", "NODATA_value -9999", "No data value = -9999",
+                          "Missing value;-9999"):
+            with self.subTest(statement):
+                header = files.SIDES + "z unit: um\n" + statement + "\n"
+                self.check_map(self.write("mark.txt", header + "\n".join(lines)), hole=True)
+        header = files.SIDES + "NODATA_value -9999\nfill value: 0\n"
+        self.check_refusal(self.write("mark.txt", header + "\n".join(lines)), "both -9999 and 0")
+
+    def test_size(self):
+        path = self.write("plain.txt", files.rows(" "))
+        for size in ("24, 10 um", "24 10 um", " 24.0, 1e1 µm"):
+            self.check_map(path, "--unit", "um", "--size", size)
+        for size in ("24,10 um", "24, 10um", "10um", "24, 10", "um", "24, 10, 3 um", "24, -10 um"):
+            self.check_refusal(path, "cannot have the --size", "--unit", "um", "--size", size)
+
     def test_axis_with_a_gap(self):
         """Of whole numbers, which may also be rounded: it is refused whatever is said of it."""
         steps = [x + (x > 5) for x in range(files.NX)]
@@ -216,6 +257,13 @@ class Arrays(Case):
                 files.write_netcdf(path, 2. * np.arange(files.NX), 1. * np.arange(files.NY),
                                    values, dtype, **attributes)
                 self.check_map(path, hole=True)
+        # 16 bits without a sign, in the only integers that classic NetCDF has.
+        counts = (tenths + 40000).astype("u2").astype("i2")
+        counts[files.HOLE] = -2
+        files.write_netcdf(path, 2. * np.arange(files.NX), 1. * np.arange(files.NY), counts, "h",
+                           scale_factor=np.array([.1]), add_offset=-4000., _Unsigned="true",
+                           _FillValue=np.int16(-2))
+        self.check_map(path, hole=True)
 
     def test_without_gwyddion(self):
         with unittest.mock.patch("shutil.which", return_value=None):

@@ -82,6 +82,19 @@ class Seals(unittest.TestCase):
             strait.Seal(self.scene, np.zeros((32, 64)))
         with self.assertRaisesRegex(strait.SceneError, "finite"):
             strait.Seal(self.scene, np.full((64, 64), np.nan))
+        masked = np.ma.masked_equal(np.eye(64), 1.)
+        for call in (lambda: strait.Seal(self.scene, masked), lambda: strait.statistics(masked)):
+            with self.assertRaisesRegex(strait.SceneError, "masked points"):
+                call()
+
+    def test_controls_that_mean_nothing(self):
+        for what in ({"slip_length": np.nan}, {"slip_length": -np.inf}, {"slip_length": 1e-3},
+                     {"inlet_pressure": np.nan}):
+            with self.subTest(what), self.assertRaisesRegex(strait.SceneError, "finite number"):
+                self.seal.control(.1, **what)
+        self.assertLess(self.seal.flow(self.seal.solve(self.seal.control(.1, slip_length=-1e-3))
+                                       ).leak_rate,
+                        self.seal.flow(self.seal.solve(.1)).leak_rate)
 
     def test_paths_and_transitions(self):
         path = self.seal.follow([0.05, 0.1, 0.15])

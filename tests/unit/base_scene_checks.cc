@@ -92,6 +92,7 @@ TEST(Scene, ValuesOfTheWrongKind)
                             "Surface/Invert=maybe",
                             "Surface/RMS value=nan",
                             "Contact/Grid points=1e3",
+                            "Fluid/Viscosity=1e-400",
                             "Load programme/Pressures=0.1; 0.2"})
     expect_in("is no value for", error_of("", {wrong}));
 }

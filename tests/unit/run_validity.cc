@@ -138,13 +138,21 @@ namespace
     EXPECT_EQ(verdict(scene_of("", water), step_at(1.01e6, .1, 1e-6)), "ok");
     EXPECT_EQ(verdict(scene_of("", water), step_at(.99e6, .1, 1e-6)), "fluid-pressure");
     EXPECT_EQ(verdict(scene_of("", water), step_at(-1e6, .1, 1e-6)), "fluid-pressure");
-    EXPECT_EQ(verdict(scene_of("", with_suction), step_at(0., .1, 1e-6)), "ok");
+    EXPECT_EQ(verdict(scene_of("", with_suction), step_at(11., .1, 1e-6)), "ok");
+    EXPECT_EQ(verdict(scene_of("", with_suction), step_at(9., .1, 1e-6)),
+              "fluid-pressure");
+    EXPECT_EQ(verdict(scene_of("", with_suction), step_at(0., .1, 1e-6)),
+              "fluid-pressure");
     EXPECT_EQ(verdict(scene_of("", water), step_at(2e9, .1, 1e-6)), "large-strain");
     EXPECT_EQ(verdict(scene_of("", water), step_at(2e9, .1, 1e-6), .31),
               "large-strain+steep");
     const Overrides hard = water + Overrides{"Contact/Hardness=1e9"};
     EXPECT_EQ(verdict(scene_of("", hard), step_at(4.9e7, .1, 1e-6)), "ok");
     EXPECT_EQ(verdict(scene_of("", hard), step_at(5.1e7, .1, 1e-6)), "plastic");
+    // The solid bears the wall's reaction less the attraction.
+    Step adhesive                                         = step_at(5.1e7, .1, 1e-6);
+    adhesive.state.contact->adhesion.emplace().attraction = 2e7;
+    EXPECT_EQ(verdict(scene_of("", hard), adhesive), "ok");
     const Overrides yields =
       hard + Overrides{"Contact/Yielding=cut-off", "Load programme/Pressures=1e6"};
     EXPECT_EQ(verdict(scene_of("", yields), step_at(5.1e7, .1, 1e-6)), "ok");
@@ -170,6 +178,38 @@ namespace
     EXPECT_EQ(verdict(scene_of("", water), coarse), "coarse-throat");
   }
 
+  TEST(Validity, AdvisesWhatTheSceneMayHave)
+  {
+    const auto advice = [](const Overrides &more) {
+      Step        step                 = step_at(5e7, .1, 1e-6);
+      const Scene scene                = scene_of("",
+                                   in_si +
+                                     Overrides{"Contact/Effective modulus=1e11",
+                                               "Contact/Hardness=6e8",
+                                               "Fluid/Inlet pressure=1e7",
+                                               "Load programme/Pressures=5e7"} +
+                                     more);
+      step.flow->channel.throat.points = 2.;
+      std::ostringstream out;
+      Log                log(MPI_COMM_WORLD, out, Log::Screen::plain);
+      judge_validity(step, scene, 0., log);
+      std::string all;
+      for (const ValidityCheck &check : step.checks)
+        all += check.advice + "\n";
+      return all;
+    };
+    const std::string excluded =
+      " in a scene without the effects of this one that exclude that\n";
+    for (const std::string effect :
+         {"Contact/Yielding", "Fluid/Wall feedback", "Contact/Zoom"})
+      expect_in("switch on " + effect + "\n", advice({}));
+    const std::string zoomed = advice({"Contact/Zoom/Enabled=true"});
+    expect_in("Contact/Yielding" + excluded, zoomed);
+    expect_in("Fluid/Wall feedback" + excluded, zoomed);
+    expect_in("raise Contact/Grid points\n", zoomed);
+    expect_in("Contact/Zoom" + excluded, advice({"Contact/Yielding=cut-off"}));
+  }
+
   TEST(Validity, TrappedFluidWithFeedback)
   {
     const Scene scene = scene_of("",
@@ -182,6 +222,14 @@ namespace
     for (NodeState &state : step.flow->channel.clusters.states)
       state = NodeState::trapped;
     EXPECT_EQ(verdict(scene, step), "trapped-fluid");
+    // The absolute pressure of a gas, whatever the difference of the two reservoirs.
+    const Scene gas = scene_of("",
+                               in_si + helium +
+                                 Overrides{"Contact/Effective modulus=1e11",
+                                           "Fluid/Inlet pressure=1e6",
+                                           "Fluid/Outlet pressure=1e6",
+                                           "Fluid/Wall feedback/Enabled=true"});
+    expect_in("trapped-fluid", verdict(gas, step));
     step.state.contact->nominal_pressure = 1.01e8;
     EXPECT_EQ(verdict(scene, step), "ok");
   }

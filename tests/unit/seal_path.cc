@@ -123,6 +123,44 @@ namespace
     EXPECT_TRUE(path.jumps.empty());
   }
 
+  /** All is in contact, and the energy is known to its last digits only. */
+  class FullContact : public SealModel
+  {
+  public:
+    SealState
+    solve(const Control &control, const SealState *, Aim) override
+    {
+      SealState seal;
+      seal.control                          = control;
+      ContactState &state                   = seal.contact.emplace();
+      state.nominal_pressure                = control.target;
+      state.contact_area                    = 1.;
+      state.converged                       = true;
+      state.adhesion.emplace().total_energy = .25 * (1 - 1e-14 * n_solves);
+      ++n_solves;
+      return seal;
+    }
+
+    int n_solves = 0;
+  };
+
+  TEST(Path, RoundingIsNoJump)
+  {
+    FullContact              model;
+    std::optional<SealState> here;
+    for (const double load : {.1, .2, .3, .1})
+      {
+        const Arrival arrival = follow(model,
+                                       {load, 0., 0.},
+                                       here ? &*here : nullptr,
+                                       Aim::verdict,
+                                       {ContactControl::load, 1e-3});
+        EXPECT_TRUE(arrival.jumps.empty()) << load;
+        here = arrival.state;
+      }
+    EXPECT_EQ(model.n_solves, 4);
+  }
+
   TEST(Path, EndsWhereTheSurfacesPart)
   {
     Walk path{1e-3};

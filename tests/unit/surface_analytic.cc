@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/surface/map_processing.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -130,6 +132,29 @@ namespace
     EXPECT_TRUE(mentions(message("sin(x"), "\"sin(x\""));
     EXPECT_TRUE(mentions(message("x + z"), "z"));
     EXPECT_TRUE(mentions(message("x, y"), "several values"));
+    EXPECT_TRUE(mentions(message("x = 1"), "gives x or y another value"));
+  }
+
+  TEST(AnalyticSurface, ExpressionThatDoesNotRepeatIsPointedOut)
+  {
+    const auto warnings = [](const std::string &text, const bool rotate = false) {
+      SurfaceParameters parameters = expression(text, 2., 1.);
+      parameters.rotate            = rotate;
+      Remarks remarks;
+      make_surface(parameters, make_layout({8, 4, 2., 1.}, MPI_COMM_WORLD), &remarks);
+      return remarks.warnings;
+    };
+    for (const char *text :
+         {"3", "abs(x - 1)", "1e3 + sin(pi*x) * cos(2*pi*y)", "y*(1-y)"})
+      EXPECT_TRUE(warnings(text).empty()) << text;
+    ASSERT_EQ(warnings("1 + x").size(), 1U);
+    EXPECT_TRUE(mentions(warnings("1 + x").front(), "does not repeat along x"));
+    EXPECT_TRUE(mentions(warnings("1 + x").front(), "by up to 2 from"));
+    EXPECT_EQ(warnings("x + y").size(), 2U);
+    // Half a period in the box before it is rotated.
+    EXPECT_TRUE(warnings("cos(pi*x)").empty());
+    EXPECT_EQ(warnings("cos(pi*x)", true).size(), 1U);
+    EXPECT_TRUE(warnings("sin(2*pi*x/lx)", true).empty());
   }
 
   TEST(AnalyticSurface, ExpressionMustBeFinite)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "surface_test_tools.h"
 
 namespace
@@ -81,6 +83,31 @@ namespace
     auto rotated   = surface_from(file, 2e-3, 3e-5);
     rotated.rotate = true;
     EXPECT_TRUE(mentions(complaint(rotated, 2, 2), "Surface/Size = 3e-05, 0.002"));
+  }
+
+  // What is filled in depends on the sides of a point, wherever these are stated.
+  TEST(FileSurface, SidesOfTheSceneWhereTheMapStatesNone)
+  {
+    const std::string text =
+      "# Width: 4\n# Height: 1\n"
+      "1 2 3 9\n4 nan nan 2\n7 8 1 1\n3 1 12 4\n";
+    const std::vector<double> values = {
+      1, 2, 3, 9, 4, NAN, NAN, 2, 7, 8, 1, 1, 3, 1, 12, 4};
+    const std::string array =
+      test::npy(test::dictionary("<f8", "(4, 4)"), test::bytes(values));
+    for (const MakePeriodic periodic : {MakePeriodic::no, MakePeriodic::mirror})
+      {
+        const double n       = periodic == MakePeriodic::mirror ? 2. : 1.;
+        const auto   heights = [&](const std::string &content) {
+          const TemporaryFile file(content);
+          auto                parameters       = surface_from(file, 4. * n, n);
+          parameters.map.largest_missing_share = .2;
+          parameters.map.make_periodic         = periodic;
+          const auto n_points                  = static_cast<int>(4 * n);
+          return whole_surface(parameters, n_points, n_points);
+        };
+        EXPECT_EQ(heights(array), heights(text));
+      }
   }
 
   TEST(FileSurface, BadFilesAreBadOnEveryRank)

@@ -168,6 +168,14 @@ namespace
     make_periodic(periodic, parameters, "map.txt", remarks);
     EXPECT_EQ(remarks.warnings.size(), 1U);
 
+    // The step at one of the seams counts, however short that seam is.
+    HeightMap wall =
+      sampled(256, 8, [](double x, double y) { return .1 * x + std::cos(2 * M_PI * y); });
+    make_periodic(wall, parameters, "map.txt", remarks);
+    ASSERT_EQ(remarks.warnings.size(), 2U);
+    EXPECT_TRUE(mentions(remarks.warnings[1], "are 255 times"));
+    remarks.warnings.pop_back();
+
     parameters.make_periodic = MakePeriodic::mirror;
     HeightMap mirrored       = sampled(3, 2, slope);
     mirrored.size            = {{1., 1.}};

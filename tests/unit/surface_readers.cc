@@ -12,9 +12,12 @@
 namespace
 {
   using namespace strait;
+  using test::bytes;
   using test::complaint_of_map;
+  using test::dictionary;
   using test::input_error;
   using test::mentions;
+  using test::npy;
   using test::read_map;
   using test::TemporaryFile;
 
@@ -29,38 +32,6 @@ namespace
     ASSERT_EQ(map.values.size(), values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
       EXPECT_DOUBLE_EQ(map.values[i], values[i]);
-  }
-
-  /** A .npy file around @p data, of any version. */
-  std::string
-  npy(const std::string &dictionary, const std::string &data, const int version = 1)
-  {
-    const std::string header = dictionary + std::string(20, ' ') + "\n";
-    std::string       file   = "\x93NUMPY";
-    file += static_cast<char>(version);
-    file += '\0';
-    for (int i = 0; i < (version == 1 ? 2 : 4); ++i)
-      file += static_cast<char>(header.size() >> (8 * i) & 0xff);
-    return file + header + data;
-  }
-
-  std::string
-  dictionary(const std::string &type,
-             const std::string &shape,
-             const std::string &fortran = "False")
-  {
-    return "{'descr': '" + type + "', 'fortran_order': " + fortran +
-           ", 'shape': " + shape + ", }";
-  }
-
-  /** The bytes of numbers on this machine, which is little-endian. */
-  template <class Number>
-  std::string
-  bytes(const std::vector<Number> &numbers)
-  {
-    std::string result(numbers.size() * sizeof(Number), '\0');
-    std::memcpy(result.data(), numbers.data(), result.size());
-    return result;
   }
 
   const std::vector<double> six = {1.5, -2, 3e-7, 4, 5, 6};

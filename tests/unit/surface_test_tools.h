@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -95,6 +96,38 @@ namespace strait::test
   {
     const TemporaryFile file(content);
     return input_error([&file]() { read_height_map(file.path); });
+  }
+
+  /** A .npy file around @p data, of any version. */
+  inline std::string
+  npy(const std::string &dictionary, const std::string &data, const int version = 1)
+  {
+    const std::string header = dictionary + std::string(20, ' ') + "\n";
+    std::string       file   = "\x93NUMPY";
+    file += static_cast<char>(version);
+    file += '\0';
+    for (int i = 0; i < (version == 1 ? 2 : 4); ++i)
+      file += static_cast<char>(header.size() >> (8 * i) & 0xff);
+    return file + header + data;
+  }
+
+  inline std::string
+  dictionary(const std::string &type,
+             const std::string &shape,
+             const std::string &fortran = "False")
+  {
+    return "{'descr': '" + type + "', 'fortran_order': " + fortran +
+           ", 'shape': " + shape + ", }";
+  }
+
+  /** The bytes of numbers on this machine, which is little-endian. */
+  template <class Number>
+  std::string
+  bytes(const std::vector<Number> &numbers)
+  {
+    std::string result(numbers.size() * sizeof(Number), '\0');
+    std::memcpy(result.data(), numbers.data(), result.size());
+    return result;
   }
 } // namespace strait::test
 

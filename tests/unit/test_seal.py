@@ -298,6 +298,14 @@ class OfAFolder(unittest.TestCase):
                                                  "  set Direction = x\n  set Rarefaction = slip"))
         self.assertIn("under the whole pressure drop", self.assess().stdout)
 
+    def test_loads_that_come_again_are_pointed_out(self):
+        self.write([[8., 2., 4.]] * 4, loads="0.1, 0.2, 0.1")
+        self.assertIn("come more than once, and these are the leak rates of the first time",
+                      self.assess().stdout)
+        self.assertAlmostEqual(float(self.table()[0]["leak_rate_median"]) / 40, 1, delta=.01)
+        self.write([[8., 2., 4.]] * 4, loads="0.1, 0.2, 0.3")
+        self.assertNotIn("come more than once", self.assess().stdout)
+
     def test_small_patches_are_pointed_out(self):
         self.write([[1., 1., 1.]] * 4)
         self.assertNotIn("roll-off", self.assess().stdout)

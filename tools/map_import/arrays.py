@@ -48,12 +48,16 @@ def _first(attributes, *names):
 def _interpret(values, attributes):
     """Values marked as missing become nan; scale and offset are applied."""
     stored = np.asarray(values)
+    is_unsigned = str(attributes.get("_Unsigned")).lower() == "true" and stored.dtype.kind == "i"
+    if is_unsigned:   # as classic NetCDF, which knows no such integers, says it
+        stored = stored.astype(stored.dtype.str.replace("i", "u"))
     is_packed = stored.dtype.kind in "iu"
 
     def marks(name):
         found = attributes.get(name, np.zeros(0))
         with np.errstate(over="ignore"):
-            return found if is_packed else found.astype(stored.dtype)
+            keeps = is_packed and not (is_unsigned and found.dtype.kind == "i")
+            return found if keeps else found.astype(stored.dtype)
 
     # NetCDF's own mark of what was never written, and then those of the file.
     result = stored.astype(float)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Which channel, how large, in what unit: from the file, or from the user."""
+import re
+
 import numpy as np
 
 from .channel import Refused, check_extents, metres_in
@@ -24,10 +26,11 @@ def choose(channels, wanted):
 
 def _parse_size(text):
     """Sides in metres of "10 um" or "10, 20 um"; raises Refused."""
-    *numbers, unit = text.replace(",", " ").split() or [""]
-    metres = metres_in(unit)
+    # "2,5 um" may be meant as one side or as two.
+    match = re.fullmatch(r"\s*([-+.\deE]+)(?:,?\s+([-+.\deE]+))?\s+([^\W\d]+)\s*", text)
+    metres = metres_in(match[3]) if match else None
     try:
-        sides = [float(number) * metres for number in numbers] if metres else []
+        sides = [float(number) * metres for number in match.groups()[:2] if number] if metres else []
     except ValueError:
         sides = []
     if not 1 <= len(sides) <= 2 or not all(0 < side < 1e6 for side in sides):

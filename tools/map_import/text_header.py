@@ -2,6 +2,8 @@
 """What the lines above the numbers of a text file say: size, units, rows and columns."""
 import re
 
+import numpy as np
+
 from .channel import Refused, metres_in
 from .table import may_be_thousands
 
@@ -18,6 +20,9 @@ _VALUE_UNIT = ("value units", "value unit", "height unit", "height units", "z un
 # A key of nothing but these words, with one of scaling among them, multiplies the heights.
 _SCALING = set("scale scaling factor conversion multiplier".split())
 _HEIGHTS = set("z height heights value values data of the".split())
+# A value of the heights that stands for none, with or without a sign before it.
+_MARK = re.compile(r"[#%\s]*(?:no[ _-]?data|nan|missing|fill|invalid|bad)"
+                   r"(?:[ _-]?(?:value|data|points?))?[\s:=,;]+([-+]?\d[\d.eE+-]*)[\s,;]*", re.I)
 _COLUMNS = ("x-pixels", "x pixels", "columns")
 _ROWS = ("y-pixels", "y pixels", "rows")
 
@@ -49,6 +54,18 @@ def _scales_heights(key, value, unit):
                 and _number(value.lstrip("+-")) and (unit or _number(value) != 1))
 
 
+def _agreed_mark(earlier, text):
+    try:
+        mark = float(text)
+    except ValueError:
+        raise Refused(f"has '{text}' as the mark of missing points in its header, which is no "
+                      "number") from None
+    if earlier not in (None, mark):
+        raise Refused(f"has both {earlier:g} and {mark:g} as marks of missing points in its header: "
+                      "write nan in place of one")
+    return mark
+
+
 class TextHeader:
     """Sizes in metres; None where the header does not state them.
 
@@ -66,6 +83,7 @@ class TextHeader:
         self.coordinate = None     # metres of a coordinate of 1
         self.rows = self.columns = None
         self.name = ""
+        self.mark = None           # of missing points among the heights
         self._default = {}         # metres of lengths along x and y that come without a unit
         self._has_factor = False
         statements = [found for found in map(take_apart, lines) if found]
@@ -109,7 +127,10 @@ class TextHeader:
         extents = re.fullmatch(r"[#\s]*h=(\d{1,9})\s+w=(\d{1,9})\s*", line, re.I)
         factor = re.fullmatch(r"[#\s]*height conversion factor \(-> (\S+)\)\s*=\s*(\S+)\s*",
                               line, re.I)
-        if extents:
+        mark = _MARK.fullmatch(line)
+        if mark:
+            self.mark = _agreed_mark(self.mark, mark[1])
+        elif extents:
             self.rows, self.columns = int(extents[1]), int(extents[2])
         elif factor:
             self._read_factor(factor[2], factor[1])
@@ -169,6 +190,10 @@ class TextHeader:
         self.metres = metres_in(unit)
         self.quantity = "" if self.metres else unit
         self.name = statements[0][1] if len(statements) == 4 else ""
+
+    def without_marks(self, heights):
+        """The heights with nan for those that the header says are none."""
+        return heights if self.mark is None else np.where(heights == self.mark, np.nan, heights)
 
     def size(self, nx, ny):
         """lx, ly of so many points; None if not both are stated."""

@@ -77,8 +77,6 @@ namespace strait
     Condition of_table, of_columns;
 
   private:
-    void throw_if_bad() const;
-
     TableInfo     about;
     std::string   file_name;
     std::ofstream file;

@@ -12,6 +12,12 @@ namespace strait
    * the middle of a run, else InputError, as another folder mends it.
    */
   [[noreturn]] void throw_unwritable(const std::string &what, int error);
+
+  /**
+   * Throws ComputationError because the file @p path of a run that has begun could not be
+   * written, for the reason @p error, a value of errno or 0 for one that is not known.
+   */
+  [[noreturn]] void throw_unfinished(const std::string &path, int error = 0);
 } // namespace strait
 
 #endif

@@ -70,6 +70,7 @@ namespace strait
   struct AdhesiveState
   {
     double adhesive_energy = 0; // mean of γ(g), <= 0 [energy/area]
+    double attraction      = 0; // γ'(0), of the points in contact [pressure]
     /** ½⟨w, Kw⟩ + ⟨γ⟩ + p0 ⟨g⟩, the last term under load control only. */
     double total_energy = 0;
 

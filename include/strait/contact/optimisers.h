@@ -16,12 +16,12 @@ namespace strait
    * Preconditioned nonlinear conjugate gradients on the pressure of a contact
    * problem.
    *
-   * The pressure may leave its limits for a few steps and is then truncated; the
+   * The pressure may leave its limits in one step and is truncated in the next; the
    * direction stays conjugate to the last one although the contact set changes,
    * and no line search is needed. That has no proof of convergence, so the dual
    * energy ½<p, Gp> − <p, h> is watched: while a truncation leaves it above its
-   * lowest value so far, the steps go along the preconditioned gradient and each
-   * is truncated.
+   * lowest value so far, steps go along the preconditioned gradient and truncations
+   * no further.
    */
   class DualConjugateGradients : private DualTask
   {

@@ -192,23 +192,23 @@ namespace strait
       return decode(bytes, variable.type);
     }
 
-    /** Refuse coordinates of @p n points that do not rise, to a hundredth, in steps of a
-     *  side of this @p length, of n steps or of n − 1. */
+    /** Refuse coordinates of @p n points that fall, or do not rise, to a hundredth, in
+     *  steps of the side that they state, of n steps or of n − 1. */
     void
     check_coordinates(const std::string &file,
                       const std::string &name,
                       const Variable    &variable,
-                      const int          n,
-                      const double       length)
+                      const int          n)
     {
       if (n < 2 || variable.type < type_int || variable.type > type_double)
         return;
       const double rise = value_at(file, variable, static_cast<std::uint64_t>(n) - 1) -
                           value_at(file, variable, 0);
-      const double step = rise / (n - 1);
+      const double step   = rise / (n - 1);
+      const double length = variable["length"].number.value_or((n - .5) * step);
       // Equal numbers are those of a dimension to which none were written.
-      if (rise != 0 &&
-          !(std::abs((n - .5) * step - length) <= .6 * std::abs(step) + .01 * length))
+      if (rise < 0 || (rise != 0 && !(std::abs((n - .5) * step - length) <=
+                                      .6 * std::abs(step) + .01 * length)))
         reject_for_import(file,
                           "has coordinates '" + name +
                             "' that do not rise in steps of its length");
@@ -224,13 +224,15 @@ namespace strait
                const std::string   &name_y)
     {
       const auto x = header.variables.find(name_x), y = header.variables.find(name_y);
+      if (x != header.variables.end())
+        check_coordinates(file, name_x, x->second, map.nx);
+      if (y != header.variables.end())
+        check_coordinates(file, name_y, y->second, map.ny);
       if (x == header.variables.end() || y == header.variables.end() ||
           !x->second["length"].number || !y->second["length"].number)
         return;
       if (x->second.unit().name != y->second.unit().name)
         reject_for_import(file, "states different units for its sides");
-      check_coordinates(file, name_x, x->second, map.nx, *x->second["length"].number);
-      check_coordinates(file, name_y, y->second, map.ny, *y->second["length"].number);
       map.size         = {{*x->second["length"].number, *y->second["length"].number}};
       map.lateral_unit = x->second.unit();
       map.is_periodic  = x->second["periodic"].number.value_or(0.) != 0. &&
@@ -245,7 +247,12 @@ namespace strait
       if (found == header.variables.end() || found->second.dimensions.size() != 2 ||
           (found->second.type != type_double && found->second.type != type_float))
         reject_for_import(file, "has no two-dimensional variable 'heights'");
-      for (const char *name : {"scale_factor", "add_offset", "missing_value"})
+      for (const char *name : {"scale_factor",
+                               "add_offset",
+                               "missing_value",
+                               "valid_min",
+                               "valid_max",
+                               "valid_range"})
         if (found->second.attributes.count(name) > 0)
           reject_for_import(file, std::string("has the attribute ") + name);
       for (const std::uint64_t dimension : found->second.dimensions)
