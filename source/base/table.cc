@@ -7,6 +7,7 @@
 #include <boost/algorithm/string.hpp>
 
 #include <filesystem>
+#include <fstream>
 #include <ostream>
 #include <system_error>
 
@@ -70,35 +71,43 @@ namespace strait
   TableFile::open(const std::string &path)
   {
     file_name = path;
-    file      = std::ofstream(path);
-    std::vector<std::string> names;
-    for (const ColumnInfo &column : about.columns)
-      if (column.is_written)
-        names.push_back(column.name);
-    write(names);
+    std::error_code error;
+    std::filesystem::remove(path, error);
+    if (error)
+      throw_unfinished(path, error.value());
+    write({}); // the header
   }
 
   void
   TableFile::reopen(const std::string &path)
   {
     file_name = path;
-    file      = std::ofstream(path, std::ios::app);
-    if (!file)
-      throw_unfinished(file_name);
   }
 
   void
   TableFile::write(const std::vector<std::string> &entries)
   {
-    std::error_code no_size;
-    const auto      size = std::filesystem::file_size(file_name, no_size);
-    file << join(entries, ",") << std::endl;
-    if (!file && !no_size) // Half a row would be worse than none.
+    // Found by its name each time: what another program may have put in its place goes
+    // on.
+    std::error_code error;
+    const bool      is_new = !std::filesystem::exists(file_name, error);
+    const auto      size   = is_new ? 0 : std::filesystem::file_size(file_name, error);
+    std::ofstream   file(file_name, std::ios::app);
+    if (is_new)
       {
-        file.close();
-        std::filesystem::resize_file(file_name, size, no_size);
+        std::vector<std::string> names;
+        for (const ColumnInfo &column : about.columns)
+          if (column.is_written)
+            names.push_back(column.name);
+        file << join(names, ",") << '\n';
       }
-    if (!file)
-      throw_unfinished(file_name);
+    if (!entries.empty())
+      file << join(entries, ",") << '\n';
+    file.close();
+    if (file)
+      return;
+    if (!error) // Half a row would be worse than none.
+      std::filesystem::resize_file(file_name, size, error);
+    throw_unfinished(file_name);
   }
 } // namespace strait

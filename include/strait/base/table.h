@@ -2,7 +2,6 @@
 #ifndef strait_base_table_h
 #define strait_base_table_h
 
-#include <fstream>
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -71,15 +70,15 @@ namespace strait
     void reopen(const std::string &path);
 
   protected:
-    /** Write a line with one entry for each of the columns that are written. */
+    /** Append a line with one entry for each of the columns that are written, or none,
+     *  below the header. */
     void write(const std::vector<std::string> &entries);
 
     Condition of_table, of_columns;
 
   private:
-    TableInfo     about;
-    std::string   file_name;
-    std::ofstream file;
+    TableInfo   about;
+    std::string file_name;
   };
 
   /** A number with all its digits, as it is written to tables. */

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/base/table.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "temporary_folder.h"
+
+namespace
+{
+  using namespace strait;
+
+  struct Row
+  {
+    int    step;
+    double value;
+  };
+
+  std::string
+  text_in(const std::string &path)
+  {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+  }
+
+  // An editor that saves by renaming, or removes the file, takes no later row away.
+  TEST(Table, GoesOnInTheFileOfItsName)
+  {
+    const test::TemporaryFolder folder;
+    run_on_root(MPI_COMM_WORLD, [&]() {
+      const std::string path = folder.path() + "/table.csv";
+      Table<Row>        table("table.csv", {"", true}, "for a test");
+      table.add(&Row::step, "step [1]: number");
+      table.add(&Row::value, "value [1]: number");
+      std::ofstream(path) << "of an earlier run\n";
+      table.open(path);
+      table.append({1, .5});
+      std::filesystem::copy(path, path + ".saved");
+      std::filesystem::rename(path + ".saved", path);
+      table.append({2, .25});
+      EXPECT_EQ(text_in(path), "step,value\n1,0.5\n2,0.25\n");
+      std::filesystem::remove(path);
+      table.append({3, .125});
+      EXPECT_EQ(text_in(path), "step,value\n3,0.125\n");
+      Table<Row> again = table;
+      again.reopen(path);
+      again.append({4, 1.});
+      EXPECT_EQ(text_in(path), "step,value\n3,0.125\n4,1\n");
+    });
+  }
+} // namespace
