@@ -223,7 +223,7 @@ def doubts(seal, patches):
                "row, and with Wall feedback or Rarefaction its conductance depends on that")
     if patches.loads_again:
         yield ("the loads come more than once, and these are the leak rates of the first time: "
-               "list in Load programme/Pressures the path to those that the seal works at")
+               "list in Load programme/Pressures only the path up to the loads that the seal works at")
     if seal.n_along * seal.length > 1.5 * seal.width:
         yield f"a patch is longer than the contact is wide ({seal.width:.4g})"
     if not patches.knows_grid:

@@ -146,7 +146,8 @@ namespace strait
   --output DIR                      folder of the results, overrides Output/Directory
   --resume                          continue the run in the folder of the results from
                                     its last complete step, on any number of ranks
-  --force                           overwrite the results of another scene
+  --force                           overwrite the results of another scene, or a run that
+                                    can be resumed
   --dry-run                         check the scene, print sizes, memory, warnings and
                                     active effects; compute nothing
   --parameters [prm|md]             print all parameters with defaults, units and

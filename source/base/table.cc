@@ -74,7 +74,7 @@ namespace strait
     std::error_code error;
     std::filesystem::remove(path, error);
     if (error)
-      throw_unfinished(path, error.value());
+      throw_unfinished("The file '" + path + "'", error.value());
     write({}); // the header
   }
 
@@ -108,6 +108,6 @@ namespace strait
       return;
     if (!error) // Half a row would be worse than none.
       std::filesystem::resize_file(file_name, size, error);
-    throw_unfinished(file_name);
+    throw_unfinished("The file '" + file_name + "'");
   }
 } // namespace strait

@@ -8,12 +8,13 @@
 namespace strait
 {
   void
-  throw_unfinished(const std::string &path, const int error)
+  throw_unfinished(const std::string &what, const int error)
   {
-    throw ComputationError("The file '" + path + "' could not be written (" +
+    const bool lacks_room = error == 0 || error == ENOSPC || error == EDQUOT;
+    throw ComputationError(what + " could not be written (" +
                            (error != 0 ? std::strerror(error) : "is the disk full?") +
-                           "); make room, and continue with --resume if a step was "
-                           "complete.");
+                           "); " + (lacks_room ? "make room" : "mend that") +
+                           ", and continue with --resume if a step was complete.");
   }
 
   void

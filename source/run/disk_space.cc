@@ -28,7 +28,9 @@ namespace strait
         close(file);
       unlink(probe.c_str());
       if (error != 0)
-        throw_unfinished(path, error);
+        throw_unfinished("The file '" + path + "' of " + std::to_string(bytes / 1000) +
+                           " kB",
+                         error);
     });
   }
 
@@ -39,7 +41,7 @@ namespace strait
     std::string   tail(end.size(), ' ');
     std::ifstream file(path, std::ios::binary);
     if (!file.seekg(-n_bytes, std::ios::end).read(tail.data(), n_bytes) || tail != end)
-      throw_unfinished(path);
+      throw_unfinished("The file '" + path + "'");
   }
 
   void
@@ -54,6 +56,6 @@ namespace strait
     if (file && !error)
       return;
     std::filesystem::remove(fresh, error);
-    throw_unfinished(path);
+    throw_unfinished("The file '" + path + "'");
   }
 } // namespace strait

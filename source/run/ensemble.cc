@@ -202,6 +202,7 @@ namespace strait
             has_checkpoint(alone, MPI_COMM_WORLD))
           const RunState of_this_scene(alone, MPI_COMM_WORLD, true);
     const auto lock = begin_results(scene, MPI_COMM_WORLD, log, resume);
+    state.has_begun = true;
     state.save_mark({}); // that it is these realisations
     Table<RealisationRow> table = ensemble_table(scene);
     run_on_root(MPI_COMM_WORLD, [&]() { table.open(folder + "/ensemble.csv"); });

@@ -96,7 +96,7 @@ namespace strait
     if (transfer_presence(file, left))
       std::apply([&file](auto &...members) { file.values(members...); }, left->members());
     else
-      file.values(surface_energy, has_searched);
+      file.values(surface_energy, has_begun, has_searched);
   }
 
   void
@@ -112,6 +112,7 @@ namespace strait
   {
     if (!scene.output.checkpoint)
       return;
+    has_begun = sweep.n_probes() > 0 || sweep.n_done() > 0;
     StateArchive writer(path, comm, StateArchive::Access::write);
     transfer(writer);
     transfer_parts(writer, sweep, output, log);
@@ -135,7 +136,8 @@ namespace strait
     refuse_results_of_another_scene(scene, comm);
     try
       {
-        if (RunState(scene, comm, true).finished())
+        const RunState earlier(scene, comm, true);
+        if (earlier.finished() || !earlier.has_begun)
           return;
       }
     catch (const InputError &)

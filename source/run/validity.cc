@@ -68,7 +68,7 @@ namespace strait
       return pressure > 0. ? pressure / load : 0.;
     }
 
-    /** @p what, which @p change does to the scene, as far as that may have it. */
+    /** @p what, which @p change does to the scene, or why that may not have it. */
     std::string
     advice_to(const char *what, Scene scene, const std::function<void(Scene &)> &change)
     {
@@ -78,10 +78,9 @@ namespace strait
           scene.check();
           return what;
         }
-      catch (const InputError &)
+      catch (const InputError &error)
         {
-          return std::string(what) +
-                 " in a scene without the effects of this one that exclude that";
+          return std::string(what) + ", which this scene excludes: " + error.what();
         }
     }
 

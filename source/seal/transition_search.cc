@@ -217,7 +217,9 @@ namespace strait
           throw ComputationError(
             std::string("The threshold was not found: the contact ") +
             (known.sealed.empty() ? "still leaks at " : "is still sealed at ") +
-            name(value) + "; without the search the Pressures are run alone.");
+            name(value) +
+            "; switch the search off to run Load programme/Pressures "
+            "alone.");
         ask_at(value);
         known = known_at(asked, level);
         guess = estimate(known);

@@ -243,7 +243,7 @@ namespace strait
       if (error != 0)
         {
           unlink(name_beside(path).c_str());
-          throw_unfinished(path, error);
+          throw_unfinished("The file '" + path + "'", error);
         }
       sync_folder_of(path);
     });

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <regex>
 #include <string>
 #include <utility>
 
@@ -64,6 +65,10 @@ namespace strait
       require(text.find_first_not_of(" \t") != std::string::npos,
               "Surface/Expression is empty: give the height as a function of x "
               "and y, or choose another Surface/Kind.");
+      static const std::regex assignment("(^|[^=<>!])=([^=]|$)");
+      require(!std::regex_search(text, assignment),
+              "Surface/Expression \"" + text +
+                "\" gives x or y another value with =: compare with ==.");
       try
         {
           const auto  expression = std::make_shared<Expression>();
@@ -75,9 +80,6 @@ namespace strait
           parser.DefineConst("pi", std::acos(-1.));
           parser.SetExpr(text);
           parser.Eval(); // muParser compiles at the first evaluation
-          require(expression->x == 0. && expression->y == 0.,
-                  "Surface/Expression \"" + text +
-                    "\" gives x or y another value: give a height, and compare with ==.");
           require(parser.GetNumResults() == 1,
                   "Surface/Expression \"" + text +
                     "\" has several values, separated by commas: give one height.");
@@ -95,22 +97,34 @@ namespace strait
     }
 
     /** Note in @p remarks if the formula @p height of an expression does not repeat with
-     *  the box, at the lines of @p grid. */
+     *  the box, which is a step at the seam larger than any between the points of
+     *  @p field. Collective. */
     void
-    check_period(const HeightFunction &height, const PeriodicGrid &grid, Remarks &remarks)
+    check_period(const HeightFunction &height, const SlabField &field, Remarks &remarks)
     {
-      double     largest = 0., across_x = 0., across_y = 0.; // height and differences
-      const auto note = [&](const double here, const double there, double &across) {
-        largest = std::max({largest, std::abs(here), std::abs(there)});
-        across  = std::max(across, std::abs(there - here));
-      };
+      const PeriodicGrid &grid    = field.grid();
+      const int           n_rows  = field.layout().n_rows();
+      double              largest = 0.; // step
+      for (int row = 0; row < n_rows; ++row)
+        for (int ix = 0; ix < grid.nx; ++ix)
+          {
+            if (ix > 0)
+              largest = std::max(largest, std::abs(field(ix, row) - field(ix - 1, row)));
+            if (row > 0)
+              largest = std::max(largest, std::abs(field(ix, row) - field(ix, row - 1)));
+          }
+      largest         = maximum(field.layout().communicator(), largest);
+      double across_x = 0., across_y = 0.;
       for (int iy = 0; iy < grid.ny; ++iy)
-        note(height(0., iy * grid.dy()), height(grid.lx, iy * grid.dy()), across_x);
+        across_x = std::max(across_x,
+                            std::abs(height(grid.lx, iy * grid.dy()) -
+                                     height(0., iy * grid.dy())));
       for (int ix = 0; ix < grid.nx; ++ix)
-        note(height(ix * grid.dx(), 0.), height(ix * grid.dx(), grid.ly), across_y);
-      // All digits of a formula repeat but the last.
+        across_y = std::max(across_y,
+                            std::abs(height(ix * grid.dx(), grid.ly) -
+                                     height(ix * grid.dx(), 0.)));
       for (const auto &[axis, across] : {std::pair("x", across_x), {"y", across_y}})
-        if (across > 1e-9 * largest)
+        if (across > largest)
           remarks.warnings.push_back(format(
             "Surface/Expression does not repeat along %s: at the end of the box it "
             "differs by up to %.3g from its beginning, where the last points of "
@@ -204,10 +218,12 @@ namespace strait
             break;
           case SurfaceKind::expression:
             formula = parsed(parameters.expression, parameters.size);
-            check_period(formula, layout->grid(), remarks);
             break;
         }
-      return heights_of_formula(parameters, formula, layout);
+      SlabField heights = heights_of_formula(parameters, formula, layout);
+      if (parameters.kind == SurfaceKind::expression)
+        check_period(formula, heights, remarks);
+      return heights;
     }
 
     /**

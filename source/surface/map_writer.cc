@@ -137,7 +137,7 @@ namespace strait
         }
       file.close();
       if (!file)
-        throw_unfinished(path);
+        throw_unfinished("The file '" + path + "'");
     });
   }
 } // namespace strait

@@ -149,12 +149,18 @@ class Text(Case):
                 self.assertEqual(one.tolist(), [1] + [0] * (files.NY - 1))
                 whole = self.read_edge(";".join([mark] * files.NX))
                 self.assertEqual(whole.tolist(), [files.NX] + [0] * (files.NY - 1))
-        with self.assertRaisesRegex(Refused, "'void' in line 4"):
-            self.read_edge(";".join(["void"] * files.NX))
+        for ornament in ("---- " * files.NX, "* " * files.NX, ";".join(["um"] * files.NX)):
+            header = files.SIDES + "z unit: um\n" + ornament + "\n"
+            self.check_map(self.write("edge.txt", header + files.rows(" ")))
         # Of cells that are empty nobody knows whether they are points.
         for separator in ";\t,":
             with self.assertRaisesRegex(Refused, "has empty cells only in line 4"):
                 self.read_edge(separator * (files.NX - 1), separator)
+        # A spreadsheet pads all lines alike.
+        padding = ";" * (files.NX - 2)
+        text = "".join(line + padding + "\n" for line in
+                       ("Width;24 um", "Height;10 um", "Unit;um", ";"))
+        self.check_map(self.write("padded.csv", text + files.rows(";") + "\n;" + padding))
 
     def test_mark_in_the_header(self):
         lines = files.rows(" ").splitlines()
@@ -162,12 +168,19 @@ class Text(Case):
         row[files.HOLE[1]] = "-9999"
         lines[files.HOLE[0]] = " ".join(row)
         for statement in ("# NODATA_value: -9999", "NODATA_value -9999", "No data value = -9999",
-                          "Missing value;-9999"):
+                          "No data -9999", "Missing value;-9999;;;", "bad value -9999"):
             with self.subTest(statement):
                 header = files.SIDES + "z unit: um\n" + statement + "\n"
                 self.check_map(self.write("mark.txt", header + "\n".join(lines)), hole=True)
         header = files.SIDES + "NODATA_value -9999\nfill value: 0\n"
         self.check_refusal(self.write("mark.txt", header + "\n".join(lines)), "both -9999 and 0")
+        for value in ("-9999,0", "-9999 um", "none"):
+            header = files.SIDES + "z unit: um\nNODATA_value: " + value + "\n"
+            self.check_refusal(self.write("mark.txt", header + "\n".join(lines)), "is no number")
+        # How many points are missing is no mark.
+        for statement in ("Missing points: 0", "Invalid data: 17", "# NaN: 17"):
+            header = files.SIDES + "z unit: um\n" + statement + "\n"
+            self.check_map(self.write("count.txt", header + files.rows(" ")))
 
     def test_size(self):
         path = self.write("plain.txt", files.rows(" "))
@@ -229,11 +242,11 @@ class Arrays(Case):
         self.check_refusal(path, "a side of 240 and 12 points in steps of 2, which contradict")
         self.check_map(path, "--size", "24, 10 um")
         path = os.path.join(self.folder, "attributes.h5")
-        for side in (24., 22., 240.):   # of twelve steps, of eleven, of neither
+        for side, step in ((24., 2.), (24., -2.), (22., 2.), (240., 2.)):   # the last of neither
             with h5py.File(path, "w") as file:
                 file["height"] = files.MICRONS
                 file["height"].attrs.update({"unit": "um", "lateral_unit": "um", "lx": side,
-                                             "ly": 10., "dx": 2., "dy": 1.})
+                                             "ly": 10., "dx": step, "dy": 1.})
             if side < 100:
                 self.assertAlmostEqual(self.read(path)[1], side * 1e-6)
         self.check_refusal(path, "a side of 240 and 12 points in steps of 2, which contradict")

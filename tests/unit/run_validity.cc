@@ -198,8 +198,7 @@ namespace
         all += check.advice + "\n";
       return all;
     };
-    const std::string excluded =
-      " in a scene without the effects of this one that exclude that\n";
+    const std::string excluded = ", which this scene excludes: Contact/";
     for (const std::string effect :
          {"Contact/Yielding", "Fluid/Wall feedback", "Contact/Zoom"})
       expect_in("switch on " + effect + "\n", advice({}));
@@ -208,6 +207,7 @@ namespace
     expect_in("Fluid/Wall feedback" + excluded, zoomed);
     expect_in("raise Contact/Grid points\n", zoomed);
     expect_in("Contact/Zoom" + excluded, advice({"Contact/Yielding=cut-off"}));
+    expect_in("knows such a bound", advice({"Contact/Solver=polonsky-keer"}));
   }
 
   TEST(Validity, TrappedFluidWithFeedback)

@@ -132,7 +132,8 @@ namespace
     EXPECT_TRUE(mentions(message("sin(x"), "\"sin(x\""));
     EXPECT_TRUE(mentions(message("x + z"), "z"));
     EXPECT_TRUE(mentions(message("x, y"), "several values"));
-    EXPECT_TRUE(mentions(message("x = 1"), "gives x or y another value"));
+    for (const char *text : {"x = 1", "x = 0 ? 0.1 : 0", "0.1*(x = y)", "x=y==0"})
+      EXPECT_TRUE(mentions(message(text), "gives x or y another value")) << text;
   }
 
   TEST(AnalyticSurface, ExpressionThatDoesNotRepeatIsPointedOut)

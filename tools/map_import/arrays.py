@@ -81,7 +81,7 @@ def _dispute(axis, n, side, step):
     """A side and a step between n points that contradict each other; "" if they agree to a
     hundredth, be the side that of n steps or of n - 1."""
     if not (isinstance(side, float) and isinstance(step, float)) or (
-            abs((n - .5) * step - side) <= .6 * abs(step) + .01 * abs(side)):
+            abs((n - .5) * abs(step) - side) <= .6 * abs(step) + .01 * abs(side)):
         return ""
     return f"along {axis} a side of {side:g} and {n} points in steps of {step:g}"
 

@@ -10,7 +10,10 @@ from .channel import Refused
 
 _MISSING = {"nan", "-nan", "bad", "***", "**", "--", "---", "#n/a", "n/a", "na", "nodata",
             "masked", "inf", "-inf", "+inf", "infinity", "-infinity", "#nan", "-1.#ind", "1.#qnan",
-            "-1.#ind00", "1.#qnan0", "nan(ind)", "-nan(ind)", "*", "****", "null", "none"}
+            "-1.#ind00", "1.#qnan0", "nan(ind)", "-nan(ind)", "****", "null"}
+# A statement of the value that stands for no height.
+MARK = re.compile(r"[#%\s]*(?:no[ _-]?data(?:[ _-]?value)?|(?:missing|fill|invalid|bad|nan)[ _-]?value)"
+                  r"\b[\s:=,;]+(\S.*?)[\s,;]*", re.I)
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)*|[.,]\d+)([eE][-+]?\d+)?")
 
 
@@ -41,11 +44,10 @@ def _is_data(line):
     if line.startswith(("#", "%")) and not _is_number(words[0]):
         return False
     if not _is_number(words[0]):
-        # The corner of a table with axes may be a word, and a damaged number, or a mark of
-        # missing points that is not known, must not make its row a line of words, which would
-        # be passed over.
+        # The corner of a table with axes may be a word, and a damaged number must not make
+        # its row a line of words, which would be passed over.
         return len(words) > 3 and not re.search("[:=]", line) and (
-            len(set(words)) == 1 or 2 * sum(map(_is_number, words)) >= len(words))
+            2 * sum(map(_is_number, words)) >= len(words))
     if words[0].lower() in _MISSING and len(words) == 1:
         return False                                     # "---" is an ornament
     if len(line) > 1000:
@@ -71,26 +73,33 @@ def _without_quotes(line):
 
 
 def _refuse_empty_rows(lines):
-    """Refuse rows of empty cells beside others: they may be missing points or nothing."""
+    """Refuse rows of empty cells beside others: they may be missing points or nothing.
+
+    They are nothing where a spreadsheet pads its lines of words as well.
+    """
     for number, (line, before, after) in enumerate(
             zip(lines, ["", *lines], [*lines[1:], ""]), 1):
         cells = re.fullmatch(r" *([;,\t])(?: *\1)* *", line)
-        if cells and any(_is_data(other) and other.count(cells[1]) == line.count(cells[1])
-                         for other in (before, after)):
+        if not cells or not any(
+                _is_data(other) and other.count(cells[1]) == line.count(cells[1])
+                for other in (before, after)):
+            continue
+        if not any(other.rstrip().endswith(cells[1]) and re.match(r"\W*[^\W\d]", other)
+                   and other.count(cells[1]) == line.count(cells[1]) for other in lines[:1000]):
             raise Refused(f"has empty cells only in line {number}: write nan into them if the row "
                           "was not measured, or remove it")
 
 
 def blocks_of(text):
     """The blocks of the text; blank lines and lines of words separate them."""
-    _refuse_empty_rows(text.splitlines())
+    lines = [_without_quotes(line) if '"' in line else line
+             for line in text.replace("\u2212", "-").splitlines()]
+    _refuse_empty_rows(lines)
     blocks, header, is_open = [], [], False
-    for number, line in enumerate(text.replace("\u2212", "-").splitlines(), 1):
-        if '"' in line:
-            line = _without_quotes(line)
-        if ("ata" in line or "ATA" in line) and not re.search("[:=]", line):
+    for number, line in enumerate(lines, 1):
+        if ("ata" in line or "ATA" in line) and not MARK.fullmatch(line):
             line = re.sub(r"no data", "nan", line, flags=re.I)
-        if not line.strip() or not _is_data(line):
+        if not line.strip() or MARK.fullmatch(line) or not _is_data(line):
             is_open = False
             if line.strip(" \t,;") and len(line) <= 1000 and len(header) < 1000:
                 header.append(line)

@@ -5,7 +5,7 @@ import re
 import numpy as np
 
 from .channel import Refused, metres_in
-from .table import may_be_thousands
+from .table import MARK, may_be_thousands
 
 # Gwyddion writes its header in the language of its user.
 _WIDTH = ("width breite largeur ancho anchura larghezza largura šířka ширина szerokość bredd "
@@ -20,9 +20,6 @@ _VALUE_UNIT = ("value units", "value unit", "height unit", "height units", "z un
 # A key of nothing but these words, with one of scaling among them, multiplies the heights.
 _SCALING = set("scale scaling factor conversion multiplier".split())
 _HEIGHTS = set("z height heights value values data of the".split())
-# A value of the heights that stands for none, with or without a sign before it.
-_MARK = re.compile(r"[#%\s]*(?:no[ _-]?data|nan|missing|fill|invalid|bad)"
-                   r"(?:[ _-]?(?:value|data|points?))?[\s:=,;]+([-+]?\d[\d.eE+-]*)[\s,;]*", re.I)
 _COLUMNS = ("x-pixels", "x pixels", "columns")
 _ROWS = ("y-pixels", "y pixels", "rows")
 
@@ -127,7 +124,7 @@ class TextHeader:
         extents = re.fullmatch(r"[#\s]*h=(\d{1,9})\s+w=(\d{1,9})\s*", line, re.I)
         factor = re.fullmatch(r"[#\s]*height conversion factor \(-> (\S+)\)\s*=\s*(\S+)\s*",
                               line, re.I)
-        mark = _MARK.fullmatch(line)
+        mark = MARK.fullmatch(line)
         if mark:
             self.mark = _agreed_mark(self.mark, mark[1])
         elif extents:

@@ -14,10 +14,11 @@ namespace strait
   [[noreturn]] void throw_unwritable(const std::string &what, int error);
 
   /**
-   * Throws ComputationError because the file @p path of a run that has begun could not be
-   * written, for the reason @p error, a value of errno or 0 for one that is not known.
+   * Throws ComputationError because @p what, "The file 'X'", of a run that has begun
+   * could not be written, for the reason @p error, a value of errno or 0 for one that is
+   * not known.
    */
-  [[noreturn]] void throw_unfinished(const std::string &path, int error = 0);
+  [[noreturn]] void throw_unfinished(const std::string &what, int error = 0);
 } // namespace strait
 
 #endif

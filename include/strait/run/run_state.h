@@ -37,6 +37,7 @@ namespace strait
       return left;
     }
 
+    bool   has_begun      = false; // there is something that a resumed run goes on from
     bool   has_searched   = false; // the searches that precede the steps are done
     double surface_energy = 0.;    // of the adhesion; 0 if it is not known yet
 

@@ -192,23 +192,30 @@ namespace strait
       return decode(bytes, variable.type);
     }
 
-    /** Refuse coordinates of @p n points that fall, or do not rise, to a hundredth, in
-     *  steps of the side that they state, of n steps or of n − 1. */
+    /** Refuse coordinates along the dimension @p name that fall, or do not rise, to a
+     *  hundredth, in steps of the side that they state, of n steps or of n − 1. */
     void
-    check_coordinates(const std::string &file,
-                      const std::string &name,
-                      const Variable    &variable,
-                      const int          n)
+    check_coordinates(const std::string   &file,
+                      const ClassicHeader &header,
+                      const std::string   &name)
     {
-      if (n < 2 || variable.type < type_int || variable.type > type_double)
+      const auto found = header.variables.find(name);
+      if (found == header.variables.end() || found->second.dimensions.size() != 1 ||
+          found->second.dimensions[0] >= header.dimensions.size())
         return;
-      const double rise = value_at(file, variable, static_cast<std::uint64_t>(n) - 1) -
-                          value_at(file, variable, 0);
+      const Variable  &variable = found->second;
+      const Dimension &along    = header.dimensions[variable.dimensions[0]];
+      if (along.name != name || along.n < 2 || variable.type < type_int ||
+          variable.type > type_double)
+        return;
+      const double rise =
+        value_at(file, variable, along.n - 1) - value_at(file, variable, 0);
+      const auto   n      = static_cast<double>(along.n);
       const double step   = rise / (n - 1);
       const double length = variable["length"].number.value_or((n - .5) * step);
       // Equal numbers are those of a dimension to which none were written.
       if (rise < 0 || (rise != 0 && !(std::abs((n - .5) * step - length) <=
-                                      .6 * std::abs(step) + .01 * length)))
+                                      .6 * std::abs(step) + .01 * std::abs(length))))
         reject_for_import(file,
                           "has coordinates '" + name +
                             "' that do not rise in steps of its length");
@@ -224,10 +231,8 @@ namespace strait
                const std::string   &name_y)
     {
       const auto x = header.variables.find(name_x), y = header.variables.find(name_y);
-      if (x != header.variables.end())
-        check_coordinates(file, name_x, x->second, map.nx);
-      if (y != header.variables.end())
-        check_coordinates(file, name_y, y->second, map.ny);
+      for (const std::string &name : {name_x, name_y})
+        check_coordinates(file, header, name);
       if (x == header.variables.end() || y == header.variables.end() ||
           !x->second["length"].number || !y->second["length"].number)
         return;
