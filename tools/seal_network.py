@@ -108,14 +108,14 @@ def sample_seals(along, across, n_around, aspect, resampled, rng):
 
     along (n, N1), across (n, N1 - 1): what the n patches conduct at the pressures of their
     places over the width; aspect: of a patch, width around over length along. With resampled
-    each seal is made of n - 1 patches drawn from the n: so many scatter about their mean as the n
-    do about the mean of all that there are.
+    each seal is made of n - 1 patches drawn from the n, but of two: so many scatter about their
+    mean as the n do about the mean of all that there are.
     """
     n_along = along.shape[1]
     n_around = _most_around(n_along, n_around)
     seals = []
     for _ in range(N_NETWORKS):
-        pools = [pool[rng.integers(len(pool), size=max(len(pool) - 1, 1))] if resampled else pool
+        pools = [pool[rng.integers(len(pool), size=max(len(pool) - 1, 2))] if resampled else pool
                  for pool in (along, across)]
         bonds = [pool[rng.integers(len(pool), size=(n_around, pool.shape[1])),
                       np.arange(pool.shape[1])].T for pool in pools]
@@ -140,7 +140,9 @@ class Band:
         self.patches = np.sqrt(max(_scatter(both)**2 - self.arrangement**2, 0.))
         self.solution = solution_error
         # The scatter of the patches is known from the n of them only: Student's t.
-        self.student = (t.ppf(0.95, max(len(along) - 1, 1)) / norm.ppf(0.95))
+        free = max(len(along) - 1, 1)
+        self.student = t.ppf(0.95, free) / norm.ppf(0.95)
+        self.student *= np.sqrt(max(free, 2) / free)  # two of two patches scatter too little
         both = both * np.exp(solution_error * rng.uniform(-1, 1, both.size))
         self.sealed = np.mean(both == 0)
         self.median, self.lower, self.upper = self._widened(np.quantile(both, (0.5, 0.05, 0.95)))

@@ -2,6 +2,7 @@
 """What a scene says of a whole seal: its size, and the pressure over its width."""
 import math
 import pathlib
+import re
 import sys
 
 import numpy as np
@@ -84,18 +85,24 @@ class Seal:
 
 
 def read_profile(path):
-    """Positions and pressures of a table of two columns; lines without two numbers are headers."""
+    """Positions and pressures of a table of two columns, below any header."""
     rows = []
     try:
         text = pathlib.Path(path).read_text(encoding="utf-8", errors="replace")
     except OSError as error:
         sys.exit(f"Seal/Pressure profile: {error}.")
-    for line in text.splitlines():
+    for number, line in enumerate(text.splitlines(), 1):
+        words = [word for word in re.split(r"\s*[;\t,]\s*|\s+", line.strip()) if word]
         try:
-            x, p = (float(word) for word in line.replace(",", " ").replace(";", " ").split()[:2])
+            x, p = map(float, words)
             rows.append((x, p))
         except ValueError:
-            continue
+            if rows and words and not line.lstrip().startswith("#"):
+                sys.exit(f"Seal/Pressure profile = {path} has no two numbers in line {number}; "
+                         "write a position and a pressure, with decimal points.")
+        if len(words) == 4 and re.fullmatch(r"[-+\d;\s]*,[-+\d,;\s]+", line):   # 2,5;1,3
+            sys.exit(f"Seal/Pressure profile = {path} has decimal commas in line {number}; write "
+                     "decimal points.")
     x, p = np.array(rows).reshape(-1, 2).T
     if len(x) < 2 or not (np.diff(x) > 0).all() or not (p >= 0).all() or not p.any() \
             or not np.isfinite([x, p]).all():

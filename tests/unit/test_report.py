@@ -79,6 +79,21 @@ class Report(unittest.TestCase):
         self.assertIn("Leak rate at a pressure of 200 kPa: 0.0144 ml/h ± 1 %", text)
         self.assertIn("4e-09 ± 1 %", text)
 
+    def test_a_rate_that_is_not_known_has_its_status(self):
+        (self.folder / "leakage.csv").write_text(
+            TABLE.replace("4e-12,3.96e-12,4.04e-12,0.0144,ok", "inf,nan,inf,inf,lifted-off"),
+            encoding="utf-8")
+        self.assertIn("Leak rate at a pressure of 200 kPa: not known (lifted-off)", self.text())
+
+    def test_where_it_closes_and_where_it_opens(self):
+        (self.folder / "threshold.csv").write_text(
+            "slip_length,critical_load_lower,critical_load_upper\n0,2e5,2.1e5\n",
+            encoding="utf-8")
+        self.assertIn("Seals at a pressure between 200 kPa and 210 kPa", self.text())
+        (self.folder / "parameters.prm").write_text(
+            SCENE + "subsection Load programme\n  set Path = unloading\nend\n", encoding="utf-8")
+        self.assertIn("Opens, unloaded, at a pressure between 200 kPa and 210 kPa", self.text())
+
     def test_an_unknown_bound_gives_no_error(self):
         cell = re.search(r'data-value="1e-13">([^<]*)<', self.page()).group(1)
         self.assertEqual(cell, "1e-13")

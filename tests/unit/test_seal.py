@@ -132,6 +132,8 @@ class InLoad(unittest.TestCase):
         self.assertAlmostEqual(whole_seal.crossing(loads, np.array([100., 10., 0.]), 10**1.5), 1.5)
         self.assertAlmostEqual(whole_seal.crossing(loads, np.array([100., 10., 0.]), 2.5), 2.75)
         self.assertTrue(np.isnan(whole_seal.crossing(loads, np.array([9., 8., 7.]), 1.)))
+        self.assertAlmostEqual(whole_seal.crossing(loads, np.array([10., 8., 7.]), 10.), 1.)
+        self.assertAlmostEqual(whole_seal.crossing(loads, np.array([9., 8., 8.]), 8.), 2.)
 
 
 class InARow(unittest.TestCase):
@@ -298,6 +300,34 @@ class OfAFolder(unittest.TestCase):
                                                  "  set Direction = x\n  set Rarefaction = slip"))
         self.assertIn("under the whole pressure drop", self.assess().stdout)
 
+    def test_wanted_load_where_patches_seal(self):
+        rng = np.random.default_rng(3)
+        first = np.exp(rng.standard_normal(8))
+        self.write([[a, .1 * a, 0 if k < 3 else 1e-3 * a] for k, a in enumerate(first)],
+                   wanted=.05)
+        self.assess()
+        found = self.table("seal_load.csv")[0]
+        low, middle, high = (float(found[name]) for name in
+                             ("load_5_percent", "load", "load_95_percent"))
+        self.assertLess(low, middle)
+        self.assertLess(middle, high)
+        # The whole seal at that load leaks as much as is wanted.
+        scene = whole_seal.seal_of(whole_seal.scene_in(self.folder))
+        patches = whole_seal.Patches(self.folder, scene)
+        band, = whole_seal.bands_of(scene, patches, [middle])
+        self.assertAlmostEqual(band.median / .05, 1, delta=.05)
+
+    def test_two_patches(self):
+        medians = []
+        for order in ([[4.] * 3, [1.] * 3], [[1.] * 3, [4.] * 3]):
+            self.write(order)
+            self.assess()
+            row = self.table()[0]
+            medians.append(float(row["leak_rate_median"]))
+            self.assertLess(float(row["leak_rate_5_percent"]), 5.)
+            self.assertGreater(float(row["leak_rate_95_percent"]), 20.)
+        np.testing.assert_allclose(medians, 10., rtol=.2)   # five times the geometric mean
+
     def test_loads_that_come_again_are_pointed_out(self):
         self.write([[8., 2., 4.]] * 4, loads="0.1, 0.2, 0.1")
         self.assertIn("come more than once, and these are the leak rates of the first time",
@@ -345,7 +375,9 @@ class OfAFolder(unittest.TestCase):
         self.assertRegex(narrow.stderr, r"presses the patches by 0\.16\d* to 0\.25\d*; let Load")
         bad = self.folder / "bad.txt"
         for text, words in (("1 2\n", "two or more lines"), ("0 1\n4 -1\n", "not negative"),
-                            ("4 1\n0 1\n", "grows"), ("0 1\n3 1\n", "make them the same")):
+                            ("4 1\n0 1\n", "grows"), ("0 1\n3 1\n", "make them the same"),
+                            ("0,0;1,2\n2,5;1,3\n4,0;1,2\n", "decimal commas in line 1"),
+                            ("x p\n0 1\n2 garbage\n4 1\n", "no two numbers in line 3")):
             bad.write_text(text)
             result = self.assess("--check", scene=SCENE.format(**{**self.about, "profile": bad}))
             self.assertEqual(result.returncode, 1, text)

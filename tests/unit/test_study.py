@@ -26,23 +26,43 @@ accuracy = next(float(word.split("=")[1]) for word in sys.argv if "Target accura
 
 
 class Study(unittest.TestCase):
-    def test_all_cases_are_run(self):
+    def study(self, *options, program=PROGRAM):
+        """The study of a made-up program, and the rows of its table."""
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            program = folder / "strait"
-            program.write_text(PROGRAM, encoding="utf-8")
-            program.chmod(0o755)
+            path = folder / "strait"
+            path.write_text(program, encoding="utf-8")
+            path.chmod(0o755)
             done = subprocess.run(
-                [sys.executable, str(TOOLS / "study"), "scene.prm", "--program", str(program),
+                [sys.executable, str(TOOLS / "study"), "scene.prm", "--program", str(path),
                  "--output", str(folder / "study"), "--grids", "64", "--accuracies", "0.1", "0.05",
-                 "--degrees", "1", "--tolerances", "1e-6"],
+                 "--degrees", "1", "--tolerances", "1e-6", *options],
                 text=True, capture_output=True, check=False)
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
-            with open(folder / "study" / "study.csv", encoding="utf-8") as file:
-                self.assertEqual([(row["refinement"], float(row["accuracy"]))
-                                  for row in csv.DictReader(file)],
-                                 [("adaptive", 0.01), ("adaptive", 0.1), ("adaptive", 0.05),
-                                  ("uniform", 0.1), ("uniform", 0.05)])
+            table = folder / "study" / "study.csv"
+            if not table.exists():
+                return done, []
+            with open(table, encoding="utf-8") as file:
+                return done, list(csv.DictReader(file))
+
+    def test_all_cases_are_run(self):
+        done, rows = self.study("--set", "Surface/Seed=2")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual([(row["refinement"], float(row["accuracy"])) for row in rows],
+                         [("adaptive", 0.01), ("adaptive", 0.1), ("adaptive", 0.05),
+                          ("uniform", 0.1), ("uniform", 0.05)])
+
+    def test_what_is_varied_cannot_be_set(self):
+        for text in ("Fluid/Target accuracy=0.3", "Contact/Grid  points = 96"):
+            done, rows = self.study("--set", text)
+            self.assertIn("would change what the study varies", done.stderr)
+            self.assertEqual((done.returncode, rows), (1, []))
+
+    def test_what_is_no_single_run(self):
+        for program in (PROGRAM.replace("leakage.csv", "ensemble.csv"),
+                        PROGRAM.replace("leak_rate,leak_rate_lower", "mean_gap,mean_gap_lower")):
+            done, rows = self.study(program=program)
+            self.assertIn("must be one run with a leak rate", done.stderr)
+            self.assertEqual((done.returncode, rows), (1, []))
 
 
 if __name__ == "__main__":
