@@ -33,11 +33,11 @@ def read_curve(path):
 
 def read_curves(folder):
     """The curves of all realisations that have at least two points, by their number."""
-    curves, of_a_seal = {}, (folder / "seal.csv").exists()
+    curves = {}
     for number, path in realisations(folder, "realisation-*/leakage.csv").items():
         try:
-            if of_a_seal and "reduced_load" not in read_table(path):
-                continue  # patches, of which no threshold was sought
+            if "reduced_load" not in read_table(path):
+                continue  # no threshold was sought
             curve = read_curve(path)
             if len(curve[0]) > 1:
                 curves[number] = curve

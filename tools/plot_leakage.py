@@ -194,7 +194,7 @@ def draw_critical_loads(axes, path):
     near = [load for load in middles if load < 1.5 * axes.get_xlim()[1]]
     for load in near:
         axes.axvline(load, color="0.35", linestyle="--", linewidth=0.9,
-                     label="seals" if load == near[0] else None)
+                     label="critical load" if load == near[0] else None)
 
 
 def draw_leakage(path, units):

@@ -210,6 +210,8 @@ def draw_picture(path, units):
     if not dry:
         mark_flow(right, about)
     title = about["title"].replace("$", r"\$")
-    figure.suptitle(f"{title}\n{headline(about, units)}", y=1 - 0.12 / figure.get_figheight(),
-                    fontsize=12, linespacing=1.5)
+    head = figure.suptitle(f"{title}\n{headline(about, units)}",
+                           y=1 - 0.12 / figure.get_figheight(), fontsize=12, linespacing=1.5)
+    room = 0.98 * figure.bbox.width / head.get_window_extent().width
+    head.set_fontsize(12 * min(1, room))  # many words of validity on a narrow figure
     figure.savefig(path.with_suffix(".png"))

@@ -68,7 +68,7 @@ class Seal:
         least, most, uniform = bonds.min(), bonds.max(), np.allclose(bonds, 1)
         wanted = self.loads if mean is None else np.union1d(self.loads, [mean])
         if not uniform:
-            ends = self.loads[0] / least, self.loads[-1] / most
+            ends = self.loads[0] / least if least > 0 else math.inf, self.loads[-1] / most
             wanted = np.union1d(wanted, ends) if ends[0] < ends[1] else wanted
         # Rounding of the profile must not cost the first load and the last.
         inside = ((wanted * least >= self.loads[0] * (1 - 1e-9)) &

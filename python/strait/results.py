@@ -131,7 +131,11 @@ class Run:
         self.keeper = None  # of a folder that is to last as long as this
 
     def csv(self, name):
-        """The columns of a table by their names."""
+        """The columns of a table by their names. Raises FileNotFoundError, which names those that
+        there are."""
+        if not (self.folder / name).exists():
+            known = ", ".join(sorted(path.name for path in self.folder.glob("*.csv"))) or "none"
+            raise FileNotFoundError(f"{self.folder} has no {name}; its tables: {known}")
         return read_table(self.folder / name, self._units)
 
     def unit(self, column):

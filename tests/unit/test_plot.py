@@ -516,9 +516,11 @@ class Ensemble(PlotTest):
         self.write_realisation(1, 1)
         self.write_ensemble("1,1,as is,nan,nan,nan,nan,nan,nan,threshold-not-found")
         self.assertEqual(self.draw(), (0, ""))  # one curve, no threshold
-        (self.folder / "realisation-1" / "leakage.csv").write_text("pressure\n1\n")
-        status, message = self.draw()
-        self.assertEqual((status, message.count("\n")), (0, 2), message)
+        for text, lines in (("pressure\n1\n", 1),   # no threshold was sought
+                            ("pressure,reduced_load\n1,0.5\n", 2)):   # nor is that a table
+            (self.folder / "realisation-1" / "leakage.csv").write_text(text)
+            status, message = self.draw()
+            self.assertEqual((status, message.count("\n")), (0, lines), message)
 
 
 class CommandLine(PlotTest):

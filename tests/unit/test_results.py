@@ -36,6 +36,10 @@ class ReadsARun(unittest.TestCase):
             json.dumps({"column_units": {"leak_rate": "m³/s"}}), encoding="utf-8")
         self.assertEqual(Run(self.folder).unit("leak_rate"), "m³/s")
 
+    def test_a_table_that_is_not_there(self):
+        with self.assertRaisesRegex(FileNotFoundError, "has no fit.csv; its tables: leakage.csv$"):
+            Run(self.folder).csv("fit.csv")
+
     def test_units_of_an_ensemble_are_those_of_its_realisations(self):
         (self.folder / "ensemble.csv").write_text(
             "realisation,critical_load_lower,crossover_load,status\n1,0.2,0.1,ok\n")
