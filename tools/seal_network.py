@@ -108,8 +108,8 @@ def sample_seals(along, across, n_around, aspect, resampled, rng):
 
     along (n, N1), across (n, N1 - 1): what the n patches conduct at the pressures of their
     places over the width; aspect: of a patch, width around over length along. With resampled
-    each seal is made of n - 1 patches drawn from the n, but of two: so many scatter about their
-    mean as the n do about the mean of all that there are.
+    each seal is made of n - 1 patches drawn from the n, which scatter about their mean as the n do
+    about the mean of all that there are; of two patches two are drawn, which scatter less.
     """
     n_along = along.shape[1]
     n_around = _most_around(n_along, n_around)

@@ -7,10 +7,19 @@
 
 namespace strait
 {
+  namespace
+  {
+    bool
+    is_lack_of_room(const int error)
+    {
+      return error == ENOSPC || error == EDQUOT || error == EFBIG;
+    }
+  } // namespace
+
   void
   throw_unfinished(const std::string &what, const int error)
   {
-    const bool lacks_room = error == 0 || error == ENOSPC || error == EDQUOT;
+    const bool lacks_room = error == 0 || is_lack_of_room(error);
     throw ComputationError(what + " could not be written (" +
                            (error != 0 ? std::strerror(error) : "is the disk full?") +
                            "); " + (lacks_room ? "make room" : "mend that") +
@@ -23,7 +32,7 @@ namespace strait
     const std::string found =
       what + " cannot be written" +
       (error == 0 ? "" : std::string(" (") + std::strerror(error) + ")");
-    if (error == ENOSPC || error == EDQUOT || error == EFBIG)
+    if (is_lack_of_room(error))
       throw ComputationError(
         found + "; make room, and continue with --resume if the run had begun.");
     throw InputError(found + "; choose another with Output/Directory or --output.");

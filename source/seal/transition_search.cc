@@ -218,8 +218,7 @@ namespace strait
             std::string("The threshold was not found: the contact ") +
             (known.sealed.empty() ? "still leaks at " : "is still sealed at ") +
             name(value) +
-            "; switch the search off to run Load programme/Pressures "
-            "alone.");
+            "; switch the search off to run Load programme/Pressures alone.");
         ask_at(value);
         known = known_at(asked, level);
         guess = estimate(known);

@@ -75,6 +75,14 @@ namespace strait
         return 0.;
       return twice == n && n_target > n ? .5 : 1.;
     }
+
+    /** The sides of a map that states none: those of the scene, before it is mirrored. */
+    std::array<double, 2>
+    sides_of_map(const SurfaceParameters &parameters)
+    {
+      const double n = parameters.map.make_periodic == MakePeriodic::mirror ? 2. : 1.;
+      return {{parameters.size[0] / n, parameters.size[1] / n}};
+    }
   } // namespace
 
   Resampled
@@ -123,14 +131,6 @@ namespace strait
         result.kept_slope  = after.rms_slope / before.rms_slope;
       }
     return result;
-  }
-
-  /** The sides of a map that states none: those of the scene, before it is mirrored. */
-  static std::array<double, 2>
-  sides_of_map(const SurfaceParameters &parameters)
-  {
-    const double n = parameters.map.make_periodic == MakePeriodic::mirror ? 2. : 1.;
-    return {{parameters.size[0] / n, parameters.size[1] / n}};
   }
 
   SlabField

@@ -24,10 +24,9 @@ namespace strait
                 const std::vector<std::size_t> &points,
                 const Vector                   &u)
     {
-      const std::size_t nx = map.nx;
-      const double      ratio =
-        map.size ? (*map.size)[0] * map.ny / ((*map.size)[1] * map.nx) : 1.;
-      Vector result;
+      const std::size_t nx    = map.nx;
+      const double      ratio = (*map.size)[0] * map.ny / ((*map.size)[1] * map.nx);
+      Vector            result;
       result.reserve(points.size());
       for (const std::size_t k : points)
         {

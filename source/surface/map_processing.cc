@@ -41,12 +41,12 @@ namespace strait
     };
 
     Roughness
-    roughness(const HeightMap &map, const std::array<double, 2> &size)
+    roughness(const HeightMap &map)
     {
       const auto at = [&map](const int ix, const int iy) {
         return map.values[static_cast<std::size_t>(iy) * map.nx + ix];
       };
-      const double dx = size[0] / map.nx, dy = size[1] / map.ny;
+      const double dx = (*map.size)[0] / map.nx, dy = (*map.size)[1] / map.ny;
       double       sum = 0, squares = 0, steps_x = 0, steps_y = 0;
       double       seam_x = 0, seam_y = 0;
       for (int iy = 0; iy < map.ny; ++iy)
@@ -115,8 +115,7 @@ namespace strait
       map.values = std::move(values);
       map.nx     = 2 * nx;
       map.ny     = 2 * ny;
-      if (map.size)
-        map.size = {{2 * (*map.size)[0], 2 * (*map.size)[1]}};
+      map.size   = {{2 * (*map.size)[0], 2 * (*map.size)[1]}};
     }
   } // namespace
 
@@ -154,9 +153,7 @@ namespace strait
                 const std::string   &file,
                 Remarks             &remarks)
   {
-    const std::array<double, 2> size =
-      map.size.value_or(std::array<double, 2>{{double(map.nx), double(map.ny)}});
-    const Roughness before = roughness(map, size);
+    const Roughness before = roughness(map);
     if (parameters.make_periodic == MakePeriodic::no)
       {
         // Over those between neighbours. A period of a rough surface has about 1: with
@@ -176,7 +173,7 @@ namespace strait
       apply_window(map, parameters.window_width);
     else
       mirror(map);
-    const Roughness after  = roughness(map, map.size.value_or(size));
+    const Roughness after  = roughness(map);
     const auto      change = [](const double now, const double was) {
       const std::string number = format("%.4g", now), earlier = format("%.4g", was);
       return number == earlier ? number + " as before"
@@ -185,9 +182,8 @@ namespace strait
     std::string text = std::string("Surface/Make periodic = ") +
                        (is_window ? "window" : "mirror") +
                        " changes the statistics of the map: rms height " +
-                       change(after.height, before.height);
-    if (map.size)
-      text += ", rms slope " + change(after.slope, before.slope);
+                       change(after.height, before.height) + ", rms slope " +
+                       change(after.slope, before.slope);
     if (is_window)
       text += "; its edges are a flat rim, which may seal where the surface would leak";
     else

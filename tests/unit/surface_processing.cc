@@ -13,14 +13,15 @@ namespace
   using test::input_error;
   using test::mentions;
 
-  /** height(x, y) at the points of a map, with x and y from 0 to 1. */
+  /** height(x, y) at the points of a map on the unit square. */
   template <class Height>
   HeightMap
   sampled(const int nx, const int ny, const Height &height)
   {
     HeightMap map;
-    map.nx = nx;
-    map.ny = ny;
+    map.nx   = nx;
+    map.ny   = ny;
+    map.size = {{1., 1.}};
     for (int iy = 0; iy < ny; ++iy)
       for (int ix = 0; ix < nx; ++ix)
         map.values.push_back(height(double(ix) / nx, double(iy) / ny));

@@ -12,8 +12,8 @@ _MISSING = {"nan", "-nan", "bad", "***", "**", "--", "---", "#n/a", "n/a", "na",
             "masked", "inf", "-inf", "+inf", "infinity", "-infinity", "#nan", "-1.#ind", "1.#qnan",
             "-1.#ind00", "1.#qnan0", "nan(ind)", "-nan(ind)", "****", "null"}
 # A statement of the value that stands for no height.
-MARK = re.compile(r"[#%\s]*(?:no[ _-]?data(?:[ _-]?value)?|(?:missing|fill|invalid|bad|nan)[ _-]?value)"
-                  r"\b[\s:=,;]+(\S.*?)[\s,;]*", re.I)
+MARK = re.compile(r"[#%\s]*(?:no[ _-]?data(?:[ _-]?value)?|"
+                  r"(?:missing|fill|invalid|bad|nan)[ _-]?value)\b[\s:=,;]+(\S.*?)[\s,;]*", re.I)
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)*|[.,]\d+)([eE][-+]?\d+)?")
 
 

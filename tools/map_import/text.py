@@ -139,8 +139,8 @@ def _as_points(table, header, names, options):
         size = None if None in lateral else (extent[0] * lateral[0], extent[1] * lateral[1])
         if len(maps) > 1:
             name = name or f"column {len(channels) + 3}"
-        channels.append(Channel(name or header.name, header.without_marks(values), size, extent, unit,
-                                header.quantity, refusal=refusal))
+        channels.append(Channel(name or header.name, header.without_marks(values), size, extent,
+                                unit, header.quantity, refusal=refusal))
     return channels
 
 
@@ -237,7 +237,8 @@ def _read_block(block, header_lines, options):
     size = header.size(table.shape[1], table.shape[0])
     if extent and header.coordinate:
         size = tuple(side * header.coordinate for side in extent)
-    return [Channel(header.name, header.without_marks(table), size, extent, header.metres, header.quantity)]
+    return [Channel(header.name, header.without_marks(table), size, extent, header.metres,
+                    header.quantity)]
 
 
 def _join(blocks, options):

@@ -32,7 +32,8 @@ namespace strait
   void detrend(HeightMap &map, Detrend what);
 
   /**
-   * Fill missing points with the harmonic function of the points around them.
+   * Fill missing points with the harmonic function of the points around them, by the
+   * sides of @p map, which must be known.
    * Throws InputError if they are more than @p largest_share of all.
    */
   void fill_missing_points(HeightMap         &map,
@@ -42,7 +43,8 @@ namespace strait
 
   /**
    * Make one period of @p map as the scene says, and warn of what that does to
-   * rms height and slope; with MakePeriodic::no warn of a step at the seam.
+   * rms height and slope; with MakePeriodic::no warn of a step at the seam. Its sides
+   * must be known.
    */
   void make_periodic(HeightMap           &map,
                      const MapParameters &parameters,
