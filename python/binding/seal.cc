@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "seal.h"
+
 #include <strait/base/exceptions.h>
-#include <strait/base/timers.h>
 #include <strait/run/load_sweep.h>
-#include <strait/seal/make_seal.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/map_processing.h>
 #include <strait/surface/resolution.h>
@@ -12,321 +12,225 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <tuple>
-#include <variant>
-
-#include "arrays.h"
-#include "bindings.h"
-#include "environment.h"
 
 namespace strait::python
 {
-  namespace
+  Seal::Seal(const SceneSource          &source,
+             const std::optional<Array> &array,
+             const py::object           &comm)
+    : scene(source.scene)
+    , communicator(communicator_of(comm))
+    , log(communicator, nowhere, Log::Screen::silent)
+    , layout(make_layout(grid_of(scene), communicator))
   {
-    /**
-     * The seal of a scene: its model, and the flow through the gaps that the model makes.
-     * A load alone is a control with what else the scene prescribes. All is collective.
-     */
-    class Seal
+    // Loads are searched on request, and what is left over by the solver must never
+    // decide.
+    scene.programme.find_threshold =
+      scene.contact.enabled && scene.fluid.enabled && scene.contact.loads();
     {
-    public:
-      using LoadOrControl = std::variant<double, Control>;
-
-      /** States, jumps between them, and whether the surfaces parted before the last. */
-      using Followed = std::tuple<std::vector<State>, std::vector<Jump>, bool>;
-
-      Seal(const SceneSource          &source,
-           const std::optional<Array> &heights,
-           const py::object           &comm);
-      ~Seal();
-      Seal(const Seal &)            = delete;
-      Seal &operator=(const Seal &) = delete;
-
-      Control control(double                target,
-                      std::optional<double> inlet_pressure,
-                      std::optional<double> slip_length) const;
-
-      State    solve(const LoadOrControl &at, const State &from);
-      Followed follow(const std::vector<LoadOrControl> &through, const State &from);
-      std::shared_ptr<Flow>   flow(const State &state, bool with_fields);
-      std::vector<Transition> find_transitions(std::optional<double> first);
-      std::vector<BlowOut>    find_blow_outs(const std::vector<double> &loads);
-
-      double
-      rms_slope() const
-      {
-        return slope;
-      }
-
-    private:
-      /** While this exists something is solved. A handler of a signal may interrupt that,
-       *  and must not begin again with what is half done. */
-      class Use
-      {
-      public:
-        explicit Use(Seal &seal)
-          : is_used(seal.is_used)
-        {
-          if (is_used)
-            throw std::runtime_error(
-              "This seal is being solved; what interrupts that must use another.");
-          is_used = true;
-        }
-
-        ~Use()
-        {
-          is_used = false;
-        }
-
-        Use(const Use &)            = delete;
-        Use &operator=(const Use &) = delete;
-
-      private:
-        const Computing computing;
-        bool           &is_used;
-      };
-
-      Control    control_of(const LoadOrControl &at) const;
-      Aim        aim() const;
-      SealModel &open();
-      void       require_fluid();
-      void       require_own(const SealState &state) const;
-      void       free();
-      void       pass_warnings_on();
-
-      Scene                      scene;
-      MPI_Comm                   communicator;
-      std::ostringstream         nowhere;
-      Log                        log;
-      Timers                     timers;
-      SlabLayoutPtr              layout;
-      double                     slope = 0.; // of the surface, rms
-      ContactParameters          contact;
-      std::unique_ptr<FlowStage> stage;          // unless the fluid is off
-      std::unique_ptr<SealModel> model;          // null once MPI has ended
-      std::size_t                n_warnings = 0; // that were passed on
-      bool                       is_used    = false;
-    };
-
-    Seal::Seal(const SceneSource          &source,
-               const std::optional<Array> &array,
-               const py::object           &comm)
-      : scene(source.scene)
-      , communicator(communicator_of(comm))
-      , log(communicator, nowhere, Log::Screen::silent)
-      , layout(make_layout(grid_of(scene), communicator))
-    {
-      // Loads are searched on request, and what is left over by the solver must never
-      // decide.
-      scene.programme.find_threshold =
-        scene.contact.enabled && scene.fluid.enabled && scene.contact.loads();
-      {
-        const Computing computing;
-        SlabField       heights;
-        if (array)
-          heights = as_field(layout, *array, "heights");
-        else
-          {
-            Remarks remarks;
-            heights = make_surface(scene.surface, layout, &remarks);
-            for (const std::string &warning : remarks.warnings)
-              log.warn(warning);
-          }
-        slope   = statistics(heights).rms_slope;
-        contact = complete_contact(scene, heights, 0., log);
-        if (scene.fluid.enabled)
-          stage = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
-        model = make_seal(scene, contact, std::move(heights), stage.get(), log);
-      }
-      free_at_exit(this, [this]() { free(); });
-      pass_warnings_on();
-    }
-
-    Seal::~Seal()
-    {
-      forget_at_exit(this);
-      if (!model) // was freed at exit
-        return;
       const Computing computing;
-      free();
+      SlabField       heights;
+      if (array)
+        heights = as_field(layout, *array, "heights");
+      else
+        {
+          Remarks remarks;
+          heights = make_surface(scene.surface, layout, &remarks);
+          for (const std::string &warning : remarks.warnings)
+            log.warn(warning);
+        }
+      slope   = statistics(heights).rms_slope;
+      contact = complete_contact(scene, heights, 0., log);
+      if (scene.fluid.enabled)
+        stage = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
+      model = make_seal(scene, contact, std::move(heights), stage.get(), log);
     }
+    free_at_exit(this, [this]() { free(); });
+    pass_warnings_on();
+  }
 
-    void
-    Seal::free()
-    {
-      model.reset();
-      stage.reset();
-    }
+  Seal::~Seal()
+  {
+    forget_at_exit(this);
+    if (!model) // was freed at exit
+      return;
+    const Computing computing;
+    free();
+  }
 
-    SealModel &
-    Seal::open()
-    {
-      if (!model)
-        throw std::runtime_error("MPI has ended, and with it this seal.");
-      return *model;
-    }
+  void
+  Seal::free()
+  {
+    model.reset();
+    stage.reset();
+  }
 
-    void
-    Seal::require_fluid()
-    {
-      open();
-      require(stage != nullptr, "Fluid/Enabled is false, so there is no flow.");
-    }
+  SealModel &
+  Seal::open()
+  {
+    if (!model)
+      throw std::runtime_error("MPI has ended, and with it this seal.");
+    return *model;
+  }
 
-    /** That @p state is one of a seal like this. */
-    void
-    Seal::require_own(const SealState &state) const
-    {
-      const PeriodicGrid &here = layout->grid(), &there = state.gap().grid();
-      require(here.nx == there.nx && here.ny == there.ny && here.lx == there.lx &&
-                here.ly == there.ly &&
-                state.gap().layout().communicator() == communicator &&
-                state.contact.has_value() == scene.contact.enabled,
-              "The state is one of another seal: its grid, communicator or contact are "
-              "not those of this one.");
-    }
+  void
+  Seal::require_fluid()
+  {
+    open();
+    require(stage != nullptr, "Fluid/Enabled is false, so there is no flow.");
+  }
 
-    void
-    Seal::pass_warnings_on()
-    {
-      const py::object category = py::module_::import("strait").attr("SceneWarning");
-      for (; n_warnings < log.warnings().size(); ++n_warnings)
-        if (PyErr_WarnEx(category.ptr(), log.warnings()[n_warnings].c_str(), 2) != 0)
-          throw py::error_already_set();
-    }
+  /** That @p state is one of a seal like this. */
+  void
+  Seal::require_own(const SealState &state) const
+  {
+    const PeriodicGrid &here = layout->grid(), &there = state.gap().grid();
+    require(here.nx == there.nx && here.ny == there.ny && here.lx == there.lx &&
+              here.ly == there.ly &&
+              state.gap().layout().communicator() == communicator &&
+              state.contact.has_value() == scene.contact.enabled,
+            "The state is one of another seal: its grid, communicator or contact are "
+            "not those of this one.");
+  }
 
-    Control
-    Seal::control(const double                target,
-                  const std::optional<double> inlet_pressure,
-                  const std::optional<double> slip_length) const
-    {
-      const Control result = {target,
-                              inlet_pressure.value_or(scene.fluid.inlet_pressure),
-                              slip_length.value_or(scene.fluid.slip_lengths.front())};
-      require(std::isfinite(result.inlet_pressure),
-              "The inlet pressure must be a finite number.");
-      require(std::isfinite(result.slip_length) && result.slip_length <= 0.,
-              "The slip length must be a finite number of at most 0.");
-      return result;
-    }
+  void
+  Seal::pass_warnings_on()
+  {
+    const py::object category = py::module_::import("strait").attr("SceneWarning");
+    for (; n_warnings < log.warnings().size(); ++n_warnings)
+      if (PyErr_WarnEx(category.ptr(), log.warnings()[n_warnings].c_str(), 2) != 0)
+        throw py::error_already_set();
+  }
 
-    Control
-    Seal::control_of(const LoadOrControl &at) const
-    {
-      const auto *const target = std::get_if<double>(&at);
-      return target != nullptr ? control(*target, {}, {}) : std::get<Control>(at);
-    }
+  Control
+  Seal::control(const double                target,
+                const std::optional<double> inlet_pressure,
+                const std::optional<double> slip_length) const
+  {
+    const Control result = {target,
+                            inlet_pressure.value_or(scene.fluid.inlet_pressure),
+                            slip_length.value_or(scene.fluid.slip_lengths.front())};
+    require(std::isfinite(result.inlet_pressure),
+            "The inlet pressure must be a finite number.");
+    require(std::isfinite(result.slip_length) && result.slip_length <= 0.,
+            "The slip length must be a finite number of at most 0.");
+    return result;
+  }
 
-    Aim
-    Seal::aim() const
-    {
-      return stage ? Aim::leak_rate : Aim::verdict;
-    }
+  Control
+  Seal::control_of(const LoadOrControl &at) const
+  {
+    const auto *const target = std::get_if<double>(&at);
+    return target != nullptr ? control(*target, {}, {}) : std::get<Control>(at);
+  }
 
-    State
-    Seal::solve(const LoadOrControl &at, const State &from)
-    {
-      State state;
-      {
-        SealModel &seal = open();
-        const Use  use(*this);
-        if (from)
-          require_own(*from);
-        state =
-          std::make_shared<SealState>(seal.solve(control_of(at), from.get(), aim()));
-      }
-      pass_warnings_on();
-      return state;
-    }
+  Aim
+  Seal::aim() const
+  {
+    return stage ? Aim::leak_rate : Aim::verdict;
+  }
 
-    Seal::Followed
-    Seal::follow(const std::vector<LoadOrControl> &through, const State &from)
+  State
+  Seal::solve(const LoadOrControl &at, const State &from)
+  {
+    State state;
     {
-      Followed path;
-      auto &[states, jumps, parted] = path;
-      {
-        SealModel &seal = open();
-        const Use  use(*this);
-        if (from)
-          require_own(*from);
-        Scene of_path = scene;
-        of_path.programme.pressures.clear(); // the measure of the tolerance of jumps
-        for (const LoadOrControl &at : through)
-          of_path.programme.pressures.push_back(control_of(at).target);
-        State last = from;
-        for (const LoadOrControl &at : through)
-          {
-            Arrival arrival =
-              strait::follow(seal, control_of(at), last.get(), aim(), step_rule(of_path));
-            jumps.insert(jumps.end(), arrival.jumps.begin(), arrival.jumps.end());
-            parted = !arrival.state;
-            if (parted)
-              break;
-            last = std::make_shared<SealState>(std::move(*arrival.state));
-            states.push_back(last);
-            check_signals();
-          }
-      }
-      pass_warnings_on();
-      return path;
-    }
-
-    std::shared_ptr<Flow>
-    Seal::flow(const State &state, const bool with_fields)
-    {
-      require_fluid();
-      std::shared_ptr<Flow> result;
-      {
-        const Use use(*this);
-        require_own(*state);
-        stage->set_inlet_pressure(state->control.inlet_pressure);
-        const StepFlow flow = leak_through(*state, scene, *stage);
-        result = record_of(flow, state->gap().layout(), layout, stage->fluid());
-        if (with_fields && flow.solution)
-          add_fields(*result, *flow.solution);
-        else if (with_fields)
-          {
-            const double nowhere = std::numeric_limits<double>::quiet_NaN();
-            result->pressure.emplace(layout, nowhere);
-            result->current.emplace(layout, nowhere);
-          }
-      }
-      pass_warnings_on();
-      return result;
-    }
-
-    std::vector<Transition>
-    Seal::find_transitions(const std::optional<double> first)
-    {
-      require_fluid();
-      require(scene.programme.find_threshold,
-              "A critical load needs Contact/Enabled and Contact/Control = load.");
+      SealModel &seal = open();
       const Use  use(*this);
-      SealSearch search(scene, open(), layout, stage->domain(), log);
-      search.after_probe(check_signals);
-      SearchStart start = search_start(scene, contact, slope);
-      start.value       = first.value_or(start.value);
-      return search.find_critical_loads(start);
+      if (from)
+        require_own(*from);
+      state = std::make_shared<SealState>(seal.solve(control_of(at), from.get(), aim()));
     }
+    pass_warnings_on();
+    return state;
+  }
 
-    std::vector<BlowOut>
-    Seal::find_blow_outs(const std::vector<double> &loads)
+  Seal::Followed
+  Seal::follow(const std::vector<LoadOrControl> &through, const State &from)
+  {
+    Followed path;
+    auto &[states, jumps, parted] = path;
     {
-      require_fluid();
-      require(scene.fluid.feedback.enabled && scene.programme.find_threshold,
-              "A blow-out pressure needs Fluid/Wall feedback/Enabled and "
-              "Contact/Control = load.");
-      for (const double load : loads)
-        require(load > 0., "A blow-out pressure needs a load above 0.");
-      const Use use(*this);
-      Scene     of_loads           = scene;
-      of_loads.programme.pressures = loads;
-      SealSearch search(of_loads, open(), layout, stage->domain(), log);
-      search.after_probe(check_signals);
-      return search.find_blow_outs();
+      SealModel &seal = open();
+      const Use  use(*this);
+      if (from)
+        require_own(*from);
+      Scene of_path = scene;
+      of_path.programme.pressures.clear(); // the measure of the tolerance of jumps
+      for (const LoadOrControl &at : through)
+        of_path.programme.pressures.push_back(control_of(at).target);
+      State last = from;
+      for (const LoadOrControl &at : through)
+        {
+          Arrival arrival =
+            strait::follow(seal, control_of(at), last.get(), aim(), step_rule(of_path));
+          jumps.insert(jumps.end(), arrival.jumps.begin(), arrival.jumps.end());
+          parted = !arrival.state;
+          if (parted)
+            break;
+          last = std::make_shared<SealState>(std::move(*arrival.state));
+          states.push_back(last);
+          check_signals();
+        }
     }
-  } // namespace
+    pass_warnings_on();
+    return path;
+  }
+
+  std::shared_ptr<Flow>
+  Seal::flow(const State &state, const bool with_fields)
+  {
+    require_fluid();
+    std::shared_ptr<Flow> result;
+    {
+      const Use use(*this);
+      require_own(*state);
+      stage->set_inlet_pressure(state->control.inlet_pressure);
+      const StepFlow flow = leak_through(*state, scene, *stage);
+      result = record_of(flow, state->gap().layout(), layout, stage->fluid());
+      if (with_fields && flow.solution)
+        add_fields(*result, *flow.solution);
+      else if (with_fields)
+        {
+          const double nowhere = std::numeric_limits<double>::quiet_NaN();
+          result->pressure.emplace(layout, nowhere);
+          result->current.emplace(layout, nowhere);
+        }
+    }
+    pass_warnings_on();
+    return result;
+  }
+
+  std::vector<Transition>
+  Seal::find_transitions(const std::optional<double> first)
+  {
+    require_fluid();
+    require(scene.programme.find_threshold,
+            "A critical load needs Contact/Enabled and Contact/Control = load.");
+    const Use  use(*this);
+    SealSearch search(scene, open(), layout, stage->domain(), log);
+    search.after_probe(check_signals);
+    SearchStart start = search_start(scene, contact, slope);
+    start.value       = first.value_or(start.value);
+    return search.find_critical_loads(start);
+  }
+
+  std::vector<BlowOut>
+  Seal::find_blow_outs(const std::vector<double> &loads)
+  {
+    require_fluid();
+    require(scene.fluid.feedback.enabled && scene.programme.find_threshold,
+            "A blow-out pressure needs Fluid/Wall feedback/Enabled and "
+            "Contact/Control = load.");
+    for (const double load : loads)
+      require(load > 0., "A blow-out pressure needs a load above 0.");
+    const Use use(*this);
+    Scene     of_loads           = scene;
+    of_loads.programme.pressures = loads;
+    SealSearch search(of_loads, open(), layout, stage->domain(), log);
+    search.after_probe(check_signals);
+    return search.find_blow_outs();
+  }
 
   void
   bind_seal(py::module_ &module)
