@@ -61,6 +61,12 @@ def in_endless_row(alone, two, error_alone, error_two):
     return np.where(alone > 0, 1 / difference, 0.), np.where(two > 0, error, 0.)
 
 
+def rows_at(table, loads):
+    """The rows of a patch at each of the loads, in the order of its path."""
+    chosen = nearest_slip(table)
+    return [np.flatnonzero(at_load(table["pressure"], load) & chosen) for load in loads]
+
+
 class Patches:
     """What the realisations conduct: squares under the seal's pressure drop, at all loads."""
 
@@ -85,6 +91,8 @@ class Patches:
                 self.ends.append(alone)
             self.in_rows = self.in_rows and "two_boxes_leak_rate" in run.table
             self.errors.append(errors)
+            self.loads_again = self.loads_again or any(
+                found.size > 1 for found in rows_at(run.table, seal.loads))
             self.knows_budget = self.knows_budget and "leak_rate_error" in run.table
             # Without a run.json nothing is known of its steps.
             budgets += run.record.get("error_budget", [{"relative_errors": {}}])
@@ -100,13 +108,11 @@ class Patches:
         self.knows_grid = self.knows_budget and all("contact grid" in step["relative_errors"]
                                                     for step in budgets)
 
-    def _of_loads(self, run, box, seal):
+    @staticmethod
+    def _of_loads(run, box, seal):
         """Conductances of one patch: alone between reservoirs, and in an endless row; errors."""
         table, (length, breadth) = run.table, box
-        chosen = nearest_slip(table)
-        found = [np.flatnonzero(at_load(table["pressure"], load) & chosen) for load in seal.loads]
-        self.loads_again = self.loads_again or any(row.size > 1 for row in found)
-        rows = [row[:1] for row in found]
+        rows = [found[:1] for found in rows_at(table, seal.loads)]
         for load, row in zip(seal.loads, rows):
             if not row.size or not is_trusted(table["status"][row]).all():
                 raise ValueError(f"no leak rate at {load:.6g}")
