@@ -97,19 +97,20 @@ namespace strait
     section.add("Enabled", enabled).meaning =
       "Leak rate of a whole seal, with its uncertainty, from the realisations as patches "
       "of it; see seal.csv.";
-    section.add("Circumference", circumference, not_negative).meaning =
+    ParameterSection effect = section.when("Enabled", {"true"});
+    effect.add("Circumference", circumference, not_negative).meaning =
       "Length of the seal across the flow [length].";
-    section.add("Contact width", contact_width, not_negative).meaning =
+    effect.add("Contact width", contact_width, not_negative).meaning =
       "Width of the contact along the flow, the same at all loads [length].";
-    section.add_path("Pressure profile", pressure_profile, "hertz").meaning =
+    effect.add_path("Pressure profile", pressure_profile, "hertz").meaning =
       "How the contact pressure is distributed over the width. Empty: uniform; hertz: "
       "that of a cylinder on a plane, which vanishes at both edges; else a table of two "
       "columns, position [length] and pressure, say of a finite-element program. A "
       "nominal pressure is then the mean over the width.";
-    section.add("Isotropic", isotropic).meaning =
+    effect.add("Isotropic", isotropic).meaning =
       "true: rotated realisations are further samples of the flow along; false: they "
       "give the conductances across, for a surface with a lay.";
-    section.add("Wanted leak rate", wanted_leak_rate, not_negative).meaning =
+    effect.add("Wanted leak rate", wanted_leak_rate, not_negative).meaning =
       "Find the load at which the whole seal leaks as much, in the first of Output/Leak "
       "rate units if that is set; 0: do not [length^3/time].";
     section.add("Two in a row", two_in_a_row).meaning =

@@ -102,7 +102,7 @@ namespace strait
             opened_at.push_back(place);
             entries.push_back({section, "", "", place, folder});
           }
-        else if (word == "set" && equals != std::string::npos)
+        else if (word == "set" && equals != std::string::npos && equals > 0)
           {
             entries.push_back({section,
                                squeeze(rest.substr(0, equals)),

@@ -10,8 +10,9 @@ namespace strait
   ContactSolution
   DualConjugateGradients::solve()
   {
-    for (std::size_t i = 0, n = problem.size; i < n; ++i)
-      in_contact[i] = pressure[i] != 0;
+    for (const Block &block : problem.blocks)
+      for (std::size_t i = block.begin; i < block.end; ++i)
+        in_contact[i] = pressure[i] != 0;
 
     ContactSolution solution;
     double          least_residual = std::numeric_limits<double>::infinity();
@@ -80,6 +81,7 @@ namespace strait
     });
     note_free();
     gap_is_exact = true;
+    truncated    = false;
     // What follows is conjugate to no step that led to another gap.
     std::fill(direction.begin(), direction.end(), 0.f);
     std::fill(response.begin(), response.end(), 0.f);
@@ -112,6 +114,7 @@ namespace strait
     on_contact   = {};
     problem.precondition(
       problem.scratch(),
+      in_contact.data(),
       [&](const Block &range) { worst = std::max(worst, choose_contact(range)); },
       [&](const Block &range) { measure(range); });
     return maximum(problem.communicator, worst) / tolerance.unit;
@@ -169,6 +172,7 @@ namespace strait
     if (!(curvature > 0))
       return false;
     gap_is_exact = false;
+    truncated    = false;
     last_length  = slope / curvature;
     energy -= 0.5 * (tolerance.unit * tolerance.unit) * slope * last_length;
     return true;

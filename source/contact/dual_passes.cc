@@ -57,9 +57,9 @@ namespace strait
   // knows, a write to a field might change a member.
 
   /**
-   * C: the points between the limits of the pressure and, unless some pressure is beyond
-   * these, those that penetrate without pressure or part under the largest. Set y, the
-   * gap on C and 0 elsewhere. Return the largest gap that should be none.
+   * C: the points between the limits of the pressure or beyond and, unless the pressure
+   * was just truncated, those that penetrate without pressure or part under the largest.
+   * Set y, the gap on C and 0 elsewhere. Return the largest gap that should be none.
    */
   double
   DualConjugateGradients::choose_contact(const Block &range)
@@ -69,7 +69,7 @@ namespace strait
     std::uint8_t *c = in_contact.data();
     const double  s = shift, unit = 1. / tolerance.unit;
     const double  limit  = constraint.limit;
-    const bool    grows  = !any_beyond;
+    const bool    grows  = !truncated;
     const auto    choose = [=](const std::size_t begin, const std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         {
@@ -235,6 +235,7 @@ namespace strait
     const auto [slope] = gained.over_ranks(problem);
     note_free();
     gap_is_exact = false;
+    truncated    = true;
     energy -= (tolerance.unit * tolerance.unit) * (slope - .5 * d_r);
   }
 } // namespace strait

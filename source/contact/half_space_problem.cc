@@ -64,6 +64,7 @@ namespace strait
     , transform(heights.layout_pointer())
     , of_steps(heights.layout_pointer())
     , stiffness(TwoScaleOperator::stiffness(heights.layout_pointer(), modulus))
+    , extension(heights.layout_pointer())
   {
   }
 
@@ -100,11 +101,17 @@ namespace strait
   }
 
   void
-  HalfSpaceProblem::precondition(float *values, const Pass &before, const Pass &after)
+  HalfSpaceProblem::precondition(float              *values,
+                                 const std::uint8_t *marks,
+                                 const Pass         &before,
+                                 const Pass         &after)
   {
-    stiffness.apply(values,
-                    by_rows(of_steps.layout(), before),
-                    by_rows(of_steps.layout(), after));
+    extension.apply(
+      values,
+      marks,
+      by_rows(of_steps.layout(), before),
+      [&](const auto &begin, const auto &end) { stiffness.apply(values, begin, end); },
+      by_rows(of_steps.layout(), after));
   }
 
   GapProblem::GapProblem(const SlabField   &heights,

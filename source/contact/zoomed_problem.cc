@@ -38,14 +38,16 @@ namespace strait
     {
     }
 
-    /** Hold what multiply(transform, values) makes of @p array and zeros around it. */
-    template <class Multiply>
+    /** Hold what the symbol symbol_of(grid) makes of @p array and zeros around it. */
+    template <class SymbolOf>
     void
-    take(const Number *array, const Multiply &multiply)
+    take(const Number *array, const SymbolOf &symbol_of)
     {
       std::fill(values.begin(), values.end(), Number(0));
       for_each([&](const std::size_t k, Number &value) { value = array[k]; });
-      multiply(transform, values.data());
+      transform.multiply(values.data(),
+                         values.data(),
+                         symbol_of(transform.layout().grid()));
     }
 
     /** Call visit(k, value) with the values that are at the points k of the array. */
@@ -122,38 +124,23 @@ namespace strait
   void
   ZoomedOperator<Number>::apply(Number *values)
   {
-    const auto multiply = [this](BasicFourierTransform<Number> &box, Number *in_box) {
-      box.multiply(in_box, in_box, wave_compliance<Number>(box.layout().grid(), modulus));
-    };
-    act(
-      values, [&]() { multiply(grid_transform, values); }, multiply);
-  }
-
-  template <class Number>
-  void
-  ZoomedOperator<Number>::precondition(Number *values, TwoScaleOperator &grid_stiffness)
-  {
-    const auto no_row = [](int) {};
-    act(
-      values,
-      [&]() { grid_stiffness.apply(values, no_row, no_row); },
-      [this](BasicFourierTransform<Number> &box, Number *in_box) {
-        box.multiply(in_box, in_box, wave_stiffness(box.layout().grid(), modulus));
-      });
-  }
-
-  template <class Number>
-  template <class OnGrid, class Multiply>
-  void
-  ZoomedOperator<Number>::act(Number         *values,
-                              const OnGrid   &on_grid,
-                              const Multiply &multiply)
-  {
     clear_covered(values);
     gather_from_windows(values);
-    on_grid();
-    spread_to_windows(values, multiply);
+    grid_transform.multiply(values,
+                            values,
+                            wave_compliance<Number>(layout().grid(), modulus));
+    spread_to_windows(values);
     clear_covered(values);
+  }
+
+  template <class Number>
+  void
+  ZoomedOperator<Number>::stiffen(const int window, Number *own)
+  {
+    WindowBox<Number> &box = windows[window]->fine_box;
+    box.take(own,
+             [this](const PeriodicGrid &grid) { return wave_stiffness(grid, modulus); });
+    box.for_each([own](const std::size_t k, const Number value) { own[k] = value; });
   }
 
   template <class Number>
@@ -186,14 +173,16 @@ namespace strait
 
   /** Refine what the parents have found in their windows. */
   template <class Number>
-  template <class Multiply>
   void
-  ZoomedOperator<Number>::spread_to_windows(Number *values, const Multiply &multiply)
+  ZoomedOperator<Number>::spread_to_windows(Number *values)
   {
+    const auto compliance = [this](const PeriodicGrid &grid) {
+      return wave_compliance<Number>(grid, modulus);
+    };
     for (const auto &each : windows)
       {
         Window &window = *each;
-        window.coarse_box.take(window.patch.data(), multiply);
+        window.coarse_box.take(window.patch.data(), compliance);
         std::fill(window.patch.begin(), window.patch.end(), Number(0));
         window.for_each_of_patch([&](const std::size_t k, const std::size_t at) {
           window.patch[k] = values[at];
@@ -205,7 +194,7 @@ namespace strait
         window.coarse_box.for_each(
           [&](const std::size_t k, const Number value) { window.patch[k] -= value; });
         Number *own = values + layout().start_of_window(window.number);
-        window.fine_box.take(own, multiply);
+        window.fine_box.take(own, compliance);
         window.transfer.interpolate(window.patch, own);
         window.fine_box.for_each(
           [&](const std::size_t k, const Number value) { own[k] += value; });
@@ -219,8 +208,7 @@ namespace strait
     : DualProblem(points_of(heights))
     , exact(heights.layout_pointer(), contact_modulus)
     , of_steps(heights.layout_pointer(), contact_modulus)
-    , grid_stiffness(
-        TwoScaleOperator::stiffness(heights.layout_pointer(), contact_modulus))
+    , preconditioner(heights.layout_pointer(), contact_modulus)
     , room(size)
     , pressed(size)
   {
@@ -272,11 +260,16 @@ namespace strait
   }
 
   void
-  ZoomedProblem::precondition(float *values, const Pass &before, const Pass &after)
+  ZoomedProblem::precondition(float              *values,
+                              const std::uint8_t *marks,
+                              const Pass         &before,
+                              const Pass         &after)
   {
     for (const Block &block : blocks)
       before(block);
-    of_steps.precondition(values, grid_stiffness);
+    preconditioner.apply(values, marks, [this](const int window, float *own) {
+      of_steps.stiffen(window, own);
+    });
     for (const Block &block : blocks)
       after(block);
   }

@@ -118,25 +118,26 @@ namespace strait
   template std::vector<std::int64_t>
   fetch_rows(const SlabLayout &, const std::int64_t *, int, const std::vector<int> &);
 
+  template <class Number>
   void
   add_rows(const SlabLayout          &layout,
            const std::vector<int>    &rows,
-           const std::vector<double> &values,
-           double                    *local_rows)
+           const std::vector<Number> &values,
+           Number                    *local_rows)
   {
     const int           nx = layout.grid().nx;
-    std::vector<double> outgoing;
+    std::vector<Number> outgoing;
     std::vector<int>    n_outgoing(layout.n_ranks());
     for (int rank = 0; rank < layout.n_ranks(); ++rank)
       for (std::size_t k = 0; k < rows.size(); ++k)
         if (const int row = rows[k] % layout.grid().ny; layout.owner_of_row(row) == rank)
           {
             // Each row behind its number.
-            outgoing.push_back(row);
+            outgoing.push_back(static_cast<Number>(row));
             outgoing.insert(outgoing.end(), &values[k * nx], &values[k * nx] + nx);
             ++n_outgoing[rank];
           }
-    const std::vector<double> incoming =
+    const std::vector<Number> incoming =
       exchange(layout.communicator(), outgoing, n_outgoing, nx + 1).items;
     for (std::size_t at = 0; at < incoming.size(); at += nx + 1)
       {
@@ -145,6 +146,15 @@ namespace strait
           local_rows[row * nx + i] += incoming[at + 1 + i];
       }
   }
+
+  template void add_rows(const SlabLayout &,
+                         const std::vector<int> &,
+                         const std::vector<float> &,
+                         float *);
+  template void add_rows(const SlabLayout &,
+                         const std::vector<int> &,
+                         const std::vector<double> &,
+                         double *);
 
   std::vector<double>
   gather_on_root(const SlabField &field)

@@ -42,6 +42,9 @@ TEST(Scene, ParametersWithoutEffectAreNamed)
                          "Surface/Amplitude=1"}),
             std::vector<std::string>{"without Contact/Adhesion/Enabled = true these have "
                                      "no effect: Surface energy, Tabor number"});
+  EXPECT_EQ(warnings_of({"Seal/Contact width=2", "Seal/Wanted leak rate=1"}),
+            std::vector<std::string>{"without Seal/Enabled = true these have no effect: "
+                                     "Contact width, Wanted leak rate"});
   EXPECT_EQ(warnings_of({"Surface/Detrend=tilt"}).size(), 1U);
   EXPECT_EQ(warnings_of({"Surface/Kind=flat", "Surface/RMS value=1e-3"}),
             std::vector<std::string>{

@@ -93,6 +93,8 @@ TEST(SceneText, BrokenStructureNamesTheLine)
     parse_error("subsection A\n x = 1\nend\n").find("f.prm:2: cannot read 'x = 1'"),
     std::string::npos);
   EXPECT_NE(parse_error("set x\n").find("f.prm:1: cannot read"), std::string::npos);
+  EXPECT_NE(parse_error("subsection A\nset = 5\nend\n").find("cannot read 'set = 5'"),
+            std::string::npos);
 }
 
 TEST(SceneText, AParameterIsSetOnceInAFile)

@@ -78,7 +78,7 @@ namespace
     }
 
     void
-    precondition(float *values, const Pass &before, const Pass &after) override
+    precondition(float *values, const std::uint8_t * /* marks */, const Pass &before, const Pass &after) override
     {
       for (const Block &range : ranges)
         {
@@ -145,7 +145,7 @@ namespace
     std::vector<double>   p(problem.size, 1.), g(problem.size), u(problem.size);
     const ContactSolution solution =
       find_pressure(method,
-                    {problem, constraint, {tolerance, 1., 2000}, p.data(), g.data()});
+                    {problem, constraint, {tolerance, 1., 3000}, p.data(), g.data()});
     EXPECT_TRUE(solution.converged) << solution.residual;
 
     problem.apply(p.data(), u.data(), no_pass);

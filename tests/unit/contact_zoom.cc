@@ -96,10 +96,17 @@ namespace
     EXPECT_NEAR(weighted(problem, a, Gb),
                 weighted(problem, b, Ga),
                 1e-14 * std::sqrt(work * Gbb));
+    std::vector<std::uint8_t> marks(a.size(), 0);
+    for (const ContactProblem::Block &block : problem.blocks)
+      for (std::size_t k = block.begin; k < block.end; ++k)
+        marks[k] = a[k] > 0;
     const auto precondition = [&](const SlabField &field, SlabField &result) {
       std::vector<float> values(field.begin(), field.end());
-      problem.precondition(values.data(), no_pass, no_pass);
-      std::copy(values.begin(), values.end(), result.begin());
+      for (std::size_t k = 0; k < values.size(); ++k)
+        values[k] *= marks[k];
+      problem.precondition(values.data(), marks.data(), no_pass, no_pass);
+      for (std::size_t k = 0; k < values.size(); ++k)
+        result[k] = marks[k] * values[k];
     };
     precondition(a, Ma);
     precondition(b, Mb);

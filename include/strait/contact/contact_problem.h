@@ -5,6 +5,7 @@
 #include <strait/base/collective.h>
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -71,10 +72,15 @@ namespace strait
                            const WorkPass &after) = 0;
 
     /**
-     * Replace @p values by M values, where M is symmetric and positive and resembles the
-     * inverse of G up to a factor. Collective.
+     * Replace @p values by M values at the points that @p marks are of; what stands at
+     * the others before must be 0, and then means nothing. M is symmetric and positive on
+     * the marked points and resembles the inverse of G there, up to a factor. before()
+     * may still write the marks of its range. Collective.
      */
-    virtual void precondition(float *values, const Pass &before, const Pass &after) = 0;
+    virtual void precondition(float              *values,
+                              const std::uint8_t *marks,
+                              const Pass         &before,
+                              const Pass         &after) = 0;
 
     /** Room for `size` values that lasts until the next respond(). */
     virtual float *scratch() = 0;

@@ -4,6 +4,7 @@
 
 #include <strait/contact/adhesion_law.h>
 #include <strait/contact/contact_problem.h>
+#include <strait/contact/pyramid_extension.h>
 #include <strait/contact/two_scale_operator.h>
 
 #include <cmath>
@@ -65,7 +66,10 @@ namespace strait
                    float          *response,
                    const Pass     &before,
                    const WorkPass &after) override;
-    void   precondition(float *values, const Pass &before, const Pass &after) override;
+    void   precondition(float              *values,
+                        const std::uint8_t *marks,
+                        const Pass         &before,
+                        const Pass         &after) override;
 
     float *
     scratch() override
@@ -91,6 +95,7 @@ namespace strait
     FourierTransform             transform;
     BasicFourierTransform<float> of_steps; // to seven digits
     TwoScaleOperator             stiffness;
+    PyramidExtension             extension;
   };
 
   /**

@@ -65,6 +65,7 @@ namespace strait
     double shift        = 0;     // by which the gap is too large
     bool   any_beyond   = false; // pressure, its limits
     bool   gap_is_exact = false; // and not the sum of responses
+    bool   truncated    = false; // by the last step, after which what is open stays so
     double last_length  = 0;     // of a step along t
 
     // The next direction is (z − mean_z) + beta (t − mean_t) on C.

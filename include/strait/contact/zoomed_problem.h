@@ -3,7 +3,7 @@
 #define strait_contact_zoomed_problem_h
 
 #include <strait/contact/half_space_problem.h>
-#include <strait/contact/two_scale_operator.h>
+#include <strait/contact/zoomed_preconditioner.h>
 #include <strait/spectral/fourier_transform.h>
 
 #include <memory>
@@ -22,8 +22,7 @@ namespace strait
    * pressure itself makes. Both are found in a periodic box of the window's own, a little
    * larger than it: images and means cancel in the difference, so that no kernel of free
    * space is needed. The operator is symmetric in the scalar product that is weighted by
-   * area. The same with the half-space's stiffness, nearly that on the grid,
-   * preconditions it.
+   * area.
    *
    * @p Number is double or, for what need not be more than seven digits, float. Values
    * are those of a SlabField on the layout; at points that windows cover they are
@@ -40,14 +39,21 @@ namespace strait
     /** Replace pressures by displacements. Collective. */
     void apply(Number *values);
 
-    /** The same of the stiffness, that on the grid by @p grid_stiffness. Collective. */
-    void precondition(Number *values, TwoScaleOperator &grid_stiffness);
+    /** Replace the values of window @p window, which are 0 outside of it, by what
+     * stiffness makes of them there. */
+    void stiffen(int window, Number *own);
 
     /** Give back the room that only apply() needs, until it is called again. */
     void
     release()
     {
       grid_transform.release();
+    }
+
+    const SlabLayout &
+    layout() const
+    {
+      return grid_transform.layout();
     }
 
     /** FFT pairs on the grid so far. */
@@ -60,20 +66,9 @@ namespace strait
   private:
     class Window;
 
-    /** on_grid() does on the grid what multiply(box, values) does in the boxes of
-     * windows, in place. */
-    template <class OnGrid, class Multiply>
-    void act(Number *values, const OnGrid &on_grid, const Multiply &multiply);
     void clear_covered(Number *values) const;
     void gather_from_windows(Number *values);
-    template <class Multiply>
-    void spread_to_windows(Number *values, const Multiply &multiply);
-
-    const SlabLayout &
-    layout() const
-    {
-      return grid_transform.layout();
-    }
+    void spread_to_windows(Number *values);
 
     const double                         modulus;
     BasicFourierTransform<Number>        grid_transform;
@@ -95,7 +90,10 @@ namespace strait
                    float          *response,
                    const Pass     &before,
                    const WorkPass &after) override;
-    void   precondition(float *values, const Pass &before, const Pass &after) override;
+    void   precondition(float              *values,
+                        const std::uint8_t *marks,
+                        const Pass         &before,
+                        const Pass         &after) override;
 
     float *
     scratch() override
@@ -118,7 +116,7 @@ namespace strait
 
     ZoomedOperator<double> exact;
     ZoomedOperator<float>  of_steps;
-    TwoScaleOperator       grid_stiffness;
+    ZoomedPreconditioner   preconditioner;
     std::vector<float>     room, pressed; // scratch; the step that is responded to
   };
 } // namespace strait

@@ -103,12 +103,13 @@ namespace strait
                                  int                     row_length,
                                  const std::vector<int> &rows);
 
-  /** The adjoint: add row k of @p values to the row rows[k], which is not negative, of
-   * the rank that owns it, one rank after the other. Collective. */
+  /** The adjoint, for double or float: add row k of @p values to the row rows[k], which is
+   * not negative, of the rank that owns it, one rank after the other. Collective. */
+  template <class Number>
   void add_rows(const SlabLayout          &layout,
                 const std::vector<int>    &rows,
-                const std::vector<double> &values,
-                double                    *local_rows);
+                const std::vector<Number> &values,
+                Number                    *local_rows);
 
   /** Collective: the whole grid of a field on rank 0 (empty elsewhere), row by row. */
   std::vector<double> gather_on_root(const SlabField &field);

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
+#include <strait/contact/zoomed_preconditioner.h>
+
+#include <algorithm>
+
+namespace strait
+{
+  ZoomedPreconditioner::ZoomedPreconditioner(const SlabLayoutPtr &layout_,
+                                             const double         contact_modulus)
+    : layout(layout_)
+    , n_windows(static_cast<int>(layout->windows().size()))
+    , extension(layout)
+    , stiffness(TwoScaleOperator::stiffness(layout, contact_modulus))
+    , sums(layout->n_values())
+    , room(layout->n_values() - layout->n_local_points())
+  {
+    for (const ZoomWindow &window : layout->windows())
+      transfers.emplace_back(window);
+  }
+
+  void
+  ZoomedPreconditioner::apply(float                 *values,
+                              const std::uint8_t    *marks,
+                              const WindowStiffness &window_stiffness)
+  {
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      sums[i] = marks[i] ? GridBoxes::full : 0.f;
+    for (int w = n_windows; w-- > 0;)
+      take_means(w, values);
+    const auto no_row = [](int) {};
+    extension.apply(
+      values,
+      sums.data(),
+      no_row,
+      [&](const auto &begin, const auto &end) {
+        for (int row = 0; row < layout->n_rows(); ++row)
+          begin(row);
+        for (int w = 0; w < n_windows; ++w)
+          refine(w, values);
+        stiffen(values, window_stiffness);
+        for (int w = n_windows; w-- > 0;)
+          refine_adjoint(w, values);
+        for (int row = 0; row < layout->n_rows(); ++row)
+          end(row);
+      },
+      no_row);
+    for (int w = 0; w < n_windows; ++w)
+      take_means_adjoint(w, values);
+  }
+
+  /** Replace the values, which are known at all points, by the sum of the levels'. */
+  void
+  ZoomedPreconditioner::stiffen(float *values, const WindowStiffness &window_stiffness)
+  {
+    for (int w = n_windows; w-- > 0;)
+      layout->for_each_around(
+        w, 0, [&](const int a, const int b, const std::size_t parent) {
+          float sum = 0;
+          for_each_of_nine(w, a, b, [&](const std::size_t i) { sum += values[i]; });
+          values[parent] = sum / 9;
+        });
+    for (int w = 0; w < n_windows; ++w)
+      interpolate(w, values);
+    float *const in_windows = values + layout->n_local_points();
+    for (std::size_t i = 0; i < room.size(); ++i)
+      in_windows[i] -= room[i];
+
+    const auto no_row = [](int) {};
+    stiffness.apply(values, no_row, no_row);
+    for (int w = 0; w < n_windows; ++w)
+      window_stiffness(w, values + layout->start_of_window(w));
+
+    for (std::size_t i = 0; i < room.size(); ++i)
+      room[i] = -in_windows[i];
+    for (int w = n_windows; w-- > 0;)
+      add_deposit(w, values);
+    for (int w = 0; w < n_windows; ++w)
+      give_to_nine(
+        w,
+        values,
+        [&](const std::size_t parent) { return values[parent]; },
+        [](std::size_t) { return 1.f; });
+    for (int w = 0; w < n_windows; ++w)
+      layout->for_each_covered(w, [&](const std::size_t parent, std::size_t) {
+        values[parent] = 0;
+      });
+  }
+
+  /** Give the parent's points the weighted means and the weights of the window's. */
+  void
+  ZoomedPreconditioner::take_means(const int window, float *values)
+  {
+    layout->for_each_around(window,
+                            0,
+                            [&](const int a, const int b, const std::size_t parent) {
+                              float value = 0, weight = 0;
+                              for_each_of_nine(window, a, b, [&](const std::size_t i) {
+                                weight += weight_at(i);
+                                value += weight_at(i) * values[i];
+                              });
+                              values[parent] = weight > 0 ? value / weight : 0.f;
+                              sums[parent]   = weight * 4 / 9;
+                            });
+  }
+
+  void
+  ZoomedPreconditioner::take_means_adjoint(const int window, float *values)
+  {
+    give_to_nine(
+      window,
+      values,
+      [&](const std::size_t parent) {
+        return sums[parent] > 0 ? 4 * values[parent] / sums[parent] : 0.f;
+      },
+      [&](const std::size_t i) { return weight_at(i); });
+  }
+
+  /** Give the window's points what their weights leave open. */
+  void
+  ZoomedPreconditioner::refine(const int window, float *values)
+  {
+    const float *const of_window = interpolate(window, values);
+    for_each_point(window, [&](const std::size_t k, const std::size_t i) {
+      values[i] += (1 - weight_at(i)) * (of_window[k] - values[i]);
+    });
+  }
+
+  void
+  ZoomedPreconditioner::refine_adjoint(const int window, float *values)
+  {
+    float *const of_window = room_of(window);
+    for_each_point(window, [&](const std::size_t k, const std::size_t i) {
+      of_window[k] = (1 - weight_at(i)) * values[i];
+      values[i] -= of_window[k];
+    });
+    add_deposit(window, values);
+  }
+
+  /** Write the parent's values at the window's points to its room. */
+  float *
+  ZoomedPreconditioner::interpolate(const int window, const float *values)
+  {
+    clear_patch(window);
+    for_each_of_patch(window, [&](const std::size_t k, const std::size_t parent) {
+      patch[k] = values[parent];
+    });
+    share(window);
+    transfers[window].interpolate(patch, room_of(window));
+    return room_of(window);
+  }
+
+  /** The adjoint: add what stands in its room to the parent's values. */
+  void
+  ZoomedPreconditioner::add_deposit(const int window, float *values)
+  {
+    clear_patch(window);
+    transfers[window].deposit(room_of(window), patch);
+    for_each_of_patch(window, [&](const std::size_t k, const std::size_t parent) {
+      values[parent] += patch[k];
+    });
+  }
+
+  /** Add of_parent(position) to the values of the nine points that the parent's point at
+   *  this position is, times their weight(position). */
+  template <class OfParent, class Weight>
+  void
+  ZoomedPreconditioner::give_to_nine(const int       window,
+                                     float          *values,
+                                     const OfParent &of_parent,
+                                     const Weight   &weight)
+  {
+    const int nx = layout->windows()[window].nx, ny = layout->windows()[window].ny;
+    patch.assign(static_cast<std::size_t>(nx) * ny, 0.f);
+    layout->for_each_around(window,
+                            0,
+                            [&](const int a, const int b, const std::size_t parent) {
+                              patch[static_cast<std::size_t>(b) * nx + a] =
+                                of_parent(parent);
+                            });
+    share(window);
+    for (int b = 0; b < ny; ++b)
+      for (int a = 0; a < nx; ++a)
+        for_each_of_nine(window, a, b, [&](const std::size_t i) {
+          values[i] += weight(i) * patch[static_cast<std::size_t>(b) * nx + a];
+        });
+  }
+
+  float
+  ZoomedPreconditioner::weight_at(const std::size_t i) const
+  {
+    return GridBoxes::weight_of(sums[i]);
+  }
+
+  float *
+  ZoomedPreconditioner::room_of(const int window)
+  {
+    return room.data() + (layout->start_of_window(window) - layout->n_local_points());
+  }
+
+  void
+  ZoomedPreconditioner::clear_patch(const int window)
+  {
+    const WindowTransfer<float> &transfer = transfers[window];
+    patch.assign(static_cast<std::size_t>(transfer.patch_columns()) *
+                   transfer.patch_rows(),
+                 0.f);
+  }
+
+  /** What each rank has of a grid in the patch, all get. Collective. */
+  void
+  ZoomedPreconditioner::share(const int window)
+  {
+    if (layout->windows()[window].parent < 0)
+      sum_in_place(layout->communicator(), patch.data(), static_cast<int>(patch.size()));
+  }
+
+  /** visit(position in the window, position among the values) for its points. */
+  template <class Visit>
+  void
+  ZoomedPreconditioner::for_each_point(const int window, const Visit &visit) const
+  {
+    const std::size_t first = layout->start_of_window(window);
+    for (std::size_t i = first; i < layout->start_of_window(window + 1); ++i)
+      visit(i - first, i);
+  }
+
+  /** visit(position in the patch, position among the values) for points of the parent. */
+  template <class Visit>
+  void
+  ZoomedPreconditioner::for_each_of_patch(const int window, const Visit &visit) const
+  {
+    constexpr int margin  = ZoomWindow::margin;
+    const int     columns = transfers[window].patch_columns();
+    layout->for_each_around(
+      window, margin, [&](const int a, const int b, const std::size_t parent) {
+        visit(static_cast<std::size_t>(b + margin) * columns + a + margin, parent);
+      });
+  }
+
+  /** visit(position) for the points of the window that are one of the parent. */
+  template <class Visit>
+  void
+  ZoomedPreconditioner::for_each_of_nine(const int    window,
+                                         const int    a,
+                                         const int    b,
+                                         const Visit &visit) const
+  {
+    const std::size_t first   = layout->start_of_window(window),
+                      columns = layout->windows()[window].n_columns();
+    for (int j = 3 * b; j < 3 * b + 3; ++j)
+      for (int i = 3 * a; i < 3 * a + 3; ++i)
+        visit(first + j * columns + i);
+  }
+} // namespace strait
