@@ -16,13 +16,29 @@ def box_of(values):
     return (sizes[0], sizes[-1]) if values["Fluid/Direction"] == "x" else (sizes[-1], sizes[0])
 
 
+def until_they_turn(loads):
+    """Those of a path up to where it first turns round."""
+    ways = np.sign(np.diff(loads))
+    way = ways[np.flatnonzero(ways)[:1]]
+    back = np.flatnonzero(ways * way < 0) if way.size else way
+    return loads[:back[0] + 1] if back.size else loads
+
+
 class Seal:
     """What the scene says of the seal."""
 
     def __init__(self, scene):
         values = read_parameters(scene)
-        self.loads = np.unique([float(load) for load in
-                                values["Load programme/Pressures"].split(",") if load.strip()])
+        path = np.array([float(load) for load in
+                         values["Load programme/Pressures"].split(",") if load.strip()])
+        has_memory = (values.get("Contact/Yielding", "none") != "none" or
+                      values.get("Contact/Adhesion/Enabled") == "true" or
+                      values.get("Fluid/Wall feedback/Enabled") == "true")
+        # What leaks after the path turned round belongs to another curve.
+        first_way = until_they_turn(path) if has_memory else path
+        self.turns_round = has_memory and (first_way.size < path.size or
+                                           values.get("Load programme/Path") == "cycle")
+        self.loads = np.unique(first_way)
         self.circumference = float(values["Seal/Circumference"])
         self.width = float(values["Seal/Contact width"])
         self.isotropic = values["Seal/Isotropic"] == "true"

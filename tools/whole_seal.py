@@ -75,7 +75,6 @@ class Patches:
         self.errors, self.dropped, self.in_rows = [], [], True
         self.factor, self.unit, self.load_unit, self.slip = 1., "", "", ""
         self.knows_budget, budgets = True, []
-        self.loads_again = False  # on the way back of a path that matters, which is left out
         for path in realisations(folder).values():
             try:
                 run, values = Run(path), read_parameters(scene_in(path))
@@ -91,8 +90,6 @@ class Patches:
                 self.ends.append(alone)
             self.in_rows = self.in_rows and "two_boxes_leak_rate" in run.table
             self.errors.append(errors)
-            self.loads_again = self.loads_again or any(
-                found.size > 1 for found in rows_at(run.table, seal.loads))
             self.knows_budget = self.knows_budget and "leak_rate_error" in run.table
             # Without a run.json nothing is known of its steps.
             budgets += run.record.get("error_budget", [{"relative_errors": {}}])
@@ -250,8 +247,9 @@ def doubts(seal, patches):
     if seal.n_along > 1 and seal.depends_on_drop:
         yield ("each patch was solved under the whole pressure drop, of which it has a part in a "
                "row, and with Wall feedback or Rarefaction its conductance depends on that")
-    if patches.loads_again:
-        yield ("the loads come more than once, and these are the leak rates of the first time: "
+    if seal.turns_round:
+        yield (f"the path of the loads turns round, and these are the leak rates before, at "
+               f"{len(seal.loads)} loads: what leaks on the way back depends on the largest load; "
                "list in Load programme/Pressures only the path up to the loads that the seal works at")
     if seal.n_along * seal.length > 1.5 * seal.width:
         yield f"a patch is longer than the contact is wide ({seal.width:.4g})"

@@ -50,6 +50,19 @@ namespace strait
     archive.value(scale);
   }
 
+  namespace
+  {
+    /** What flowed before and is loaded as much again is at the hardness but for the
+     *  solver's tolerance, and some points are on either side of it. */
+    bool
+    flows(const double pressure, const double hardness)
+    {
+      // Half or double of it changes the area under a first load by 0.05 % of itself.
+      constexpr double almost = 1e-3;
+      return pressure > (1. - almost) * hardness;
+    }
+  } // namespace
+
   PlasticState
   indent(const SlabField *before,
          const SlabField &pressure,
@@ -57,17 +70,12 @@ namespace strait
          const double     hardness,
          const bool       is_solution)
   {
-    // What flowed before and is loaded as much again is at the hardness but for the
-    // solver's tolerance, and some points are on either side of it. Half or double of
-    // it changes the area under a first load by 0.05 % of itself.
-    constexpr double almost = 1e-3;
-
     PlasticState state;
     state.indentation = before != nullptr ? *before : SlabField(gap.layout_pointer());
     SlabField is_plastic(gap.layout_pointer());
     for (std::size_t i = 0; i < gap.size(); ++i)
       {
-        is_plastic[i] = pressure[i] > (1. - almost) * hardness ? 1. : 0.;
+        is_plastic[i] = flows(pressure[i], hardness) ? 1. : 0.;
         if (pressure[i] == hardness && is_solution)
           state.indentation[i] += std::max(0., -gap[i]);
       }
@@ -76,37 +84,116 @@ namespace strait
     return state;
   }
 
-  ContactState::ContactState(SlabField pressure_, SlabField gap_)
+  namespace
+  {
+    /** The contact line on a lattice, by the pairs of neighbours of which one touches. */
+    class LatticeLine
+    {
+    public:
+      /** Where the pressure ends at @p limit the lattice does not count too much. */
+      LatticeLine(const SlabField &pressure_, const double limit_)
+        : pressure(pressure_)
+        , limit(limit_)
+        , layout(pressure.layout())
+        , aspect(layout.grid().dy() / layout.grid().dx())
+      {
+      }
+
+      /** Its length times the spacing of the points, over the area of the box, S a.
+       *  Collective. */
+      double
+      times_spacing()
+      {
+        add_grid();
+        // All ranks hold the windows.
+        if (layout.rank() == 0)
+          for (std::size_t w = 0; w < layout.windows().size(); ++w)
+            add_window(static_cast<int>(w));
+        return sum(layout.communicator(), total) /
+               static_cast<double>(layout.grid().n_points());
+      }
+
+    private:
+      void
+      add_grid()
+      {
+        const int        nx = layout.grid().nx, ny = layout.grid().ny;
+        const RowsAround rows(pressure);
+        for (int row = 0; row < layout.n_rows(); ++row)
+          for (int ix = 0; ix < nx; ++ix)
+            {
+              const int    next = ix + 1 < nx ? ix + 1 : 0, iy = layout.first_row() + row;
+              const double here = rows[row][ix];
+              add_pair(here, rows[row][next], {-1, ix, iy}, {-1, next, iy});
+              add_pair(here, rows[row + 1][ix], {-1, ix, iy}, {-1, ix, (iy + 1) % ny});
+            }
+      }
+
+      void
+      add_window(const int w)
+      {
+        const int     n_columns = layout.windows()[w].n_columns();
+        const int     n_rows    = layout.windows()[w].n_rows();
+        const double *values    = pressure.data() + layout.start_of_window(w);
+        for (int iy = 0; iy < n_rows; ++iy)
+          for (int ix = 0; ix < n_columns; ++ix)
+            {
+              const double *here = values + static_cast<std::size_t>(iy) * n_columns + ix;
+              if (ix + 1 < n_columns)
+                add_pair(here[0], here[1], {w, ix, iy}, {w, ix + 1, iy});
+              if (iy + 1 < n_rows)
+                add_pair(here[0], here[n_columns], {w, ix, iy}, {w, ix, iy + 1});
+            }
+      }
+
+      /** A point of a window, −1 for the grid. */
+      struct Place
+      {
+        int window, ix, iy;
+      };
+
+      /** Of two points that finer ones cover nothing is known here. */
+      void
+      add_pair(const double pressure_here,
+               const double pressure_there,
+               const Place &here,
+               const Place &there)
+      {
+        if ((pressure_here > 0) == (pressure_there > 0) ||
+            flows(std::max(pressure_here, pressure_there), limit) ||
+            (is_covered(here) && is_covered(there)))
+          return;
+        const int    level = here.window < 0 ? 0 : layout.windows()[here.window].level;
+        const double side  = std::sqrt(here.iy == there.iy ? aspect : 1. / aspect);
+        total += side * std::pow(9., -level);
+      }
+
+      bool
+      is_covered(const Place &place) const
+      {
+        return layout.covered_by(place.window, place.ix, place.iy) >= 0;
+      }
+
+      const SlabField  &pressure;
+      const double      limit;
+      const SlabLayout &layout;
+      const double      aspect;
+      double            total = 0; // in areas of a grid point
+    };
+  } // namespace
+
+  ContactState::ContactState(SlabField pressure_, SlabField gap_, const double limit)
     : pressure(std::move(pressure_))
     , gap(std::move(gap_))
     , mean_gap(mean(gap))
   {
-    const SlabLayout &layout = pressure.layout();
-    const int         nx     = layout.grid().nx;
-
-    // The row after the last one belongs to another rank (or is the first one).
-    const RowsAround rows(pressure);
-
-    double counts[2] = {}; // points in contact, and edges of the lattice that leave it
-    for (int row = 0; row < layout.n_rows(); ++row)
-      {
-        const double *here = rows[row], *below = rows[row + 1];
-        for (int ix = 0; ix < nx; ++ix)
-          {
-            const bool touches = here[ix] > 0;
-            counts[0] += touches;
-            counts[1] += touches != (here[ix + 1 < nx ? ix + 1 : 0] > 0);
-            counts[1] += touches != (below[ix] > 0);
-          }
-      }
-    sum_in_place(layout.communicator(), counts, 2);
-
-    // An edge is dx or dy long and its points dy or dx apart, so that S a is
-    // dx dy an edge on a rectangular grid as well.
-    const double n_points = static_cast<double>(layout.grid().n_points());
-    contact_area          = counts[0] / n_points;
+    SlabField touches = pressure;
+    for (double &value : touches)
+      value = value > 0 ? 1. : 0.;
+    contact_area = mean(touches);
     contact_area_corrected =
-      (counts[0] - (M_PI - 1 + std::log(2.)) / 24 * counts[1]) / n_points;
+      contact_area -
+      (M_PI - 1 + std::log(2.)) / 24 * LatticeLine(pressure, limit).times_spacing();
   }
 
   void

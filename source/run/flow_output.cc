@@ -6,6 +6,7 @@
 
 #include <deal.II/numerics/data_out.h>
 
+#include <cmath>
 #include <filesystem>
 #include <sstream>
 
@@ -64,7 +65,9 @@ namespace strait
     dealii::DataOut<2> out;
     out.attach_dof_handler(dofs);
     out.add_data_vector(pressure, "fluid_pressure");
-    out.add_data_vector(conductivity, "mean_conductivity");
+    // That of a rarefied gas depends on its pressure; the linear problem's is none.
+    if (std::isnan(step.flow->leakage.knudsen))
+      out.add_data_vector(conductivity, "mean_conductivity");
     out.add_data_vector(level, "level");
     out.add_data_vector(leaks, "leaks");
     out.build_patches(step.flow->solution->mesh().mapping(), dofs.get_fe().degree);

@@ -94,8 +94,8 @@ namespace strait
           "pressure of the reservoirs")
         .add(of_leakage(&Leakage::knudsen),
              "knudsen [1]: mean free path over gap at the worst constriction, at the "
-             "pressure where the path of least resistance has as much of its resistance "
-             "before it")
+             "pressure where the path of least resistance has as much of its viscous "
+             "resistance before it: an estimate, up to half off against vacuum")
         .add(
           of_leakage(&Leakage::bound),
           "bound: which bounds of the nonlinear problem `leak_rate_lower` and "
@@ -179,12 +179,14 @@ namespace strait
            "mean_gap [length]: mean of the gap over the box; points in contact count as "
            "zero")
       .when(with_contact)
-      .add(of_contact(&ContactState::contact_area),
-           "contact_area [1]: fraction of grid points in contact, where the hard wall "
-           "pushes back")
+      .add(
+        of_contact(&ContactState::contact_area),
+        "contact_area [1]: fraction of the area in contact, where the hard wall pushes "
+        "back")
       .add(of_contact(&ContactState::contact_area_corrected),
            "contact_area_corrected [1]: the same for the continuum: A − 0.118 S a, with "
-           "the lattice perimeter S of the contact and the grid spacing a")
+           "the lattice perimeter S of the contact, less where it yields up to its edge, "
+           "and the spacing a of the points")
       .when({"if some slip length is not zero",
              scene.fluid.has_slip() && (scene.fluid.enabled || theory_alone)})
       .add([](const Step &step) { return step.state.control.slip_length; },

@@ -19,8 +19,12 @@ namespace
     });
     const ContactState state(p, p);
     EXPECT_DOUBLE_EQ(state.contact_area, 6. / 72);
-    // (π − 1 + ln 2)/24 an edge, in points.
-    EXPECT_NEAR(state.contact_area_corrected, (6 - 0.1181 * 10) / 72, 1e-5);
+    // (π − 1 + ln 2)/24 of the sides times √(dx dy), over dx dy.
+    const double aspect = std::sqrt(grid.dy() / grid.dx());
+    const double sides  = 4 * aspect + 6 / aspect;
+    EXPECT_NEAR(state.contact_area_corrected, (6 - 0.1181 * sides) / 72, 1e-5);
+    // Where the pressure ends at its limit the points are as many as they should be.
+    EXPECT_DOUBLE_EQ(ContactState(p, p, .5).contact_area_corrected, 6. / 72);
   }
 
   TEST(ContactArea, OfNothingAndOfAll)
@@ -45,5 +49,26 @@ namespace
     EXPECT_NEAR((state.contact_area - state.contact_area_corrected) * 65536,
                 .118 * 8 * radius,
                 1.);
+  }
+
+  TEST(ContactArea, WindowsCountWithTheirSpacing)
+  {
+    ZoomWindow window;
+    window.x  = 8;
+    window.y  = 4;
+    window.nx = window.ny      = 12;
+    const SlabLayoutPtr coarse = make_layout({32, 32, 32., 32.}, MPI_COMM_WORLD);
+    const SlabLayoutPtr layout = with_windows(*coarse, {window});
+    const auto          sides  = [&](const double x0, const double x1, const double y1) {
+      const SlabField    p = sample(layout, [=](const double x, const double y) {
+        return x > x0 && x < x1 && y > 5.5 && y < y1 ? 1. : 0.;
+      });
+      const ContactState state(p, p);
+      EXPECT_NEAR(state.contact_area * 1024, (x1 - x0) * (y1 - 5.5), 1e-9);
+      return (state.contact_area - state.contact_area_corrected) * 1024 * 24 /
+             (M_PI - 1 + std::log(2.));
+    };
+    EXPECT_NEAR(sides(8.5, 18.5, 13.5), 36. / 3, 1e-9); // within the window
+    EXPECT_NEAR(sides(10.5, 30.5, 21.5), 19. / 3 + 53., 1e-9);
   }
 } // namespace

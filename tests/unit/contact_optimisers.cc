@@ -78,7 +78,10 @@ namespace
     }
 
     void
-    precondition(float *values, const std::uint8_t * /* marks */, const Pass &before, const Pass &after) override
+    precondition(float *values,
+                 const std::uint8_t * /* marks */,
+                 const Pass &before,
+                 const Pass &after) override
     {
       for (const Block &range : ranges)
         {

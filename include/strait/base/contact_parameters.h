@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace strait
@@ -97,6 +98,13 @@ namespace strait
     loads() const
     {
       return control == ContactControl::load;
+    }
+
+    /** No pressure of the contact exceeds it. */
+    double
+    largest_pressure() const
+    {
+      return yields ? hardness : std::numeric_limits<double>::infinity();
     }
 
     /** What the critical load of a surface of this rms slope is a fraction of: the

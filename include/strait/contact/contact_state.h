@@ -5,6 +5,7 @@
 #include <strait/spectral/slab_field.h>
 #include <strait/spectral/state_archive.h>
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -124,21 +125,24 @@ namespace strait
   {
     ContactState() = default;
 
-    /** Of these fields, with the mean gap and the contact areas that follow from them.
-     *  Collective. */
-    ContactState(SlabField pressure, SlabField gap);
+    /** Of these fields, with the mean gap and the contact areas that follow from them. No
+     *  pressure exceeds @p limit. Collective. */
+    ContactState(SlabField pressure,
+                 SlabField gap,
+                 double    limit = std::numeric_limits<double>::infinity());
 
     SlabField pressure;
     SlabField gap;
     double    nominal_pressure = 0; // the load; mean of pressure without adhesion
     double    mean_gap         = 0; // mean of gap
-    double    contact_area     = 0; // fraction of the grid points with pressure > 0
+    double    contact_area     = 0; // fraction of the area with pressure > 0
 
     /**
      * The fraction that a continuum would have, A − 0.118 S a: a grid counts too much
-     * along the contact line, which has the length S on the lattice, the number of
-     * neighbouring pairs of points of which one is in contact, times their spacing a;
-     * (π − 1 + ln 2)/24 = 0.118 (Yastrebov, Anciaux, Molinari 2017).
+     * along the contact line, which has the length S on the lattice, the sides that
+     * points in contact share with others, over the area; a is the spacing, √(dx dy),
+     * (π − 1 + ln 2)/24 = 0.118 (Yastrebov, Anciaux, Molinari 2017). Where the contact
+     * yields up to its edge the pressure does not vanish there, and nothing is counted.
      */
     double contact_area_corrected = 0;
 

@@ -58,12 +58,14 @@ namespace strait
      * takes a few iterations more. */
     static constexpr float full = 3;
 
+    /** The weight of a point by its mark. */
     static float
     weight_of(const std::uint8_t mark)
     {
       return mark ? 1.f : 0.f;
     }
 
+    /** The weight of a box by the sum of those of its points. */
     static float
     weight_of(const float sum)
     {

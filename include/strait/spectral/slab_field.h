@@ -103,8 +103,8 @@ namespace strait
                                  int                     row_length,
                                  const std::vector<int> &rows);
 
-  /** The adjoint, for double or float: add row k of @p values to the row rows[k], which is
-   * not negative, of the rank that owns it, one rank after the other. Collective. */
+  /** The adjoint, for double or float: add row k of @p values to the row rows[k], which
+   * is not negative, of the rank that owns it, one rank after the other. Collective. */
   template <class Number>
   void add_rows(const SlabLayout          &layout,
                 const std::vector<int>    &rows,
