@@ -42,4 +42,82 @@ namespace
                            testing::Values(PeriodicGrid{16, 16, 1., 1.},
                                            PeriodicGrid{12, 7, 3., 2.},
                                            PeriodicGrid{13, 11, 1e-6, 2e-6}));
+
+  /** A half-space that patches of points are in contact with. */
+  class OnContact
+  {
+  public:
+    explicit OnContact(const PeriodicGrid &grid)
+      : heights(make_layout(grid, MPI_COMM_WORLD))
+      , problem(heights, 2.)
+      , marks(heights.size())
+    {
+      const SlabField pattern = sampled(grid, [&](const double x, const double y) {
+        const double a = 2 * pi * x / grid.lx, b = 2 * pi * y / grid.ly;
+        return std::cos(3 * a + b) + std::cos(2 * b - a) + .7 * std::sin(7 * a - 5 * b);
+      });
+      for (std::size_t i = 0; i < marks.size(); ++i)
+        marks[i] = pattern[i] > .3;
+    }
+
+    SlabField
+    marked(SlabField field) const
+    {
+      for (std::size_t i = 0; i < field.size(); ++i)
+        field[i] *= marks[i];
+      return field;
+    }
+
+    SlabField
+    preconditioned(const SlabField &field)
+    {
+      std::vector<float> values(field.begin(), field.end());
+      problem.precondition(values.data(), marks.data(), no_pass, no_pass);
+      SlabField result(heights.layout_pointer());
+      std::copy(values.begin(), values.end(), result.begin());
+      return marked(result);
+    }
+
+    SlabField                 heights;
+    HalfSpaceProblem          problem;
+    std::vector<std::uint8_t> marks;
+  };
+
+  class PreconditionerOn : public testing::TestWithParam<PeriodicGrid>
+  {
+  };
+
+  TEST_P(PreconditionerOn, ResemblesTheInverseOnTheContact)
+  {
+    const PeriodicGrid grid = GetParam();
+    OnContact          contact(grid);
+    const SlabField    a  = contact.marked(any_field(grid, 1.));
+    const SlabField    b  = contact.marked(any_field(grid, 2.3));
+    const SlabField    Ma = contact.preconditioned(a), Mb = contact.preconditioned(b);
+    const double       aMa = dot(a, Ma), bMb = dot(b, Mb);
+    EXPECT_GT(aMa, 0.);
+    EXPECT_NEAR(dot(a, Mb), dot(b, Ma), 1e-6 * std::sqrt(aMa * bMb)); // of seven digits
+
+    // Gaps that pressures make, whatever their waves; without a coarse grid the stencil
+    // is too stiff for long ones.
+    const bool is_corrected = grid.nx % 4 == 0 && grid.ny % 4 == 0;
+    for (const double waves : {.05, .3, 1., 4., 11.})
+      {
+        const SlabField p = contact.marked(any_field(grid, waves));
+        SlabField       y(p.layout_pointer());
+        contact.problem.apply(p.data(), y.data(), no_pass);
+        y                  = contact.marked(y);
+        const double ratio = dot(y, contact.preconditioned(y)) / dot(y, p);
+        EXPECT_GT(ratio, .8);
+        EXPECT_LT(ratio, is_corrected ? 1.2 : 4.);
+      }
+  }
+
+  INSTANTIATE_TEST_SUITE_P(Grids,
+                           PreconditionerOn,
+                           testing::Values(PeriodicGrid{64, 64, 1., 1.},
+                                           PeriodicGrid{96, 40, 2., 1.},
+                                           PeriodicGrid{81, 75, 1., 1.},
+                                           PeriodicGrid{84, 76, 1., 1.},
+                                           PeriodicGrid{128, 32, 2., 1.}));
 } // namespace
