@@ -249,8 +249,8 @@ def doubts(seal, patches):
                "row, and with Wall feedback or Rarefaction its conductance depends on that")
     if seal.turns_round:
         yield (f"the path of the loads turns round, and these are the leak rates before, at "
-               f"{len(seal.loads)} loads: what leaks on the way back depends on the largest load; "
-               "list in Load programme/Pressures only the path up to the loads that the seal works at")
+               f"{len(seal.loads)} loads: what leaks after it depends on the loads before; "
+               "let the path end at the loads that the seal works at")
     if seal.n_along * seal.length > 1.5 * seal.width:
         yield f"a patch is longer than the contact is wide ({seal.width:.4g})"
     if not patches.knows_grid:

@@ -46,7 +46,7 @@ namespace strait
     foretell(const ContactState &from, const double target, const bool dry)
     {
       // The step times the points of a side says how far the edges of the contact move.
-      // Half and double of it cost about as much.
+      // With half and double of this bound steps next to it cost about as much.
       constexpr double    still_there = 100.;
       const PeriodicGrid &grid        = from.pressure.grid();
       const double        moved = step_between(from, target) * std::max(grid.nx, grid.ny);

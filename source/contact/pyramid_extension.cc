@@ -2,6 +2,7 @@
 #include <strait/contact/pyramid_extension.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace strait
 {
@@ -36,13 +37,15 @@ namespace strait
         finest.add_row(row, values + row * nx, has + row * nx);
       }
     extend();
-    act([&](
-          const int row) { finest.interpolate(row, values + row * nx, has + row * nx); },
-        [&](const int row) {
-          if (row == 0)
-            finest.clear_values();
-          finest.interpolate_adjoint(row, values + row * nx, has + row * nx);
-        });
+    const RowPass begin = [&](const int row) {
+      finest.interpolate(row, values + row * nx, has + row * nx);
+    };
+    const RowPass end = [&](const int row) {
+      if (row == 0)
+        finest.clear_values();
+      finest.interpolate_adjoint(row, values + row * nx, has + row * nx);
+    };
+    act(begin, end);
     extend_adjoint();
     for (int row = 0; row < layout->n_rows(); ++row)
       {

@@ -61,7 +61,7 @@ namespace strait
         return {20., 300.};
       if (scene.contact.method == ContactMethod::polonsky_keer)
         return {110., 820.};
-      return {18., 60.};
+      return {10., 40.};
     }
 
     /** FFT pairs of the run, with searches and feedback. */

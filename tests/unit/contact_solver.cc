@@ -128,6 +128,21 @@ namespace
     EXPECT_EQ(largest_difference(state.gap, nested.gap), 0.);
   }
 
+  TEST(ContactSolver, HoldsAMeanGapWhereMostTouches)
+  {
+    // All of the gap is then one wave too long for the grid: a uniform one.
+    const SlabField heights = rough_heights({64, 64, 1., 1.}, 12);
+    ContactSolver   solver(contact_parameters(1e-8, ContactControl::mean_gap), heights);
+    for (const double mean_gap : {1e-2, 3e-3, 1e-3, 1e-4})
+      {
+        const ContactState state = solver.solve(mean_gap);
+        EXPECT_TRUE(state.converged) << mean_gap;
+        EXPECT_LT(state.fft_pairs, 40) << mean_gap;
+        EXPECT_NEAR(state.mean_gap / mean_gap, 1., 1e-5);
+        EXPECT_GT(state.contact_area, mean_gap < 5e-3 ? .6 : .3);
+      }
+  }
+
   TEST(ContactSolver, SolvesByHalvesAsAtOnce)
   {
     const SlabField    heights = rough_heights({64, 64, 1., 1.}, 16);

@@ -72,22 +72,22 @@ namespace strait
       EXPECT_TRUE(says(scene, "Contact/Grid points = 6"));
     }
 
-    // 18 to 60 FFT pairs a contact.
+    // 10 to 40 FFT pairs a contact.
     TEST(CostPrediction, CountsContactsAndCapsUnknowns)
     {
       Scene scene                  = saddle(1024, .01);
       scene.fluid.maximum_unknowns = 3000;
       EXPECT_TRUE(says(scene, "500 to 3000 unknowns a step, at most 3000"));
       // 3 steps, and 7 to 16 solves of the search.
-      EXPECT_TRUE(says(scene, "180 to 1100 in all"));
+      EXPECT_TRUE(says(scene, "100 to 760 in all"));
       scene.programme.path           = LoadPath::cycle;
       scene.programme.pressures      = {1., 2., 3.};
       scene.programme.find_threshold = false;
-      EXPECT_TRUE(says(scene, "90 to 300 in all")) << "5 steps";
+      EXPECT_TRUE(says(scene, "50 to 200 in all")) << "5 steps";
       scene.programme.pressures      = {};
       scene.programme.find_threshold = true;
       scene.fluid.slip_lengths       = {0., -.1, -.2};
-      EXPECT_TRUE(says(scene, "230 to 1300 in all")) << "two steps near each threshold";
+      EXPECT_TRUE(says(scene, "130 to 880 in all")) << "two steps near each threshold";
     }
   } // namespace
 } // namespace strait

@@ -110,7 +110,7 @@ namespace strait
       divide();
     }
 
-    /** Boxes without weight have the value 0, and it stays so. */
+    /** By the sums of the weights; boxes without weight get 0. */
     void
     divide()
     {
@@ -120,7 +120,7 @@ namespace strait
         value[i] = sum[i] > 0 ? value[i] / sum[i] : 0.f;
     }
 
-    /** As if beyond this level all were 0. */
+    /** Of the coarsest level: as if interpolated from zeros. */
     void
     weigh()
     {

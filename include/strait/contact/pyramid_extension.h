@@ -4,7 +4,6 @@
 
 #include <strait/contact/grid_boxes.h>
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -20,11 +19,11 @@ namespace strait
    *
    * A point counts with its weight, 1 if it is marked, else 0. A box of 2 × 2 points has
    * their weighted mean as its value, and is itself a point of the next level; its
-   * weight is 1 if it has three marked points. On the way back a point of the weight w
-   * keeps this part of its value, and gets the rest from the boxes around it, by linear
-   * interpolation.
+   * weight is a third of the sum of theirs, at most 1. On the way back a point of the
+   * weight w keeps this part of its value, and gets the rest from the boxes around it, by
+   * linear interpolation.
    *
-   * Costs about two passes over the grid and 5 B a point.
+   * Costs about two passes over the grid and 3 B a point.
    */
   class PyramidExtension
   {
@@ -35,11 +34,12 @@ namespace strait
     explicit PyramidExtension(const SlabLayoutPtr &layout);
 
     /**
-     * Extend @p values, which are 0 but where @p marks are, let @p act change them, and
-     * apply the adjoint of the extension: unmarked points end as 0. before(row) may still
-     * write values and marks of a local row, after(row) finds the result there; act()
-     * gets a pass to begin with a row and one to end with, each for rows in their order.
-     * Collective.
+     * Extend @p values, which are 0 at points without weight, let @p act change them, and
+     * apply the adjoint of the extension: points without weight end as 0. What the points
+     * have, @p has, are marks, or sums as those of GridBoxes. before(row) may still write
+     * both in a local row, after(row) finds the result there; act() gets a pass to begin
+     * with a row and one to end with: first the one for all rows, then the other, each in
+     * their order. Collective.
      */
     template <class Has>
     void apply(float                                                       *values,

@@ -4,6 +4,8 @@
 
 #include <strait/spectral/fourier_transform.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -35,14 +37,19 @@ namespace strait
   {
   public:
     /**
-     * The stiffness E* q/2, with E* = @p contact_modulus > 0. The corrections are
+     * The stiffness E* q/2, with E* = @p contact_modulus > 0; that of a uniform field is
+     * that of the longest wave, so that it is positive. The corrections are
      * constant on boxes of 4 × 4 points: about a tenth of an FFT pair, and within a
      * factor of 1.6 for all waves. Collective.
      */
     static TwoScaleOperator
     stiffness(const SlabLayoutPtr &layout, const double contact_modulus)
     {
-      return {layout, Transfer::constant, contact_modulus, 0.};
+      const PeriodicGrid &grid = layout->grid();
+      return {layout,
+              Transfer::constant,
+              contact_modulus,
+              M_PI * contact_modulus / std::max(grid.lx, grid.ly)};
     }
 
     /**

@@ -6,6 +6,7 @@
 #include <strait/contact/two_scale_operator.h>
 #include <strait/contact/window_transfer.h>
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
