@@ -31,6 +31,7 @@ class Seal:
         values = read_parameters(scene)
         path = np.array([float(load) for load in
                          values["Load programme/Pressures"].split(",") if load.strip()])
+        # As Scene::depends_on_path().
         has_memory = (values.get("Contact/Yielding", "none") != "none" or
                       values.get("Contact/Adhesion/Enabled") == "true" or
                       values.get("Fluid/Wall feedback/Enabled") == "true")

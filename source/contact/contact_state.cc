@@ -187,10 +187,14 @@ namespace strait
     , gap(std::move(gap_))
     , mean_gap(mean(gap))
   {
-    SlabField touches = pressure;
-    for (double &value : touches)
-      value = value > 0 ? 1. : 0.;
-    contact_area = mean(touches);
+    const SlabLayout &layout  = pressure.layout();
+    double            touches = 0; // in areas of a grid point
+    for (const SlabLayout::Range &range : layout.ranges())
+      touches += range.area * std::count_if(pressure.begin() + range.begin,
+                                            pressure.begin() + range.end,
+                                            [](const double p) { return p > 0; });
+    contact_area =
+      sum(layout.communicator(), touches) / static_cast<double>(layout.grid().n_points());
     contact_area_corrected =
       contact_area -
       (M_PI - 1 + std::log(2.)) / 24 * LatticeLine(pressure, limit).times_spacing();

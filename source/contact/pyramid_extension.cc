@@ -30,7 +30,8 @@ namespace strait
     GridBoxes &finest = *levels.front();
     const auto nx     = static_cast<std::size_t>(layout->grid().nx);
     finest.clear_values();
-    finest.clear_sums();
+    for (const auto &boxes : levels)
+      boxes->clear_sums();
     for (int row = 0; row < layout->n_rows(); ++row)
       {
         before(row);
@@ -58,61 +59,58 @@ namespace strait
   void
   PyramidExtension::extend()
   {
-    for (std::size_t l = 0; l < levels.size(); ++l)
-      {
-        GridBoxes &boxes = *levels[l];
-        if (l > 0)
-          {
-            boxes.clear_values();
-            boxes.clear_sums();
-            levels[l - 1]->for_each_row(
-              [&](const int row, const float *values, const float *sums) {
-                boxes.add_row(row, values, sums);
-              });
-          }
-        boxes.take_means();
-      }
-    levels.back()->weigh();
-    for (std::size_t l = levels.size(); l-- > 0;)
-      {
-        GridBoxes &boxes = *levels[l];
-        boxes.fetch();
-        if (l > 0)
-          levels[l - 1]->for_each_row(
-            [&](const int row, float *values, const float *sums) {
-              boxes.interpolate(row, values, sums);
-            });
-      }
+    climb(&GridBoxes::add_row<float>, &GridBoxes::take_means);
+    descend(&GridBoxes::fetch, &GridBoxes::interpolate<float>);
   }
 
   void
   PyramidExtension::extend_adjoint()
   {
+    climb(&GridBoxes::interpolate_adjoint<float>, &GridBoxes::send);
+    descend(&GridBoxes::divide_and_fetch, &GridBoxes::add_boxes<float>);
+  }
+
+  /** Let each level take what the finer one's boxes have, by add(row, values, weights),
+   *  and then finish. */
+  template <class Add, class Finish>
+  void
+  PyramidExtension::climb(const Add &add, const Finish &finish)
+  {
     for (std::size_t l = 0; l < levels.size(); ++l)
       {
-        GridBoxes &boxes = *levels[l];
         if (l > 0)
           {
-            boxes.clear_values();
-            levels[l - 1]->for_each_row(
-              [&](const int row, float *values, const float *sums) {
-                boxes.interpolate_adjoint(row, values, sums);
-              });
+            levels[l]->clear_values();
+            pass_rows(l, add);
           }
-        boxes.send();
+        (*levels[l].*finish)();
       }
+  }
+
+  /** Let each level prepare and then change the finer one's boxes, by give(row, values,
+   *  weights). */
+  template <class Prepare, class Give>
+  void
+  PyramidExtension::descend(const Prepare &prepare, const Give &give)
+  {
     levels.back()->weigh();
     for (std::size_t l = levels.size(); l-- > 0;)
       {
-        GridBoxes &boxes = *levels[l];
-        boxes.divide();
-        boxes.fetch();
+        (*levels[l].*prepare)();
         if (l > 0)
-          levels[l - 1]->for_each_row(
-            [&](const int row, float *values, const float *sums) {
-              boxes.add_boxes(row, values, sums);
-            });
+          pass_rows(l, give);
       }
+  }
+
+  /** Hand the rows of the boxes of the level below level @p l to it. */
+  template <class Pass>
+  void
+  PyramidExtension::pass_rows(const std::size_t l, const Pass &pass)
+  {
+    GridBoxes &boxes = *levels[l];
+    levels[l - 1]->for_each_row([&](const int row, float *values, const float *sums) {
+      (boxes.*pass)(row, values, sums);
+    });
   }
 
   template void

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
 #include <strait/contact/window_transfer.h>
 
 #include <algorithm>
@@ -91,7 +92,7 @@ namespace strait
                           to[coarse] += weight * from[fine];
                         });
       }
-    std::fill(patch.begin(), patch.end(), Number(0));
+    patch.assign(static_cast<std::size_t>(n_columns) * patch_rows(), Number(0));
     for_each_weight(ny,
                     weights,
                     [&](const int fine, const int coarse, const Number weight) {
@@ -102,6 +103,49 @@ namespace strait
                     });
     for (Number &value : patch)
       value /= 9;
+  }
+
+  /** visit(position in the patch, position among the values of this rank). */
+  template <class Number>
+  template <class Visit>
+  void
+  WindowTransfer<Number>::for_each_of_patch(const SlabLayout &layout,
+                                            const int         window,
+                                            const Visit      &visit) const
+  {
+    constexpr int margin = ZoomWindow::margin;
+    layout.for_each_around(
+      window, margin, [&](const int a, const int b, const std::size_t at) {
+        visit(static_cast<std::size_t>(b + margin) * patch_columns() + a + margin, at);
+      });
+  }
+
+  template <class Number>
+  std::vector<Number>
+  WindowTransfer<Number>::patch_of(const SlabLayout &layout,
+                                   const int         window,
+                                   const Number     *values) const
+  {
+    std::vector<Number> patch(static_cast<std::size_t>(patch_columns()) * patch_rows());
+    for_each_of_patch(layout, window, [&](const std::size_t k, const std::size_t at) {
+      patch[k] = values[at];
+    });
+    // All ranks hold the windows, but each only its rows of the grid.
+    if (layout.windows()[window].parent < 0)
+      sum_in_place(layout.communicator(), patch.data(), static_cast<int>(patch.size()));
+    return patch;
+  }
+
+  template <class Number>
+  void
+  WindowTransfer<Number>::add_patch(const SlabLayout          &layout,
+                                    const int                  window,
+                                    const std::vector<Number> &patch,
+                                    Number                    *values) const
+  {
+    for_each_of_patch(layout, window, [&](const std::size_t k, const std::size_t at) {
+      values[at] += patch[k];
+    });
   }
 
   template class WindowTransfer<double>;

@@ -141,12 +141,8 @@ namespace strait
   float *
   ZoomedPreconditioner::interpolate(const int window, const float *values)
   {
-    clear_patch(window);
-    for_each_of_patch(window, [&](const std::size_t k, const std::size_t parent) {
-      patch[k] = values[parent];
-    });
-    share(window);
-    transfers[window].interpolate(patch, room_of(window));
+    transfers[window].interpolate(transfers[window].patch_of(*layout, window, values),
+                                  room_of(window));
     return room_of(window);
   }
 
@@ -154,11 +150,8 @@ namespace strait
   void
   ZoomedPreconditioner::add_deposit(const int window, float *values)
   {
-    clear_patch(window);
     transfers[window].deposit(room_of(window), patch);
-    for_each_of_patch(window, [&](const std::size_t k, const std::size_t parent) {
-      values[parent] += patch[k];
-    });
+    transfers[window].add_patch(*layout, window, patch, values);
   }
 
   /** Add of_parent(position) to the values of the nine points that the parent's point at
@@ -178,7 +171,9 @@ namespace strait
                               patch[static_cast<std::size_t>(b) * nx + a] =
                                 of_parent(parent);
                             });
-    share(window);
+    // All ranks hold the windows, but each only its rows of the grid.
+    if (layout->windows()[window].parent < 0)
+      sum_in_place(layout->communicator(), patch.data(), static_cast<int>(patch.size()));
     for (int b = 0; b < ny; ++b)
       for (int a = 0; a < nx; ++a)
         for_each_of_nine(window, a, b, [&](const std::size_t i) {
@@ -198,23 +193,6 @@ namespace strait
     return room.data() + (layout->start_of_window(window) - layout->n_local_points());
   }
 
-  void
-  ZoomedPreconditioner::clear_patch(const int window)
-  {
-    const WindowTransfer<float> &transfer = transfers[window];
-    patch.assign(static_cast<std::size_t>(transfer.patch_columns()) *
-                   transfer.patch_rows(),
-                 0.f);
-  }
-
-  /** What each rank has of a grid in the patch, all get. Collective. */
-  void
-  ZoomedPreconditioner::share(const int window)
-  {
-    if (layout->windows()[window].parent < 0)
-      sum_in_place(layout->communicator(), patch.data(), static_cast<int>(patch.size()));
-  }
-
   /** visit(position in the window, position among the values) for its points. */
   template <class Visit>
   void
@@ -223,19 +201,6 @@ namespace strait
     const std::size_t first = layout->start_of_window(window);
     for (std::size_t i = first; i < layout->start_of_window(window + 1); ++i)
       visit(i - first, i);
-  }
-
-  /** visit(position in the patch, position among the values) for points of the parent. */
-  template <class Visit>
-  void
-  ZoomedPreconditioner::for_each_of_patch(const int window, const Visit &visit) const
-  {
-    constexpr int margin  = ZoomWindow::margin;
-    const int     columns = transfers[window].patch_columns();
-    layout->for_each_around(
-      window, margin, [&](const int a, const int b, const std::size_t parent) {
-        visit(static_cast<std::size_t>(b + margin) * columns + a + margin, parent);
-      });
   }
 
   /** visit(position) for the points of the window that are one of the parent. */

@@ -73,35 +73,15 @@ namespace strait
   class ZoomedOperator<Number>::Window
   {
   public:
-    Window(const SlabLayout &layout_, const int w)
+    Window(const SlabLayout &layout, const int w)
       : number(w)
-      , place(layout_.windows()[w])
-      , layout(layout_)
-      , transfer(place)
-      , coarse_box(box_grid(layout, place, 1), padding - ZoomWindow::margin)
-      , fine_box(box_grid(layout, place, 3), 3 * padding)
-      , patch(static_cast<std::size_t>(transfer.patch_columns()) * transfer.patch_rows())
+      , transfer(layout.windows()[w])
+      , coarse_box(box_grid(layout, layout.windows()[w], 1), padding - ZoomWindow::margin)
+      , fine_box(box_grid(layout, layout.windows()[w], 3), 3 * padding)
     {
-    }
-
-    /** Call visit(position in the patch, position among the values of this rank) for the
-     *  points of the patch that this rank has. */
-    template <class Visit>
-    void
-    for_each_of_patch(const Visit &visit) const
-    {
-      constexpr int margin = ZoomWindow::margin;
-      layout.for_each_around(
-        number, margin, [&](const int a, const int b, const std::size_t at) {
-          visit(static_cast<std::size_t>(b + margin) * transfer.patch_columns() + a +
-                  margin,
-                at);
-        });
     }
 
     const int              number;
-    const ZoomWindow       place;
-    const SlabLayout      &layout;
     WindowTransfer<Number> transfer;
     WindowBox<Number>      coarse_box, fine_box;
     std::vector<Number>    patch; // of the parent
@@ -165,9 +145,7 @@ namespace strait
         Window &window = *windows[w];
         window.transfer.deposit(values + layout().start_of_window(window.number),
                                 window.patch);
-        window.for_each_of_patch([&](const std::size_t k, const std::size_t at) {
-          values[at] += window.patch[k];
-        });
+        window.transfer.add_patch(layout(), window.number, window.patch, values);
       }
   }
 
@@ -183,14 +161,7 @@ namespace strait
       {
         Window &window = *each;
         window.coarse_box.take(window.patch.data(), compliance);
-        std::fill(window.patch.begin(), window.patch.end(), Number(0));
-        window.for_each_of_patch([&](const std::size_t k, const std::size_t at) {
-          window.patch[k] = values[at];
-        });
-        if (window.place.parent < 0)
-          sum_in_place(layout().communicator(),
-                       window.patch.data(),
-                       static_cast<int>(window.patch.size()));
+        window.patch = window.transfer.patch_of(layout(), window.number, values);
         window.coarse_box.for_each(
           [&](const std::size_t k, const Number value) { window.patch[k] -= value; });
         Number *own = values + layout().start_of_window(window.number);

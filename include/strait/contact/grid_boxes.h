@@ -130,10 +130,19 @@ namespace strait
         value[i] *= weight_of(sum[i]);
     }
 
+    /** Before values are interpolated. */
     void
     fetch()
     {
       values.fetch();
+    }
+
+    /** Before values are added to points. */
+    void
+    divide_and_fetch()
+    {
+      divide();
+      fetch();
     }
 
     /** Give points what their weights leave open, linear between the boxes. */

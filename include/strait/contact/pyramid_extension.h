@@ -51,6 +51,12 @@ namespace strait
   private:
     void extend();
     void extend_adjoint();
+    template <class Add, class Finish>
+    void climb(const Add &add, const Finish &finish);
+    template <class Prepare, class Give>
+    void descend(const Prepare &prepare, const Give &give);
+    template <class Pass>
+    void pass_rows(std::size_t l, const Pass &pass);
 
     const SlabLayoutPtr                     layout;
     std::vector<std::unique_ptr<GridBoxes>> levels; // the finest first

@@ -40,7 +40,23 @@ namespace strait
      *  interpolate(), over the nine of the window's points to one of the parent's. */
     void deposit(const Number *window, std::vector<Number> &patch);
 
+    /** The patch around window @p window of @p layout, this transfer's, from the values
+     * of all points. Collective if the parent is the grid. */
+    std::vector<Number>
+    patch_of(const SlabLayout &layout, int window, const Number *values) const;
+
+    /** Add what is on @p patch to the values of its points; of the grid, those of this
+     *  rank. */
+    void add_patch(const SlabLayout          &layout,
+                   int                        window,
+                   const std::vector<Number> &patch,
+                   Number                    *values) const;
+
   private:
+    template <class Visit>
+    void
+    for_each_of_patch(const SlabLayout &layout, int window, const Visit &visit) const;
+
     static constexpr int n_support = 2 * ZoomWindow::margin;
 
     int                           nx, ny;

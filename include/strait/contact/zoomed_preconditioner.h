@@ -56,13 +56,9 @@ namespace strait
                         const Weight   &weight);
     float  weight_at(std::size_t i) const;
     float *room_of(int window);
-    void   clear_patch(int window);
-    void   share(int window);
 
     template <class Visit>
     void for_each_point(int window, const Visit &visit) const;
-    template <class Visit>
-    void for_each_of_patch(int window, const Visit &visit) const;
     template <class Visit>
     void for_each_of_nine(int window, int a, int b, const Visit &visit) const;
 

@@ -50,12 +50,6 @@ namespace strait
       grid_transform.release();
     }
 
-    const SlabLayout &
-    layout() const
-    {
-      return grid_transform.layout();
-    }
-
     /** FFT pairs on the grid so far. */
     long
     n_pairs() const
@@ -69,6 +63,12 @@ namespace strait
     void clear_covered(Number *values) const;
     void gather_from_windows(Number *values);
     void spread_to_windows(Number *values);
+
+    const SlabLayout &
+    layout() const
+    {
+      return grid_transform.layout();
+    }
 
     const double                         modulus;
     BasicFourierTransform<Number>        grid_transform;
