@@ -23,7 +23,7 @@ WITHOUT_DEAL_II = ["base", "spectral", "surface", "contact", "percolation",
 SHARED_HEADERS = ("base/scene.h",
                   "surface/readers/height_map.h", "surface/map_processing.h",
                   "contact/gap_optimisation.h", "contact/optimisers.h",
-                  "contact/two_scale_operator.h", "spectral/state_archive.h",
+                  "spectral/state_archive.h",
                   "flow/seal_mesh.h",
                   "run/field_output.h", "run/load_sweep.h", "run/result_tables.h",
                   "run/validity.h")

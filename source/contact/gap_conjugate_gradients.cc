@@ -48,7 +48,8 @@ namespace strait
   GapOptimiser::Outcome
   GapConjugateGradients::descend(double)
   {
-    precondition_derivative(trial.data());
+    trial = derivative;
+    precondition(trial.data());
     if (go(choose_direction()))
       {
         restarts = false;

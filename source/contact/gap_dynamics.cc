@@ -31,7 +31,8 @@ namespace strait
   GapDynamics::descend(double)
   {
     // Forces over masses; a point that the wall holds stays where it is.
-    precondition_derivative(acceleration.data());
+    acceleration = derivative;
+    precondition(acceleration.data());
     for (double &a : acceleration)
       a = -a;
     project_on_free(velocity.data());

@@ -28,8 +28,7 @@ namespace strait
     for (int k = 0;; ++k)
       {
         z = remainder;
-        problem.precondition(z.data(), no_pass);
-        project_on_free(z.data());
+        precondition(z.data());
         const auto [now] = weighted_sums<1>(problem, [this](const auto i, auto &sums) {
           sums[0] += z[i] * remainder[i];
         });

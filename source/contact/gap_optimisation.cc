@@ -44,11 +44,15 @@ namespace strait
   }
 
   void
-  GapOptimiser::precondition_derivative(double *z)
+  GapOptimiser::precondition(double *z)
   {
-    problem.precondition(z, [&](const ContactProblem::Block &range) {
+    closed.resize(problem.size);
+    problem.precondition(z, closed.data(), [&](const ContactProblem::Block &range) {
       for (std::size_t i = range.begin; i < range.end; ++i)
-        z[i] = is_free(i) ? derivative[i] : 0.;
+        {
+          closed[i] = !is_free(i);
+          z[i]      = is_free(i) ? z[i] : 0.;
+        }
     });
     project_on_free(z);
   }

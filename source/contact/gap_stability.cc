@@ -98,8 +98,9 @@ namespace strait
     {
       GapProblem   &problem;
       const bool    fixes_mean_gap;
-      const double *gap;
       const double *curvature; // γ''
+
+      std::vector<std::uint8_t> closed; // marks of points that are
 
       // v, its gradient, its last change; K of each.
       std::array<std::vector<double>, 3> vectors;
@@ -130,7 +131,7 @@ namespace strait
               vectors[1][i] = (1 - quotient) * responses[0][i] +
                               curvature[i] * vectors[0][i] - quotient * uniform;
             mask(vectors[1]);
-            problem.precondition(vectors[1].data(), no_pass);
+            problem.precondition(vectors[1].data(), closed.data(), no_pass);
             prepare(vectors[1], responses[1]);
             const double before = quotient;
             descend(k == 0 ? 2 : 3);
@@ -144,7 +145,7 @@ namespace strait
       {
         project(
           problem,
-          [this](const std::size_t i) { return gap[i] > 0; },
+          [this](const std::size_t i) { return !closed[i]; },
           fixes_mean_gap,
           v.data());
       }
@@ -162,7 +163,7 @@ namespace strait
       {
         // Of each pair of vectors <v, Kv>, <v, γ''v>; and the means.
         const auto sums = weighted_sums<15>(problem, [&](const auto i, auto &terms) {
-          if (!(gap[i] > 0))
+          if (closed[i])
             return;
           int term = 0;
           for (int k = 0; k < n; ++k)
@@ -215,15 +216,18 @@ namespace strait
     const bool is_known = maximum(problem.communicator, direction.empty() ? 0. : 1.) > 0;
     QuotientDescent descent{problem,
                             constraint.fixes_mean_gap,
-                            gap,
                             curvature.data(),
+                            std::vector<std::uint8_t>(problem.size),
                             {{field(), field(), field()}}};
+    for (std::size_t i = 0; i < problem.size; ++i)
+      descent.closed[i] = !(gap[i] > 0);
     if (is_known)
       descent.vectors[0] = std::move(direction);
     else
       {
         problem.fill_with_noise(descent.vectors[0].data());
-        problem.precondition(descent.vectors[0].data(), no_pass);
+        descent.mask(descent.vectors[0]);
+        problem.precondition(descent.vectors[0].data(), descent.closed.data(), no_pass);
       }
     descent.find_lowest();
     direction = std::move(descent.vectors[0]);

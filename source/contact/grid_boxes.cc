@@ -46,6 +46,12 @@ namespace strait
   BoxField::clear()
   {
     std::fill(own.begin(), own.end(), 0.f);
+    clear_others();
+  }
+
+  void
+  BoxField::clear_others()
+  {
     std::fill(beyond.begin(), beyond.end(), 0.f);
   }
 

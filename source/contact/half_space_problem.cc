@@ -63,8 +63,10 @@ namespace strait
     , modulus(contact_modulus)
     , transform(heights.layout_pointer())
     , of_steps(heights.layout_pointer())
-    , stiffness(TwoScaleOperator::stiffness(heights.layout_pointer(), modulus))
     , extension(heights.layout_pointer())
+    , stiffness(TwoScaleOperator::stiffness(heights.layout_pointer(),
+                                            extension.finest().layout,
+                                            modulus))
   {
   }
 
@@ -74,7 +76,7 @@ namespace strait
                           const WorkPass &after)
   {
     // Either transform needs its buffer only while it is in use.
-    of_steps.release();
+    release();
     const double work = multiply(
       transform,
       pressure,
@@ -106,12 +108,12 @@ namespace strait
                                  const Pass         &before,
                                  const Pass         &after)
   {
-    extension.apply(
-      values,
-      marks,
-      by_rows(of_steps.layout(), before),
-      [&](const auto &begin, const auto &end) { stiffness.apply(values, begin, end); },
-      by_rows(of_steps.layout(), after));
+    extension.gather(values, marks, by_rows(of_steps.layout(), before));
+    extension.spread(values, marks);
+    stiffness.on_boxes(extension.finest().own_values());
+    stiffness.on_points(values,
+                        [&](const int row) { extension.take(row, values, marks); });
+    extension.extend_adjoint(values, marks, by_rows(of_steps.layout(), after));
   }
 
   GapProblem::GapProblem(const SlabField   &heights,
@@ -121,11 +123,14 @@ namespace strait
     , adhesion(adhesion_)
     , modulus(contact_modulus)
     , transform(heights.layout_pointer())
+    , extension(heights.layout_pointer())
+    , compliance(TwoScaleOperator::compliance(heights.layout_pointer(),
+                                              extension.finest().layout,
+                                              modulus,
+                                              1. / mean_stiffness()))
+    , moved(heights.size())
+    , line(heights.grid().nx)
   {
-    if (TwoScaleOperator::suits_compliance(heights.grid()))
-      compliance.emplace(TwoScaleOperator::compliance(heights.layout_pointer(),
-                                                      contact_modulus,
-                                                      1. / mean_stiffness()));
   }
 
   double
@@ -147,22 +152,55 @@ namespace strait
   }
 
   void
-  GapProblem::precondition(double *values, const Pass &before)
+  GapProblem::precondition(double *values, const std::uint8_t *closed, const Pass &before)
   {
-    const auto before_row = by_rows(transform.layout(), before);
-    if (compliance)
-      return compliance->apply(values, before_row, [](int) {});
-    const auto   stiffness = wave_stiffness(transform.layout().grid(), modulus);
-    const double uniform   = 1. / mean_stiffness();
-    transform.multiply_in_passes(
-      values,
-      values,
-      [=](const int kx, const int ky) {
-        return kx == 0 && ky == 0 ? uniform : 1. / stiffness(kx, ky);
-      },
-      before_row,
-      [](double) {},
-      [](int) {});
+    const SlabLayout &layout = transform.layout();
+    float            *v      = moved.data();
+    extension.gather(v, closed, by_rows(layout, [=, &before](const Block &range) {
+                       before(range);
+                       std::copy(values + range.begin,
+                                 values + range.end,
+                                 v + range.begin);
+                     }));
+    for (int row = 0; row < layout.n_rows(); ++row)
+      extension.take(row, v, closed);
+    extension.extend_adjoint(v, closed, by_rows(layout, [=](const Block &range) {
+                               for (std::size_t i = range.begin; i < range.end; ++i)
+                                 v[i] = static_cast<float>(values[i]) - v[i];
+                             }));
+    move();
+    extension.gather(v, closed, by_rows(layout, [=](const Block &range) {
+                       for (std::size_t i = range.begin; i < range.end; ++i)
+                         {
+                           values[i] = closed[i] ? 0. : v[i];
+                           v[i]      = closed[i] ? v[i] : 0.f;
+                         }
+                     }));
+    extension.spread(v, closed);
+    for (std::size_t i = 0; i < size; ++i)
+      values[i] -= closed[i] ? 0. : v[i];
+  }
+
+  void
+  GapProblem::move()
+  {
+    const std::size_t               nx    = line.size();
+    GridBoxes                      &boxes = extension.finest();
+    const std::vector<std::uint8_t> unmarked(nx);
+    boxes.clear_values();
+    for (int row = 0; row < transform.layout().n_rows(); ++row)
+      {
+        std::copy_n(moved.data() + row * nx, nx, line.data());
+        boxes.interpolate_adjoint(row, line.data(), unmarked.data());
+      }
+    boxes.send();
+    compliance.on_boxes(boxes.own_values());
+    boxes.fetch();
+    compliance.on_points(moved.data(), [&](const int row) {
+      boxes.interpolate(row, line.data(), unmarked.data());
+      for (std::size_t i = 0; i < nx; ++i)
+        moved[row * nx + i] += line[i];
+    });
   }
 
   void

@@ -20,54 +20,52 @@ namespace strait
 
   template <class Has>
   void
-  PyramidExtension::apply(
-    float                                                       *values,
-    const Has                                                   *has,
-    const RowPass                                               &before,
-    const std::function<void(const RowPass &, const RowPass &)> &act,
-    const RowPass                                               &after)
+  PyramidExtension::gather(const float *values, const Has *has, const RowPass &before)
   {
-    GridBoxes &finest = *levels.front();
-    const auto nx     = static_cast<std::size_t>(layout->grid().nx);
-    finest.clear_values();
+    finest().clear_values();
     for (const auto &boxes : levels)
       boxes->clear_sums();
+    const auto nx = static_cast<std::size_t>(layout->grid().nx);
     for (int row = 0; row < layout->n_rows(); ++row)
       {
         before(row);
-        finest.add_row(row, values + row * nx, has + row * nx);
+        finest().add_row(row, values + row * nx, has + row * nx);
       }
-    extend();
-    const RowPass begin = [&](const int row) {
-      finest.interpolate(row, values + row * nx, has + row * nx);
-    };
-    const RowPass end = [&](const int row) {
-      if (row == 0)
-        finest.clear_values();
-      finest.interpolate_adjoint(row, values + row * nx, has + row * nx);
-    };
-    act(begin, end);
-    extend_adjoint();
-    for (int row = 0; row < layout->n_rows(); ++row)
-      {
-        finest.add_boxes(row, values + row * nx, has + row * nx);
-        after(row);
-      }
-  }
-
-  /** From what the finest boxes were given to the values that are interpolated from. */
-  void
-  PyramidExtension::extend()
-  {
     climb(&GridBoxes::add_row<float>, &GridBoxes::take_means);
-    descend(&GridBoxes::fetch, &GridBoxes::interpolate<float>);
+    finest().clear_others();
   }
 
+  template <class Has>
   void
-  PyramidExtension::extend_adjoint()
+  PyramidExtension::spread(float *values, const Has *has)
+  {
+    const auto nx = static_cast<std::size_t>(layout->grid().nx);
+    descend(&GridBoxes::fetch, &GridBoxes::interpolate<float>);
+    for (int row = 0; row < layout->n_rows(); ++row)
+      finest().interpolate(row, values + row * nx, has + row * nx);
+    finest().clear_others();
+  }
+
+  template <class Has>
+  void
+  PyramidExtension::take(const int row, float *values, const Has *has)
+  {
+    const std::size_t first = row * static_cast<std::size_t>(layout->grid().nx);
+    finest().interpolate_adjoint(row, values + first, has + first);
+  }
+
+  template <class Has>
+  void
+  PyramidExtension::extend_adjoint(float *values, const Has *has, const RowPass &after)
   {
     climb(&GridBoxes::interpolate_adjoint<float>, &GridBoxes::send);
     descend(&GridBoxes::divide_and_fetch, &GridBoxes::add_boxes<float>);
+    const auto nx = static_cast<std::size_t>(layout->grid().nx);
+    for (int row = 0; row < layout->n_rows(); ++row)
+      {
+        finest().add_boxes(row, values + row * nx, has + row * nx);
+        after(row);
+      }
   }
 
   /** Let each level take what the finer one's boxes have, by add(row, values, weights),
@@ -114,15 +112,13 @@ namespace strait
   }
 
   template void
-  PyramidExtension::apply(float *,
-                          const std::uint8_t *,
-                          const RowPass &,
-                          const std::function<void(const RowPass &, const RowPass &)> &,
-                          const RowPass &);
+  PyramidExtension::gather(const float *, const std::uint8_t *, const RowPass &);
+  template void PyramidExtension::gather(const float *, const float *, const RowPass &);
+  template void PyramidExtension::spread(float *, const std::uint8_t *);
+  template void PyramidExtension::spread(float *, const float *);
+  template void PyramidExtension::take(int, float *, const std::uint8_t *);
+  template void PyramidExtension::take(int, float *, const float *);
   template void
-  PyramidExtension::apply(float *,
-                          const float *,
-                          const RowPass &,
-                          const std::function<void(const RowPass &, const RowPass &)> &,
-                          const RowPass &);
+  PyramidExtension::extend_adjoint(float *, const std::uint8_t *, const RowPass &);
+  template void PyramidExtension::extend_adjoint(float *, const float *, const RowPass &);
 } // namespace strait

@@ -11,7 +11,8 @@ namespace strait
     : layout(layout_)
     , n_windows(static_cast<int>(layout->windows().size()))
     , extension(layout)
-    , stiffness(TwoScaleOperator::stiffness(layout, contact_modulus))
+    , stiffness(
+        TwoScaleOperator::stiffness(layout, extension.finest().layout, contact_modulus))
     , sums(layout->n_values())
     , room(layout->n_values() - layout->n_local_points())
   {
@@ -29,22 +30,16 @@ namespace strait
     for (int w = n_windows; w-- > 0;)
       take_means(w, values);
     const auto no_row = [](int) {};
-    extension.apply(
-      values,
-      sums.data(),
-      no_row,
-      [&](const auto &begin, const auto &end) {
-        for (int row = 0; row < layout->n_rows(); ++row)
-          begin(row);
-        for (int w = 0; w < n_windows; ++w)
-          refine(w, values);
-        stiffen(values, window_stiffness);
-        for (int w = n_windows; w-- > 0;)
-          refine_adjoint(w, values);
-        for (int row = 0; row < layout->n_rows(); ++row)
-          end(row);
-      },
-      no_row);
+    extension.gather(values, sums.data(), no_row);
+    extension.spread(values, sums.data());
+    for (int w = 0; w < n_windows; ++w)
+      refine(w, values);
+    stiffen(values, window_stiffness);
+    for (int w = n_windows; w-- > 0;)
+      refine_adjoint(w, values);
+    for (int row = 0; row < layout->n_rows(); ++row)
+      extension.take(row, values, sums.data());
+    extension.extend_adjoint(values, sums.data(), no_row);
     for (int w = 0; w < n_windows; ++w)
       take_means_adjoint(w, values);
   }
@@ -66,8 +61,8 @@ namespace strait
     for (std::size_t i = 0; i < room.size(); ++i)
       in_windows[i] -= room[i];
 
-    const auto no_row = [](int) {};
-    stiffness.apply(values, no_row, no_row);
+    stiffness.on_boxes(extension.finest().own_values());
+    stiffness.on_points(values, [](int) {});
     for (int w = 0; w < n_windows; ++w)
       window_stiffness(w, values + layout->start_of_window(w));
 

@@ -78,7 +78,8 @@ namespace
   /** A ripple under a uniform gap ḡ answers with −h1/(1 − 2k/(qE*)), k = −γ''(ḡ). */
   TEST(Adhesion, AUniformGapRespondsLinearly)
   {
-    const double ripple = 1e-6, mean_gap = .15, energy = .02, range = .1;
+    // A ripple of 1e-6 leaves the tolerance, of its stress, within the rounding of ḡ.
+    const double ripple = 1e-5, mean_gap = .15, energy = .02, range = .1;
     for (const ClosedForm &form : closed_forms)
       for (const AdhesionMethod method : all_methods)
         for (const int wave : {1, 3})

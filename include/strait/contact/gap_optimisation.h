@@ -153,8 +153,8 @@ namespace strait
      *  Collective. */
     void project_on_free(double *values) const;
 
-    /** @p z = M r on the free points. Collective. */
-    void precondition_derivative(double *z);
+    /** Replace @p z by M z on the free points. Collective. */
+    void precondition(double *z);
 
     /** Open, or in contact but pulled away: free to move. */
     bool
@@ -185,8 +185,9 @@ namespace strait
     double                 pressure = 0; // p0, at fixed mean gap so that ⟨r⟩ = 0
     double elastic_energy           = 0; // ½⟨w, Kw⟩, and p0 ⟨g⟩ at fixed load
     double adhesive_energy          = 0;
-    double largest_violation        = 0; // of the conditions of a minimum [pressure]
-    double smallest_gap             = 0;
+    std::vector<std::uint8_t> closed; // scratch: marks of points that are not free
+    double largest_violation = 0;     // of the conditions of a minimum [pressure]
+    double smallest_gap      = 0;
   };
 } // namespace strait
 

@@ -24,6 +24,9 @@ namespace strait
 
     void clear();
 
+    /** Of the rows of other ranks. */
+    void clear_others();
+
     /** Send what was added on other ranks' rows to these ranks. Collective. */
     void send();
 
@@ -79,6 +82,19 @@ namespace strait
     clear_values()
     {
       values.clear();
+    }
+
+    /** Before values are added to those of the boxes of this rank. */
+    void
+    clear_others()
+    {
+      values.clear_others();
+    }
+
+    float *
+    own_values()
+    {
+      return values.values().data();
     }
 
     /** Before weights are added. */

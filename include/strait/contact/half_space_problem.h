@@ -6,47 +6,10 @@
 #include <strait/contact/contact_problem.h>
 #include <strait/contact/pyramid_extension.h>
 #include <strait/contact/two_scale_operator.h>
+#include <strait/contact/wave_response.h>
 
-#include <cmath>
-#include <optional>
-
-/**
- * How a periodic elastic half-space of the contact modulus E* answers waves: u~(q) =
- * 2 p~(q)/(q E*) for q ≠ 0 and u~(0) = 0 (Johnson, Contact Mechanics, 1985). p > 0
- * presses, u > 0 points away from the substrate.
- */
 namespace strait
 {
-  /**
-   * E* q/2, by which a half-space answers a displacement by the wave that fits into a
-   * periodic box kx times along x and ky times along y, a function of both.
-   */
-  inline auto
-  wave_stiffness(const PeriodicGrid &grid, const double contact_modulus)
-  {
-    // In units of lx, so that tiny boxes do not underflow.
-    const double unit = M_PI * contact_modulus / grid.lx, aspect = grid.lx / grid.ly;
-    return [=](const int kx, const int ky) {
-      const double x = kx, y = ky * aspect;
-      return unit * std::sqrt(x * x + y * y);
-    };
-  }
-
-  /** 2/(q E*), by which it answers a pressure, and 0 for a uniform one; to the digits of
-   *  @p Number. */
-  template <class Number>
-  auto
-  wave_compliance(const PeriodicGrid &grid, const double contact_modulus)
-  {
-    const double unit   = grid.lx / (M_PI * contact_modulus);
-    const auto   aspect = static_cast<Number>(grid.lx / grid.ly);
-    return [=](const int kx, const int ky) {
-      const Number x = static_cast<Number>(kx), y = static_cast<Number>(ky) * aspect;
-      const Number square = x * x + y * y;
-      return square > 0 ? unit / std::sqrt(square) : 0.;
-    };
-  }
-
   /** The points of @p heights, on one periodic grid, perhaps with windows. */
   ContactProblem points_of(const SlabField &heights);
 
@@ -88,21 +51,22 @@ namespace strait
     release()
     {
       of_steps.release();
+      stiffness.release();
     }
 
   private:
     const double                 modulus;
     FourierTransform             transform;
     BasicFourierTransform<float> of_steps; // to seven digits
-    TwoScaleOperator             stiffness;
     PyramidExtension             extension;
+    TwoScaleOperator             stiffness;
   };
 
   /**
    * The same with adhesion: minimise ½⟨w, Kw⟩ + ⟨γ(g)⟩ + p0 ⟨g⟩ over gaps g >= 0, where
-   * w = g + h and K has the symbol E* q/2. M is the inverse of K + mean_stiffness() ⟨·⟩:
-   * a TwoScaleOperator or, where the grid does not suit that, exact at the cost of an FFT
-   * pair.
+   * w = g + h and K has the symbol E* q/2. M is close to the inverse of K +
+   * mean_stiffness() ⟨·⟩ on the open points: the compliance, of which what it does to the
+   * closed points is taken off, extended to all (PyramidExtension), before and after.
    */
   class GapProblem : public ContactProblem
   {
@@ -117,8 +81,11 @@ namespace strait
     /** traction = K w. Returns <w, Kw>. Collective. */
     double apply(const double *displacement, double *traction, const Pass &before);
 
-    /** Replace @p values by M values. Collective. */
-    void precondition(double *values, const Pass &before);
+    /**
+     * Replace @p values, which are 0 at points that @p closed marks, by M values;
+     * before(range) may still write both. Collective.
+     */
+    void precondition(double *values, const std::uint8_t *closed, const Pass &before);
 
     /** What stands in M for the stiffness of a uniform gap [pressure/length]. */
     double mean_stiffness() const;
@@ -134,9 +101,14 @@ namespace strait
     }
 
   private:
-    const double                    modulus;
-    FourierTransform                transform;
-    std::optional<TwoScaleOperator> compliance; // if the grid suits it
+    /** Replace what stands in `moved` by what the compliance makes of it. */
+    void move();
+
+    const double       modulus;
+    FourierTransform   transform;
+    PyramidExtension   extension;
+    TwoScaleOperator   compliance;
+    std::vector<float> moved, line; // scratch: for all points, for those of a row
   };
 } // namespace strait
 

@@ -34,23 +34,36 @@ namespace strait
     explicit PyramidExtension(const SlabLayoutPtr &layout);
 
     /**
-     * Extend @p values, which are 0 at points without weight, let @p act change them, and
-     * apply the adjoint of the extension: points without weight end as 0. What the points
-     * have, @p has, are marks, or sums as those of GridBoxes. before(row) may still write
-     * both in a local row, after(row) finds the result there; act() gets a pass to begin
-     * with a row and one to end with: first the one for all rows, then the other, each in
-     * their order. Collective.
+     * Take the means of @p values over boxes of all sizes. What the points have, @p has,
+     * are marks, or sums as those of GridBoxes. before(row) may still write both in a
+     * local row. Collective.
      */
     template <class Has>
-    void apply(float                                                       *values,
-               const Has                                                   *has,
-               const RowPass                                               &before,
-               const std::function<void(const RowPass &, const RowPass &)> &act,
-               const RowPass                                               &after);
+    void gather(const float *values, const Has *has, const RowPass &before);
+
+    /** Extend the same values to points without weight. Collective. */
+    template <class Has>
+    void spread(float *values, const Has *has);
+
+    /** The boxes of 2 × 2 points. Their values are those of the field that was extended,
+     *  until they are changed to what the adjoint is to take of boxes. */
+    GridBoxes &
+    finest()
+    {
+      return *levels.front();
+    }
+
+    /** The first part of the adjoint, for each local row in its order, after all of the
+     *  changes to finest(). */
+    template <class Has>
+    void take(int row, float *values, const Has *has);
+
+    /** The rest of it, for the same values: points without weight end as 0, and
+     * after(row) finds the result. Collective. */
+    template <class Has>
+    void extend_adjoint(float *values, const Has *has, const RowPass &after);
 
   private:
-    void extend();
-    void extend_adjoint();
     template <class Add, class Finish>
     void climb(const Add &add, const Finish &finish);
     template <class Prepare, class Give>

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_contact_wave_response_h
+#define strait_contact_wave_response_h
+
+#include <strait/spectral/periodic_grid.h>
+
+#include <cmath>
+
+/**
+ * How a periodic elastic half-space of the contact modulus E* answers waves: u~(q) =
+ * 2 p~(q)/(q E*) for q ≠ 0 and u~(0) = 0 (Johnson, Contact Mechanics, 1985). p > 0
+ * presses, u > 0 points away from the substrate.
+ */
+namespace strait
+{
+  /**
+   * E* q/2, by which a half-space answers a displacement by the wave that fits into a
+   * periodic box kx times along x and ky times along y, a function of both.
+   */
+  inline auto
+  wave_stiffness(const PeriodicGrid &grid, const double contact_modulus)
+  {
+    // In units of lx, so that tiny boxes do not underflow.
+    const double unit = M_PI * contact_modulus / grid.lx, aspect = grid.lx / grid.ly;
+    return [=](const int kx, const int ky) {
+      const double x = kx, y = ky * aspect;
+      return unit * std::sqrt(x * x + y * y);
+    };
+  }
+
+  /** 2/(q E*), by which it answers a pressure, and 0 for a uniform one; to the digits of
+   *  @p Number. */
+  template <class Number>
+  auto
+  wave_compliance(const PeriodicGrid &grid, const double contact_modulus)
+  {
+    const double unit   = grid.lx / (M_PI * contact_modulus);
+    const auto   aspect = static_cast<Number>(grid.lx / grid.ly);
+    return [=](const int kx, const int ky) {
+      const Number x = static_cast<Number>(kx), y = static_cast<Number>(ky) * aspect;
+      const Number square = x * x + y * y;
+      return square > 0 ? unit / std::sqrt(square) : 0.;
+    };
+  }
+} // namespace strait
+
+#endif
