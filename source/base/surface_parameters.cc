@@ -158,29 +158,16 @@ namespace strait
   void
   SurfaceParameters::check() const
   {
-    switch (kind)
-      {
-        case SurfaceKind::self_affine:
-          check_spectrum(*this);
-          break;
-        case SurfaceKind::square_saddle:
-        case SurfaceKind::triangular_peaks:
-        case SurfaceKind::honeycomb_peaks:
-        case SurfaceKind::sphere:
-        case SurfaceKind::sine:
-          require(amplitude != 0.,
-                  "Surface/Amplitude is 0; choose Kind = flat for no roughness.");
-          break;
-        case SurfaceKind::expression:
-          require(!expression.empty(),
-                  "Surface/Kind = expression needs a formula; set Surface/Expression.");
-          break;
-        case SurfaceKind::file:
-          map.check();
-          break;
-        case SurfaceKind::flat:
-          break;
-      }
+    if (kind == SurfaceKind::self_affine)
+      check_spectrum(*this);
+    else if (kind == SurfaceKind::file)
+      map.check();
+    else if (kind == SurfaceKind::expression)
+      require(!expression.empty(),
+              "Surface/Kind = expression needs a formula; set Surface/Expression.");
+    else if (kind != SurfaceKind::flat)
+      require(amplitude != 0.,
+              "Surface/Amplitude is 0; choose Kind = flat for no roughness.");
     require(kind == SurfaceKind::file || map.file.empty(),
             "Surface/File is a map, but Surface/Kind is no file; set Kind = "
             "file, or remove File.");

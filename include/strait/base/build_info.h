@@ -7,10 +7,10 @@
 namespace strait
 {
   /** The version of this program, "major.minor.patch". */
-  std::string version();
+  extern const std::string version;
 
   /** The Python interpreter that was found when the program was configured. */
-  std::string python_interpreter();
+  extern const std::string python_interpreter;
 
   /**
    * The path of a script that the program calls at run time, such as "plot.py":

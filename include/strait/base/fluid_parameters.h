@@ -108,10 +108,9 @@ namespace strait
     bool
     has_slip() const
     {
-      for (const double slip_length : slip_lengths)
-        if (slip_length != 0.)
-          return true;
-      return false;
+      return std::any_of(slip_lengths.begin(),
+                         slip_lengths.end(),
+                         [](const double slip_length) { return slip_length != 0.; });
     }
 
     /** (p_in + p_out)/2, at which the volume of a gas is counted [pressure]. */
@@ -142,9 +141,6 @@ namespace strait
      */
     void take_gas(const UnitParameters &units);
     void check() const;
-
-  private:
-    void check_rarefaction() const;
   };
 
   /**

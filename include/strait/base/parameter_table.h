@@ -16,10 +16,10 @@ namespace strait
   /** What a scene says of one parameter, and the way from there to who wants to know. */
   struct Parameter
   {
-    std::vector<std::string> section;
-    std::string              name;
-    std::string              value;   // at first the default
-    std::string              allowed; // in words
+    std::string section; // "Section/Subsection"
+    std::string name;
+    std::string value;   // at first the default
+    std::string allowed; // in words
 
     /** Hand on the value that stands in a text; false: it is not allowed. */
     std::function<bool(const std::string &)> take;
@@ -33,9 +33,6 @@ namespace strait
     std::string              decider = {};
     std::vector<std::string> needed  = {};
     std::string              usual   = {}; // the default
-
-    /** "Section/Subsection/Name". */
-    std::string path() const;
   };
 
   /** All parameters of a scene, in the order of the documentation. */
@@ -70,7 +67,6 @@ namespace strait
     std::string markdown() const;
 
   private:
-    void       check_section(const SceneEntry &entry) const;
     Parameter &find(const SceneEntry &entry);
     bool       counts(const Parameter &parameter) const;
 
@@ -85,14 +81,18 @@ namespace strait
   class ParameterSection
   {
   public:
-    ParameterSection(ParameterTable &table, const std::vector<std::string> &names)
+    ParameterSection(ParameterTable &table, const std::string &path)
       : table(table)
-      , names(names)
+      , path(path)
     {
     }
 
     /** A section within this one. */
-    ParameterSection subsection(const std::string &name) const;
+    ParameterSection
+    subsection(const std::string &name) const
+    {
+      return {table, path + "/" + name};
+    }
 
     /** The same section for parameters that count only if its parameter @p decider has
      *  one of the values @p needed. */
@@ -112,7 +112,7 @@ namespace strait
     [[nodiscard]] Parameter &
     add(const std::string &name, Value &variable, const Values &values)
     {
-      return append({names,
+      return append({path,
                      name,
                      values.text(variable),
                      values.words(std::is_integral<Value>::value, false),
@@ -130,7 +130,7 @@ namespace strait
       texts.reserve(variable.size());
       for (const Value &value : variable)
         texts.push_back(values.text(value));
-      return append({names,
+      return append({path,
                      name,
                      join(texts, ", "),
                      values.words(std::is_integral<Value>::value, true),
@@ -146,7 +146,7 @@ namespace strait
     {
       const std::string first = values.text(variable[0]);
       return append(
-        {names,
+        {path,
          name,
          variable[0] == variable[1] ? first : first + ", " + values.text(variable[1]),
          "one or two " + values.words(std::is_integral<Value>::value, true),
@@ -177,7 +177,7 @@ namespace strait
     Parameter &append(Parameter parameter);
 
     ParameterTable          &table;
-    std::vector<std::string> names;
+    std::string              path;
     std::string              decider = {};
     std::vector<std::string> needed  = {};
   };

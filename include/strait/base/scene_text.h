@@ -10,11 +10,18 @@ namespace strait
   /** One "set NAME = VALUE" of a scene, or the opening of a subsection. */
   struct SceneEntry
   {
-    std::vector<std::string> section; // names from the outermost inwards
-    std::string              name;    // empty: the section is opened here
-    std::string              value;   // without comment
-    std::string              place;   // "FILE:LINE" or "--set ...", for messages
-    std::string              folder;  // relative paths in the value start here
+    std::string section; // "Section/Subsection"
+    std::string name;    // empty: the section is opened here
+    std::string value;   // without comment
+    std::string place;   // "FILE:LINE" or "--set ...", for messages
+    std::string folder;  // relative paths in the value start here
+
+    /** "Section/Subsection/Name". */
+    std::string
+    path() const
+    {
+      return section + "/" + name;
+    }
   };
 
   /**

@@ -63,11 +63,9 @@ namespace strait
     /** Note a column "name [unit]: definition", or "name: definition" of texts. */
     void declare(const std::string &text);
 
-    /** Write the header line to the file @p path. */
-    void open(const std::string &path);
-
-    /** Continue the table in the file @p path. */
-    void reopen(const std::string &path);
+    /** Continue the table in its file in @p folder or, if there is none or @p anew, begin
+     *  it there with the header line. */
+    void open(const std::string &folder, bool anew = false);
 
   protected:
     /** Append a line with one entry for each of the columns that are written, or none,
@@ -83,17 +81,6 @@ namespace strait
 
   /** A number with all its digits, as it is written to tables. */
   std::string full_precision(double value);
-
-  /** What makes values of columns of members of @p part, itself a member of a row or a
-   *  function of it, or of functions of that. */
-  template <typename Part>
-  auto
-  values_of(Part part)
-  {
-    return [part](auto member) {
-      return [=](const auto &row) { return std::invoke(member, std::invoke(part, row)); };
-    };
-  }
 
   /** A table whose columns take their entries from a @p Row. */
   template <typename Row>
@@ -146,11 +133,11 @@ namespace strait
       write(entries);
     }
 
-    /** Write a whole table to the file @p path. */
+    /** Write a whole table to its file in @p folder, in the place of the one before. */
     void
-    write_rows(const std::string &path, const std::vector<Row> &rows)
+    write_rows(const std::string &folder, const std::vector<Row> &rows)
     {
-      open(path);
+      open(folder, true);
       for (const Row &row : rows)
         append(row);
     }

@@ -2,6 +2,7 @@
 #ifndef strait_base_units_h
 #define strait_base_units_h
 
+
 #include <optional>
 #include <string>
 
@@ -52,11 +53,19 @@ namespace strait
     double      in_si;
   };
 
-  /** The unit of this name; nothing if there is none. */
-  const LeakRateUnit *find_leak_rate_unit(const std::string &name);
+  inline constexpr double standard_atmosphere = 101325.; // Pa
 
-  /** The names of all of them, for messages and documentation. */
-  std::string leak_rate_unit_names();
+  /** All of them, the volumes first. */
+  inline constexpr LeakRateUnit leak_rate_units[] = {
+    {"ml/h", "leak_rate_ml_per_h", false, 1e-6 / 3600},
+    {"ml/min", "leak_rate_ml_per_min", false, 1e-6 / 60},
+    {"ul/min", "leak_rate_ul_per_min", false, 1e-9 / 60},
+    {"l/h", "leak_rate_l_per_h", false, 1e-3 / 3600},
+    {"l/min", "leak_rate_l_per_min", false, 1e-3 / 60},
+    {"Pa m3/s", "leak_rate_Pa_m3_per_s", true, 1.},
+    {"mbar l/s", "leak_rate_mbar_l_per_s", true, 0.1},
+    {"atm cm3/s", "leak_rate_atm_cm3_per_s", true, 1e-6 * standard_atmosphere},
+    {"sccm", "leak_rate_sccm", true, 1e-6 / 60. * standard_atmosphere}}; // at 0 °C
 
   /**
    * The section Units of a scene: in what its numbers are meant. Computations

@@ -5,7 +5,6 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
-#include <strait/run/coarser_seals.h>
 #include <strait/run/step.h>
 #include <strait/run/theory_prediction.h>
 #include <strait/seal/flow_stage.h>
@@ -54,6 +53,80 @@ namespace strait
    * two and one is that of one box in an endless row.
    */
   SlabField two_in_a_row(const SlabField &gap);
+
+  /** With how many coarser grids each step of @p scene is compared. */
+  int n_compared_grids(const Scene &scene);
+
+  /**
+   * The dry seal of a scene on every second point of its contact grid, on every fourth,
+   * and so on. Two things are cheap there: a first idea of the critical load, which that
+   * of the grid itself is close to, and what the grid changes of a leak rate.
+   */
+  class CoarserSeals
+  {
+  public:
+    /** None where there is no fluid, or where the past of a contact, or a fluid on its
+     *  walls, matters: these are not those of a coarser grid at the same load. @p heights
+     * on the grid of the contact, which @p contact describes. @p scene and @p log must
+     * outlive this object. Collective. */
+    CoarserSeals(const Scene             &scene,
+                 const ContactParameters &contact,
+                 const SlabField         &heights,
+                 Log                     &log);
+
+    int
+    size() const
+    {
+      return static_cast<int>(seals.size());
+    }
+
+    /** Find the critical loads of all of them, of the coarsest from @p first on. Returns
+     *  where that of the grid itself is sought. Collective. */
+    SearchStart find_critical_loads(SearchStart first);
+
+    /**
+     * The gap on every 2^halvings-th point [length] at @p control or, with
+     * @p reduced_load, which is 1 − L/L_c, as far from the critical load of those points.
+     * Collective.
+     */
+    SlabField
+    gap(int halvings, Control control, const std::optional<double> &reduced_load);
+
+    /** Keep only those that steps are compared with. */
+    void end_searches();
+
+    /** What is known of them, critical loads and last states. Collective. */
+    void transfer(StateArchive &archive);
+
+  private:
+    struct CoarserSeal
+    {
+      SlabLayoutPtr              layout;
+      std::unique_ptr<SealModel> model;
+      std::vector<Transition>    thresholds; // once they were sought
+      std::optional<SealState>   state;      // that the next is reached from
+    };
+
+    const Scene             &scene;
+    Log                     &log;
+    Log                      silent;
+    std::vector<CoarserSeal> seals; // every second point first
+  };
+
+  /**
+   * What each stage of the method adds to the uncertainty of the leak rate of a step that
+   * leaks, and the parameter that would reduce it, as doc/numerics.md lists them. Where
+   * its load was named by the distance from the critical load @p counted_from, or null,
+   * the leak rate at that distance is what is sought, and a coarser grid is compared at
+   * the same distance from its own: most of what a grid does is to shift both.
+   * @p rms_height is that of the surface. Collective.
+   */
+  StepErrors assess_errors(const Step       &step,
+                           const Transition *counted_from,
+                           const Scene      &scene,
+                           double            rms_height,
+                           const FlowStage  &flow,
+                           CoarserSeals     &coarser);
 
   /**
    * The method in one place: for each load of the programme, press the surface

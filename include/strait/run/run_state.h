@@ -30,12 +30,7 @@ namespace strait
      */
     RunState(const Scene &scene, MPI_Comm comm, bool resume);
 
-    /** What the run left, if it has come to its end. */
-    const std::optional<RunSummary> &
-    finished() const
-    {
-      return left;
-    }
+    std::optional<RunSummary> finished; // what the run left, if it has come to its end
 
     bool   has_begun      = false; // there is something that a resumed run goes on from
     bool   has_searched   = false; // the searches that precede the steps are done
@@ -58,7 +53,6 @@ namespace strait
     MPI_Comm                       comm;
     std::string                    path;
     std::unique_ptr<StateArchive>  archive; // of the run that is resumed
-    std::optional<RunSummary>      left;    // by a run that has come to its end
     const std::vector<std::string> files;   // the scene's, and what is in them
   };
 

@@ -4,7 +4,7 @@
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
-#include <strait/run/run_summary.h>
+#include <strait/run/scaling.h>
 
 #include <mpi.h>
 
@@ -25,6 +25,23 @@ namespace strait
                       Log         &log,
                       bool         resume = false,
                       MPI_Comm     comm   = MPI_COMM_WORLD);
+
+  /**
+   * Run the scene file @p path with @p overrides, which @p scene is made of, for each
+   * of its realisations, or once if it has no section Realisations. What they leave in
+   * the output directory and in folders of it doc/results.md tells. One whose threshold
+   * is not found says so in its row and does not stop the others; the rows of those that
+   * run at the same time come in the order of the scene. With @p resume, realisations
+   * that are done are not run again. Collective.
+   *
+   * @return whether all steps of all realisations converged. Throws Interruption if a
+   * signal stopped them.
+   */
+  bool run_all_realisations(const std::string &path,
+                            const Overrides   &overrides,
+                            const Scene       &scene,
+                            Log               &log,
+                            bool               resume = false);
 
   /**
    * Check @p scene as simulate() would and print sizes, memory, resolution

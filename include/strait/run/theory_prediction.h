@@ -59,15 +59,6 @@ namespace strait
     }
 
   private:
-    TheoryResult evaluate(const PerssonTheory &with,
-                          double               pressure,
-                          double               slip_length,
-                          const SlabField     *gap,
-                          const Transition    *threshold) const;
-    double       dimension(const PerssonTheory &with,
-                           double               slip_length,
-                           const Transition    *threshold) const;
-
     const Scene  &scene;
     PerssonTheory persson;
     PerssonTheory coarse; // the difference to it estimates the error

@@ -36,9 +36,6 @@ namespace strait
   /** Of a gas in viscous flow along @p path, where its squared pressure falls in
    *  proportion to ∫ ds/gap³. */
   KnudsenNumbers knudsen_numbers(const FlowPath &path, const Scene &scene);
-
-  /** All checks of a step, with their numbers, as a JSON object for run.json. */
-  std::string validity_record(const Step &step);
 } // namespace strait
 
 #endif

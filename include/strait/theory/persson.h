@@ -37,15 +37,8 @@ namespace strait
     double plastic; // under the hardness
   };
 
-  /**
-   * Persson's theory of rough contact, with the gaps of Almqvist, Campañá, Prodanov and
-   * Persson, J. Mech. Phys. Solids 59 (2011) 2355.
-   *
-   * At the magnification ζ, where waves up to ζ q0 are seen and ḡ²(ζ) is their mean
-   * square slope, the contact area is A(ζ) = erf(√2 p0/(E* ḡ(ζ))) and the mean gap in it
-   * ū(ζ) = √(2/π) ∫ dv W(√2 p(ζ)/(E* v))/q, v² = ḡ²(q) − ḡ²(ζ), p = p0/A, which is the
-   * usual integral over q with v in place of q.
-   */
+  /** Persson's theory of rough contact, with the gaps of Almqvist, Campañá, Prodanov and
+   *  Persson, J. Mech. Phys. Solids 59 (2011) 2355; doc/theory.md has its formulas. */
   class PerssonTheory
   {
   public:
@@ -94,11 +87,10 @@ namespace strait
 
   private:
     /**
-     * W(s) = ∫_s^∞ [γ + 3(1−γ) erf²(t)] exp(−t²) dt/t for s > 0, to a relative 1e-12, and
-     * zero where it is less than a rounding error of 1: the integral over the pressure,
-     * in units of the stress that flattens the waves in question. The part with γ is an
-     * exponential integral; the other has no closed form and is expanded in Chebyshev
-     * polynomials once, for it is needed a million times.
+     * W(s) for s > 0, to a relative 1e-12, and zero where it is less than a rounding
+     * error of 1. The part with γ is an exponential integral; the other has no closed
+     * form and is expanded in Chebyshev polynomials once, for it is needed a million
+     * times.
      */
     double compression(double s) const;
 

@@ -84,8 +84,8 @@ namespace strait
   /**
    * The spectrum that a self-affine surface has on average: constant from 2π/L to the
    * roll-off, ∝ q^(−2(1+H)) from there to the cut-off, in proportion to the scene's rms
-   * slope or height. L² is the area of the box. Throws InputError for another kind of
-   * surface, or a cut-off longer than the box.
+   * slope or height. L² is the area of the box. Throws InputError for a cut-off longer
+   * than the box.
    */
   RadialSpectrum model_spectrum(const SurfaceParameters &parameters);
 
