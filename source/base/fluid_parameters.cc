@@ -149,9 +149,8 @@ namespace strait
     section.when("State", {"liquid"})
       .add("Surface tension", surface_tension, not_negative)
       .meaning =
-      "gamma, which the column validity needs to compare the pressure "
-      "across a meniscus in the throat with the one that drives the flow; 0: not known "
-      "[energy/area].";
+      "gamma, which the column validity needs to compare the pressure across a meniscus "
+      "in the throat with the one that drives the flow; 0: not known [energy/area].";
     section.add("Viscosity", viscosity, positive).meaning =
       "eta: dynamic viscosity of the fluid; at its default that of a named Gas is taken "
       "[pressure * time].";

@@ -198,16 +198,6 @@ namespace strait
     return out.str() + "\n";
   }
 
-  ParameterSection
-  ParameterSection::when(const std::string              &decider_,
-                         const std::vector<std::string> &needed_) const
-  {
-    ParameterSection result = *this;
-    result.decider          = decider_;
-    result.needed           = needed_;
-    return result;
-  }
-
   Parameter &
   ParameterSection::append(Parameter parameter)
   {

@@ -65,9 +65,7 @@ namespace strait
       "mean at the edges; mirror: the map and its mirror images, twice as long and wide.";
     section.when("Make periodic", {"window"})
       .add("Window width", window_width, positive.at_most(0.5))
-      .meaning =
-      "share of the sides over which heights fade, at each edge "
-      "[1].";
+      .meaning = "share of the sides over which heights fade, at each edge [1].";
     section.add("Resample", resample).meaning =
       "bring the map to Contact/Grid points by Fourier interpolation; "
       "false: the grid must be the map's.";

@@ -187,8 +187,7 @@ namespace strait
             join({"The folder '" + folder + "' holds the results of another scene",
                   difference},
                  ", ") +
-            "; choose another folder with --output, or overwrite them "
-            "with --force.");
+            "; choose another folder with --output, or overwrite them with --force.");
         }
     });
   }

@@ -130,8 +130,7 @@ namespace strait
           "scatter_arrangement [1]: the same between seals of this size and surface, "
           "which nothing reduces",
           "solution_error [1]: relative error of the patches' leak rates: "
-          "`leak_rate_error` where it is known, else the half width of the "
-          "brackets"})
+          "`leak_rate_error` where it is known, else the half width of the brackets"})
       table.declare(column);
     return table.info();
   }

@@ -141,9 +141,8 @@ namespace strait
       needed <= available
         ? ""
         : format(
-            "A grid of %d x %d points takes about %.3g GB of memory on this machine, "
-            "and %.3g GB are free; reduce Contact/Grid points, or run on more "
-            "machines.",
+            "A grid of %d x %d points takes about %.3g GB of memory on this machine, and "
+            "%.3g GB are free; reduce Contact/Grid points, or run on more machines.",
             scene.contact.grid_points[0],
             scene.contact.grid_points[1],
             1e-9 * needed,

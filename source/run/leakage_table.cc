@@ -144,9 +144,8 @@ namespace strait
     Table<Step> table(
       "leakage.csv",
       {},
-      "One row a step, written as soon as the step is done. Columns of an "
-      "effect that is off (`Contact/Enabled = false`, `Fluid/Enabled = "
-      "false`) are absent.");
+      "One row a step, written as soon as the step is done. Columns of an effect that is "
+      "off (`Contact/Enabled = false`, `Fluid/Enabled = false`) are absent.");
     table.add(&Step::number, "step [1]: number of the load, from 1")
       .when(with_contact)
       .add(&Step::branch,

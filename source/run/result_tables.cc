@@ -5,7 +5,6 @@
 #include <strait/run/result_tables.h>
 
 #include <cmath>
-#include <ostream>
 
 namespace strait
 {
@@ -160,9 +159,8 @@ namespace strait
                  : jump.after.contact_area > jump.before.contact_area ? "closing"
                                                                       : "opening";
         },
-        "kind: `closing` or `opening` by the change of the contact area, or "
-        "`pull-off` where the surfaces part: no state follows, gap and area after it "
-        "are `nan`")
+        "kind: `closing` or `opening` by the change of the contact area, or `pull-off` "
+        "where the surfaces part: no state follows, gap and area after it are `nan`")
       .add([](const Jump &jump) { return jump.before.pressure; },
            "pressure_before [pressure]: nominal pressure")
       .add(

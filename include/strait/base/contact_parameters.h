@@ -9,7 +9,7 @@
 
 namespace strait
 {
-  class ParameterSection;
+  struct ParameterSection;
 
   /** Along a side of the grid: the product of two must fit into the 32-bit indices of
    *  deal.II's vectors. */

@@ -9,7 +9,7 @@
 
 namespace strait
 {
-  class ParameterSection;
+  struct ParameterSection;
   struct LeakRateUnit;
   struct UnitParameters;
 

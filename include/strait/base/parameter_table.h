@@ -78,14 +78,12 @@ namespace strait
    * holds the default and gets the value, which must stay where it is as long as the
    * table is in use; the values allowed. The caller is to say what it means.
    */
-  class ParameterSection
+  struct ParameterSection
   {
-  public:
-    ParameterSection(ParameterTable &table, const std::string &path)
-      : table(table)
-      , path(path)
-    {
-    }
+    ParameterTable          &table;
+    std::string              path;
+    std::string              decider = {};
+    std::vector<std::string> needed  = {};
 
     /** A section within this one. */
     ParameterSection
@@ -94,10 +92,13 @@ namespace strait
       return {table, path + "/" + name};
     }
 
-    /** The same section for parameters that count only if its parameter @p decider has
-     *  one of the values @p needed. */
-    ParameterSection when(const std::string              &decider,
-                          const std::vector<std::string> &needed) const;
+    /** The same section for parameters that count only if its parameter @p name has one
+     *  of the @p values. */
+    ParameterSection
+    when(const std::string &name, const std::vector<std::string> &values) const
+    {
+      return {table, path, name, values};
+    }
 
     /** Whether or not. */
     [[nodiscard]] Parameter &add(const std::string &name, bool &variable);
@@ -175,11 +176,6 @@ namespace strait
     }
 
     Parameter &append(Parameter parameter);
-
-    ParameterTable          &table;
-    std::string              path;
-    std::string              decider = {};
-    std::vector<std::string> needed  = {};
   };
 } // namespace strait
 

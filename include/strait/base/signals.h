@@ -23,14 +23,17 @@ namespace strait
   /** The name of the signal that this rank got, "a signal" if it was another rank. */
   std::string name_of_stop_signal();
 
-  /**
-   * Called by what takes long between its iterations: there it may be left by an
-   * exception. Nothing happens unless at_interruption_points() was called.
-   */
-  void interruption_point();
+  /** What interruption_point() calls, if anything. */
+  inline std::function<void()> at_interruption_points;
 
-  /** Let interruption_point() call @p check from now on. */
-  void at_interruption_points(std::function<void()> check);
+  /** Called by what takes long between its iterations: there it may be left by an
+   *  exception. */
+  inline void
+  interruption_point()
+  {
+    if (at_interruption_points)
+      at_interruption_points();
+  }
 } // namespace strait
 
 #endif

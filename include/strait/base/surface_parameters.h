@@ -7,7 +7,7 @@
 
 namespace strait
 {
-  class ParameterSection;
+  struct ParameterSection;
 
   /** What is subtracted from a measured map, by least squares. */
   enum class Detrend

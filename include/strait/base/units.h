@@ -8,7 +8,7 @@
 
 namespace strait
 {
-  class ParameterSection;
+  struct ParameterSection;
 
   /**
    * What one of @p unit is in metres; nothing if the unit is
