@@ -30,12 +30,10 @@ namespace strait
       bool        is_whole = false; // of whole numbers of 4 bytes, else doubles
     };
 
-    /**
-     * The text of an XDMF file (version 2, as ParaView reads it) beside the HDF5 file
-     * @p file, with each of @p datasets at the points of @p pieces in the plane z = 0: a
-     * slice of a three-dimensional grid, as ParaView lays a two-dimensional one out in
-     * another plane.
-     */
+    /** The text of an XDMF file (version 2, as ParaView reads it) beside the HDF5 file
+     *  @p file, with each of @p datasets at the points of @p pieces in the plane z = 0: a
+     *  slice of a three-dimensional grid, as ParaView lays a two-dimensional one out in
+     *  another plane. */
     std::string
     grid_description(const std::string              &file,
                      const std::vector<GridPiece>   &pieces,

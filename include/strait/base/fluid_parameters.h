@@ -120,11 +120,9 @@ namespace strait
       return .5 * (inlet_pressure + outlet_pressure);
     }
 
-    /**
-     * The largest pressure of the fluid above that outside of the seal [pressure]: of a
-     * liquid, whose pressures count from there, the larger one of the two reservoirs; of
-     * a gas, whose pressures are absolute, the difference of the two.
-     */
+    /** The largest pressure of the fluid above that outside of the seal [pressure]: of a
+     *  liquid, whose pressures count from there, the larger one of the two reservoirs; of
+     *  a gas, whose pressures are absolute, the difference of the two. */
     double
     excess_pressure() const
     {
@@ -134,20 +132,16 @@ namespace strait
 
     void bind(ParameterSection section);
 
-    /**
-     * Where a gas is named, take its molar mass and, unless the scene gives one, its
-     * viscosity in the scene's @p units; of any gas find the thermal speed. Throws
-     * InputError where that contradicts the other values.
-     */
+    /** Where a gas is named, take its molar mass and, unless the scene gives one, its
+     *  viscosity in the scene's @p units; of any gas find the thermal speed. Throws
+     *  InputError where that contradicts the other values. */
     void take_gas(const UnitParameters &units);
     void check() const;
   };
 
-  /**
-   * What a leak rate in the scene's units is in @p unit. A throughput is that rate
-   * times the mean of the two pressures: exact for an ideal gas at one temperature
-   * in viscous flow, because ∫ K p dp = K (p_in² − p_out²)/2.
-   */
+  /** What a leak rate in the scene's units is in @p unit. A throughput is that rate times
+   *  the mean of the two pressures: exact for an ideal gas at one temperature in viscous
+   *  flow, because ∫ K p dp = K (p_in² − p_out²)/2. */
   double in_trade_unit(double                 leak_rate,
                        const LeakRateUnit    &unit,
                        const UnitParameters  &units,

@@ -48,12 +48,10 @@ namespace strait
       return parameters.emplace_back(std::move(parameter));
     }
 
-    /**
-     * Give a parameter the value of @p entry; a path counts from the folder of the entry.
-     * Throws InputError, with the place of the entry, for a section or parameter that
-     * does not exist (with the nearest name that does) and for a value that is not
-     * allowed.
-     */
+    /** Give a parameter the value of @p entry; a path counts from the folder of the
+     *  entry. Throws InputError, with the place of the entry, for a section or parameter
+     *  that does not exist (with the nearest name that does) and for a value that is not
+     *  allowed. */
     void assign(const SceneEntry &entry);
 
     /** One sentence for each effect that is off but has parameters that are written other
@@ -73,11 +71,9 @@ namespace strait
     std::vector<Parameter> parameters;
   };
 
-  /**
-   * One section of the table. Each add() is of a parameter: its name; the variable that
-   * holds the default and gets the value, which must stay where it is as long as the
-   * table is in use; the values allowed. The caller is to say what it means.
-   */
+  /** One section of the table. Each add() is of a parameter: its name; the variable that
+   *  holds the default and gets the value, which must stay where it is as long as the
+   *  table is in use; the values allowed. The caller is to say what it means. */
   struct ParameterSection
   {
     ParameterTable          &table;

@@ -24,19 +24,14 @@ namespace strait
     }
   };
 
-  /**
-   * Take a scene file apart: subsection, set, end, comments (#) and
-   * continued lines (\). Gives the entries in the order of the file. Throws
-   * InputError for a line that is none of these, an "end" too many or too few, or a
-   * parameter that is set twice.
-   */
+  /** Take a scene file apart: subsection, set, end, comments (#) and continued lines (\).
+   *  Gives the entries in the order of the file. Throws InputError for a line that is
+   *  none of these, an "end" too many or too few, or a parameter that is set twice. */
   std::vector<SceneEntry>
   lex_scene(const std::string &text, const std::string &file, const std::string &folder);
 
-  /**
-   * The entry of an override "Section/Parameter=value" or
-   * "Section/Subsection/Parameter=value". Throws InputError for another form.
-   */
+  /** The entry of an override "Section/Parameter=value" or
+   *  "Section/Subsection/Parameter=value". Throws InputError for another form. */
   SceneEntry lex_override(const std::string &text, const std::string &folder);
 } // namespace strait
 

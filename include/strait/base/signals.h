@@ -9,12 +9,10 @@
 
 namespace strait
 {
-  /**
-   * From now on SIGTERM, SIGINT and SIGUSR1 do not end the program but are noted for
-   * stop_requested(); the same one again ends it at once. Who presses Ctrl-C is told so.
-   * Those before are forgotten. A file that grows beyond what the system allows makes its
-   * writing fail rather than end the program. After MPI has started.
-   */
+  /** From now on SIGTERM, SIGINT and SIGUSR1 do not end the program but are noted for
+   *  stop_requested(); the same one again ends it at once. Who presses Ctrl-C is told so.
+   *  Those before are forgotten. A file that grows beyond what the system allows makes
+   *  its writing fail rather than end the program. After MPI has started. */
   void catch_signals();
 
   /** Whether a rank was asked to stop. The same on all ranks; collective. */

@@ -42,11 +42,9 @@ namespace strait
   /** Print a heading, what the table is, and its columns. */
   void print_markdown(std::ostream &out, const TableInfo &table);
 
-  /**
-   * A file of comma-separated values whose rows are on the disk as soon as they are
-   * appended. Writing is for one rank only. All functions throw ComputationError if
-   * the file cannot be written; then the table ends with the row before.
-   */
+  /** A file of comma-separated values whose rows are on the disk as soon as they are
+   *  appended. Writing is for one rank only. All functions throw ComputationError if the
+   *  file cannot be written; then the table ends with the row before. */
   class TableFile
   {
   public:
@@ -98,12 +96,9 @@ namespace strait
       return *this;
     }
 
-    /**
-     * Add a column. @p value is a member of a row or a function of it, a number or a
-     * text.
-     * @p text is "name [unit]: definition" with a unit in terms of length, pressure and
-     * time, 1 for plain numbers, or "name: definition" of texts.
-     */
+    /** Add a column. @p value is a member of a row or a function of it, a number or a
+     *  text. @p text is "name [unit]: definition" with a unit in terms of length,
+     *  pressure and time, 1 for plain numbers, or "name: definition" of texts. */
     template <typename Value>
     Table &
     add(Value value, const std::string &text)

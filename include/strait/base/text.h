@@ -47,11 +47,9 @@ namespace strait
   /** The shortest decimal number that reads back as @p value. */
   std::string to_text(double value);
 
-  /**
-   * The candidate that a user who wrote @p word most likely meant: the nearest
-   * in edit distance, whatever the case, provided it is nearer than half its length.
-   * Empty if none is.
-   */
+  /** The candidate that a user who wrote @p word most likely meant: the nearest in edit
+   *  distance, whatever the case, provided it is nearer than half its length. Empty if
+   *  none is. */
   std::string nearest_name(const std::string              &word,
                            const std::vector<std::string> &candidates);
 

@@ -10,10 +10,8 @@ namespace strait
 {
   struct ParameterSection;
 
-  /**
-   * What one of @p unit is in metres; nothing if the unit is
-   * not known. The micro sign may be UTF-8, Latin-1, a Greek mu or the letter u.
-   */
+  /** What one of @p unit is in metres; nothing if the unit is not known. The micro sign
+   *  may be UTF-8, Latin-1, a Greek mu or the letter u. */
   std::optional<double> metres_in(const std::string &unit);
 
   /** What one of @p unit is in pascals; nothing if the unit is not known. */
@@ -41,10 +39,8 @@ namespace strait
   /** What a file or a user wrote; not a length if its name is not known. */
   LengthUnit parse_length_unit(const std::string &text);
 
-  /**
-   * A unit of leak rate as it is quoted in the trade: volume per time, or for
-   * gases the throughput, pressure times volume per time.
-   */
+  /** A unit of leak rate as it is quoted in the trade: volume per time, or for gases the
+   *  throughput, pressure times volume per time. */
   struct LeakRateUnit
   {
     const char *name;
@@ -67,11 +63,8 @@ namespace strait
     {"atm cm3/s", "leak_rate_atm_cm3_per_s", true, 1e-6 * standard_atmosphere},
     {"sccm", "leak_rate_sccm", true, 1e-6 / 60. * standard_atmosphere}}; // at 0 °C
 
-  /**
-   * The section Units of a scene: in what its numbers are meant. Computations
-   * know no units; they serve to read files, to label results and to convert
-   * leak rates.
-   */
+  /** The section Units of a scene: in what its numbers are meant. Computations know no
+   *  units; they serve to read files, to label results and to convert leak rates. */
   struct UnitParameters
   {
     std::string length; // empty: not stated, as are the others

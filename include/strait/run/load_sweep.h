@@ -33,42 +33,34 @@ namespace strait
     std::string branch = {};
   };
 
-  /**
-   * The steps of @p scene in their order: the Pressures, back again in a cycle, each
-   * with all slip lengths; and the Reduced loads of each of the @p thresholds.
-   */
+  /** The steps of @p scene in their order: the Pressures, back again in a cycle, each
+   *  with all slip lengths; and the Reduced loads of each of the @p thresholds. */
   std::vector<LoadStop> plan_stops(const Scene                   &scene,
                                    const std::vector<Transition> &thresholds);
 
-  /**
-   * The channel and the leak rate in the gap of @p state, to the accuracy that @p scene
-   * asks for. Collective.
-   */
+  /** The channel and the leak rate in the gap of @p state, to the accuracy that @p scene
+   *  asks for. Collective. */
   StepFlow leak_through(const SealState &state, const Scene &scene, FlowStage &flow);
 
-  /**
-   * The gap of two equal boxes, one behind the other in x. At its ends a box opens on
-   * reservoirs, which let the fluid in wherever there is a gap; in the middle of two it
-   * must find the way from one channel to the next. The difference of the resistances of
-   * two and one is that of one box in an endless row.
-   */
+  /** The gap of two equal boxes, one behind the other in x. At its ends a box opens on
+   *  reservoirs, which let the fluid in wherever there is a gap; in the middle of two it
+   *  must find the way from one channel to the next. The difference of the resistances of
+   *  two and one is that of one box in an endless row. */
   SlabField two_in_a_row(const SlabField &gap);
 
   /** With how many coarser grids each step of @p scene is compared. */
   int n_compared_grids(const Scene &scene);
 
-  /**
-   * The dry seal of a scene on every second point of its contact grid, on every fourth,
-   * and so on. Two things are cheap there: a first idea of the critical load, which that
-   * of the grid itself is close to, and what the grid changes of a leak rate.
-   */
+  /** The dry seal of a scene on every second point of its contact grid, on every fourth,
+   *  and so on. Two things are cheap there: a first idea of the critical load, which that
+   *  of the grid itself is close to, and what the grid changes of a leak rate. */
   class CoarserSeals
   {
   public:
     /** None where there is no fluid, or where the past of a contact, or a fluid on its
      *  walls, matters: these are not those of a coarser grid at the same load. @p heights
-     * on the grid of the contact, which @p contact describes. @p scene and @p log must
-     * outlive this object. Collective. */
+     *  on the grid of the contact, which @p contact describes. @p scene and @p log must
+     *  outlive this object. Collective. */
     CoarserSeals(const Scene             &scene,
                  const ContactParameters &contact,
                  const SlabField         &heights,
@@ -84,11 +76,9 @@ namespace strait
      *  where that of the grid itself is sought. Collective. */
     SearchStart find_critical_loads(SearchStart first);
 
-    /**
-     * The gap on every 2^halvings-th point [length] at @p control or, with
-     * @p reduced_load, which is 1 − L/L_c, as far from the critical load of those points.
-     * Collective.
-     */
+    /** The gap on every 2^halvings-th point [length] at @p control or, with
+     *  @p reduced_load, which is 1 − L/L_c, as far from the critical load of those
+     * points. Collective. */
     SlabField
     gap(int halvings, Control control, const std::optional<double> &reduced_load);
 
@@ -128,12 +118,10 @@ namespace strait
                            const FlowStage  &flow,
                            CoarserSeals     &coarser);
 
-  /**
-   * The method in one place: for each load of the programme, press the surface
-   * against the elastic half-space, ask whether a channel percolates through the
-   * gap, and solve for the flow through it. If the scene asks for the critical load or
-   * the blow-out pressure, that is found first.
-   */
+  /** The method in one place: for each load of the programme, press the surface against
+   *  the elastic half-space, ask whether a channel percolates through the gap, and solve
+   *  for the flow through it. If the scene asks for the critical load or the blow-out
+   *  pressure, that is found first. */
   class LoadSweep
   {
   public:
@@ -155,10 +143,8 @@ namespace strait
       return contact.adhesion.surface_energy;
     }
 
-    /**
-     * Enclose the critical load of every slip length. The steps that follow know
-     * their reduced load, and those at `Reduced loads` are added. Collective.
-     */
+    /** Enclose the critical load of every slip length. The steps that follow know their
+     *  reduced load, and those at `Reduced loads` are added. Collective. */
     const std::vector<Transition> &find_thresholds();
 
     /** Enclose the blow-out pressure of every load of the programme. Collective. */
@@ -184,10 +170,8 @@ namespace strait
      */
     bool run(const Consumer &consume);
 
-    /**
-     * Call @p action after every solve of a search, when the state may be saved; it may
-     * throw to stop. Only before the searches.
-     */
+    /** Call @p action after every solve of a search, when the state may be saved; it may
+     *  throw to stop. Only before the searches. */
     void after_probe(SealSearch::AfterProbe action);
 
     /** How many solves were made in searches that are not done; 0 if there is none. */

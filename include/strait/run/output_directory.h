@@ -16,24 +16,18 @@
 
 namespace strait
 {
-  /**
-   * Keeps other runs out of a folder while what is returned lives. There is no file for
-   * it, and the system takes the lock away with the process, however that ends. A folder
-   * that does not exist, or whose file system has no locks, is not locked. Throws
-   * InputError if another lock of it lives, in this process or in another.
-   */
+  /** Keeps other runs out of a folder while what is returned lives. There is no file for
+   *  it, and the system takes the lock away with the process, however that ends. A folder
+   *  that does not exist, or whose file system has no locks, is not locked. Throws
+   *  InputError if another lock of it lives, in this process or in another. */
   [[nodiscard]] std::shared_ptr<const void> lock_folder(const std::string &folder);
 
-  /**
-   * In what two resolved scenes differ, "Contact/Grid points = 512 where the scene now
-   * has 64"; empty if in nothing that a number of the results depends on.
-   */
+  /** In what two resolved scenes differ, "Contact/Grid points = 512 where the scene now
+   *  has 64"; empty if in nothing that a number of the results depends on. */
   std::string difference_of_scenes(const std::string &then, const std::string &now);
 
-  /**
-   * Throws InputError on all ranks if the output directory of @p scene holds results of
-   * another scene, or of one that cannot be told. Collective.
-   */
+  /** Throws InputError on all ranks if the output directory of @p scene holds results of
+   *  another scene, or of one that cannot be told. Collective. */
   void refuse_results_of_another_scene(const Scene &scene, MPI_Comm comm);
 
   /**
@@ -47,10 +41,8 @@ namespace strait
   [[nodiscard]] std::shared_ptr<const void>
   begin_results(const Scene &scene, MPI_Comm comm, Log &log, bool resumed);
 
-  /**
-   * The folder of one run: tables, fields, pictures, log and record. While it lives no
-   * other run can write there.
-   */
+  /** The folder of one run: tables, fields, pictures, log and record. While it lives no
+   *  other run can write there. */
   class OutputDirectory
   {
   public:
@@ -74,10 +66,8 @@ namespace strait
     /** Write a row, and fields and picture data as the scene asks. Collective. */
     void write(const Step &step, bool is_last);
 
-    /**
-     * Write run.json and draw the pictures. Returns what @p thresholds and steps leave.
-     * @p bytes_per_point is the most memory so far per grid point. Collective.
-     */
+    /** Write run.json and draw the pictures. Returns what @p thresholds and steps leave.
+     *  @p bytes_per_point is the most memory so far per grid point. Collective. */
     RunSummary finish(const std::vector<Transition> &thresholds,
                       const Timers                  &timers,
                       double                         bytes_per_point);

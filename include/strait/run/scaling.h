@@ -72,22 +72,18 @@ namespace strait
   /** log–log slopes between neighbouring points, in the order of falling ε. */
   std::vector<ExponentFit> local_slopes(std::vector<ScalingPoint> points);
 
-  /**
-   * Least squares on log value against log ε over the points with ε <= @p largest.
-   * Fewer than two points give a result with n_points < 2.
-   */
+  /** Least squares on log value against log ε over the points with ε <= @p largest. Fewer
+   *  than two points give a result with n_points < 2. */
   ExponentFit fit_exponent(const std::vector<ScalingPoint> &points, double largest);
 
   /** s of value ∝ exp(s ε) by least squares over exponential_decay. Not a number with
    *  fewer than two points in that range. */
   double decay_rate(const std::vector<ScalingPoint> &points);
 
-  /**
-   * The reduced load ε_x at which the exponential decay far from the threshold turns
-   * into the power law ε^β near it: the local exponent s ε, with s of decay_rate(),
-   * reaches leak_rate_exponent, β, at ε_x = β/s. Not a number if s is not known, or below
-   * β, as no load has an ε above 1.
-   */
+  /** The reduced load ε_x at which the exponential decay far from the threshold turns
+   *  into the power law ε^β near it: the local exponent s ε, with s of decay_rate(),
+   *  reaches leak_rate_exponent, β, at ε_x = β/s. Not a number if s is not known, or
+   *  below β, as no load has an ε above 1. */
   double crossover_reduced_load(const std::vector<ScalingPoint> &points);
 
   /** What a run leaves besides its files. What is not known is not a number. */
@@ -136,11 +132,9 @@ namespace strait
     }
   };
 
-  /**
-   * Exponents of leak rate and throat against 1 − L/L_c. Collects the steps that
-   * converged; those in doubt (Step::doubts) are left out of the fits, and those whose
-   * throat has too few points for a leak rate (validity.h) out of the crossover.
-   */
+  /** Exponents of leak rate and throat against 1 − L/L_c. Collects the steps that
+   *  converged; those in doubt (Step::doubts) are left out of the fits, and those whose
+   *  throat has too few points for a leak rate (validity.h) out of the crossover. */
   class Scaling
   {
   public:

@@ -43,26 +43,20 @@ namespace strait
                             Log               &log,
                             bool               resume = false);
 
-  /**
-   * Check @p scene as simulate() would and print sizes, memory, resolution
-   * warnings and active effects; compute nothing but the surface. Collective.
-   */
+  /** Check @p scene as simulate() would and print sizes, memory, resolution warnings and
+   *  active effects; compute nothing but the surface. Collective. */
   void describe(const Scene &scene, Log &log);
 
-  /**
-   * What a run is likely to cost and what will limit its accuracy, without computing
-   * anything, in lines for the screen: ranges of what comparable runs took
-   * (doc/accuracy.md, doc/adhesion.md, doc/feedback.md, doc/paper.md), in counts rather
-   * than seconds. @p rms_slope is that of the heights, which the threshold of a rough
-   * surface scales with.
-   */
+  /** What a run is likely to cost and what will limit its accuracy, without computing
+   *  anything, in lines for the screen: ranges of what comparable runs took
+   *  (doc/accuracy.md, doc/adhesion.md, doc/feedback.md, doc/paper.md), in counts rather
+   *  than seconds. @p rms_slope is that of the heights, which the threshold of a rough
+   *  surface scales with. */
   std::vector<std::string> predict_cost(const Scene &scene, double rms_slope);
 
-  /**
-   * What simulate() does where the scene asks for the theory alone: evaluate it at every
-   * load and slip length and write the results. Makes heights on a grid only to measure
-   * their spectrum, where the scene asks for that.
-   */
+  /** What simulate() does where the scene asks for the theory alone: evaluate it at every
+   *  load and slip length and write the results. Makes heights on a grid only to measure
+   *  their spectrum, where the scene asks for that. */
   RunSummary run_theory(const Scene &scene, Log &log, MPI_Comm comm);
 
   /** What describe() does there; computes nothing but the surface. Collective. */

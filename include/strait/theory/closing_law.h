@@ -6,11 +6,9 @@
 
 namespace strait
 {
-  /**
-   * How the last constriction of an elastic contact closes, from slender-contact
-   * asymptotics (doc/theory.md): local exponents against the reduced load ε = 1 − L/L_c
-   * drift with Λ = 1 + √(½ ln(1/ε) + C). Formal; no proof.
-   */
+  /** How the last constriction of an elastic contact closes, from slender-contact
+   *  asymptotics (doc/theory.md): local exponents against the reduced load ε = 1 − L/L_c
+   *  drift with Λ = 1 + √(½ ln(1/ε) + C). Formal; no proof. */
   struct ClosingLaw
   {
     /** C, the one constant that depends on the surface. Fitted to a square saddle between
