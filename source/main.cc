@@ -5,7 +5,6 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/log.h>
 #include <strait/base/signals.h>
-#include <strait/run/ensemble.h>
 #include <strait/run/result_tables.h>
 #include <strait/run/run_state.h>
 #include <strait/run/scripts.h>
@@ -45,7 +44,7 @@ namespace
         if (on_root && command.help)
           std::cout << help_text();
         else if (on_root && command.version)
-          std::cout << "strait " << version() << std::endl;
+          std::cout << "strait " << version << std::endl;
         else if (on_root && command.scenes)
           std::cout << list_of_scenes();
         else if (on_root && !command.columns_format.empty())

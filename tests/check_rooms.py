@@ -25,8 +25,9 @@ SHARED_HEADERS = ("base/scene.h",
                   "contact/gap_optimisation.h", "contact/optimisers.h",
                   "spectral/state_archive.h",
                   "flow/seal_mesh.h",
-                  "run/field_output.h", "run/load_sweep.h", "run/result_tables.h",
-                  "run/validity.h")
+                  "run/field_output.h", "run/load_sweep.h", "run/output_directory.h",
+                  "run/result_tables.h",
+                  "run/scaling.h", "run/simulation.h", "run/step.h", "run/validity.h")
 LICENCE = "// SPDX-License-Identifier: GPL-2.0-or-later"
 INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>")
 

@@ -77,7 +77,7 @@ namespace strait::python
     void
     stop()
     {
-      at_interruption_points({});
+      at_interruption_points = {};
       if (leaves_others_behind())
         MPI_Abort(MPI_COMM_WORLD, 1);
       for (const auto &object : live_objects())
@@ -110,7 +110,7 @@ namespace strait::python
         own_mpi =
           std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
       }
-    at_interruption_points(check_signals_on_the_way);
+    at_interruption_points = check_signals_on_the_way;
     py::module_::import("atexit").attr("register")(py::cpp_function(&stop));
   }
 

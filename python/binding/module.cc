@@ -11,7 +11,7 @@ namespace strait::python
   PYBIND11_MODULE(_core, module)
   {
     module.doc()               = "The compiled part of the package strait.";
-    module.attr("__version__") = version();
+    module.attr("__version__") = version;
 
     // The sentences are those of the program, its exit statuses 2 and 1.
     py::register_exception<InputError>(module, "SceneError", PyExc_ValueError).doc() =

@@ -5,7 +5,6 @@
 #include <strait/base/scene_text.h>
 #include <strait/base/table.h>
 #include <strait/base/text.h>
-#include <strait/run/ensemble.h>
 #include <strait/run/run_state.h>
 #include <strait/run/simulation.h>
 #include <strait/surface/make_surface.h>
@@ -39,7 +38,7 @@ namespace strait::python
       py::dict result;
       for (const SceneEntry &entry : lex_scene(source.scene.resolved, "", ""))
         if (!entry.name.empty())
-          result[py::str(join(entry.section, "/") + "/" + entry.name)] = entry.value;
+          result[py::str(entry.path())] = entry.value;
       return result;
     }
 

@@ -5,17 +5,8 @@
 
 namespace strait
 {
-  std::string
-  version()
-  {
-    return STRAIT_VERSION;
-  }
-
-  std::string
-  python_interpreter()
-  {
-    return STRAIT_PYTHON;
-  }
+  const std::string version            = STRAIT_VERSION;
+  const std::string python_interpreter = STRAIT_PYTHON;
 
   std::string
   find_script(const std::string &name)

@@ -24,15 +24,6 @@ namespace strait
       {"--help", &CommandLine::help},
       {"-h", &CommandLine::help}};
 
-    std::string
-    nearest_option(const std::string &name)
-    {
-      std::vector<std::string> known = {"--set", "--output", "--parameters", "--columns"};
-      for (const auto &flag : flags)
-        known.push_back(flag.first);
-      return nearest_name(name, known);
-    }
-
     /** The first clause of the comment at the head of a scene file. */
     std::string
     first_clause(const std::filesystem::path &scene)
@@ -94,8 +85,17 @@ namespace strait
         else if (name == "--columns")
           command.columns_format = take_one_of({"md"});
         else if (name.compare(0, 1, "-") == 0)
-          throw InputError("Unknown option '" + name + "'" +
-                           suggestion(nearest_option(name), "; see 'strait --help'."));
+          {
+            std::vector<std::string> known = {"--set",
+                                              "--output",
+                                              "--parameters",
+                                              "--columns"};
+            for (const auto &[option, member] : flags)
+              known.push_back(option);
+            throw InputError(
+              "Unknown option '" + name + "'" +
+              suggestion(nearest_name(name, known), "; see 'strait --help'."));
+          }
         else
           {
             require(command.scene.empty(),

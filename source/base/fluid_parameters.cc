@@ -5,7 +5,6 @@
 #include <strait/base/units.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace strait
@@ -19,29 +18,31 @@ namespace strait
       double      viscosity;  // Pa s, at room temperature
     };
 
-    constexpr std::array<Gas, 5> gases = {{{"helium", 4.0026e-3, 19.6e-6},
-                                           {"air", 28.965e-3, 18.13e-6},
-                                           {"nitrogen", 28.0134e-3, 17.58e-6},
-                                           {"hydrogen", 2.0159e-3, 8.8e-6},
-                                           {"argon", 39.948e-3, 22.3e-6}}};
+    constexpr Gas gases[] = {{"helium", 4.0026e-3, 19.6e-6},
+                             {"air", 28.965e-3, 18.13e-6},
+                             {"nitrogen", 28.0134e-3, 17.58e-6},
+                             {"hydrogen", 2.0159e-3, 8.8e-6},
+                             {"argon", 39.948e-3, 22.3e-6}};
 
-    const Gas *
-    find_gas(const std::string &name)
+    void
+    check_rarefaction(const FluidParameters &fluid)
     {
-      for (const Gas &gas : gases)
-        if (gas.name == name)
-          return &gas;
-      return nullptr;
-    }
-
-    std::string
-    gas_names()
-    {
-      std::vector<std::string> names;
-      names.reserve(std::size(gases));
-      for (const Gas &gas : gases)
-        names.emplace_back(gas.name);
-      return join(names, ", ");
+      if (fluid.rarefaction == Rarefaction::none)
+        return;
+      require(fluid.is_gas && fluid.molar_mass != 0.,
+              "Fluid/Rarefaction needs a gas whose molecules are known; set "
+              "Fluid/State = gas and Fluid/Gas or Molar mass.");
+      require(
+        !fluid.has_slip(),
+        "Fluid/Slip length is an immobile layer of a liquid and Fluid/Rarefaction the slip "
+        "of a gas; give one of them.");
+      require(
+        !fluid.feedback.enabled,
+        "Fluid/Wall feedback takes the fluid's pressure from a linear problem, which that "
+        "of a rarefied gas does not solve; switch it off or set Fluid/Rarefaction = none.");
+      require(fluid.rarefaction != Rarefaction::transitional || fluid.accommodation == 1.,
+              "Fluid/Rarefaction = transitional is for walls that reflect diffusely; set "
+              "Fluid/Accommodation = 1, or Rarefaction = slip.");
     }
   } // namespace
 
@@ -123,9 +124,9 @@ namespace strait
     section
       .add("Gas",
            gas,
-           Text{gas_names() + ", or empty",
+           Text{names_in(gases) + ", or empty",
                 [](const std::string &name) {
-                  return name.empty() || find_gas(name) != nullptr;
+                  return name.empty() || find_row(gases, name) != nullptr;
                 }})
       .meaning =
       "Gives a gas its molar mass, and its viscosity at 293.15 K unless Viscosity is "
@@ -148,9 +149,8 @@ namespace strait
     section.when("State", {"liquid"})
       .add("Surface tension", surface_tension, not_negative)
       .meaning =
-      "gamma, which the column validity needs to compare the pressure "
-      "across a meniscus in the throat with the one that drives the flow; 0: not known "
-      "[energy/area].";
+      "gamma, which the column validity needs to compare the pressure across a meniscus "
+      "in the throat with the one that drives the flow; 0: not known [energy/area].";
     section.add("Viscosity", viscosity, positive).meaning =
       "eta: dynamic viscosity of the fluid; at its default that of a named Gas is taken "
       "[pressure * time].";
@@ -199,7 +199,7 @@ namespace strait
     require(
       is_gas || (gas.empty() && !(molar_mass > 0.)),
       "Fluid/Gas and Molar mass are of a gas; set Fluid/State = gas, or remove them.");
-    const Gas *const known = find_gas(gas);
+    const Gas *const known = find_row(gases, gas);
     require(known == nullptr || !(molar_mass > 0.),
             "Fluid/Gas and Molar mass are both given; remove one.");
     if (known != nullptr)
@@ -218,30 +218,9 @@ namespace strait
   }
 
   void
-  FluidParameters::check_rarefaction() const
-  {
-    if (rarefaction == Rarefaction::none)
-      return;
-    require(is_gas && molar_mass != 0.,
-            "Fluid/Rarefaction needs a gas whose molecules are known; set "
-            "Fluid/State = gas and Fluid/Gas or Molar mass.");
-    require(
-      !has_slip(),
-      "Fluid/Slip length is an immobile layer of a liquid and Fluid/Rarefaction the slip "
-      "of a gas; give one of them.");
-    require(
-      !feedback.enabled,
-      "Fluid/Wall feedback takes the fluid's pressure from a linear problem, which that "
-      "of a rarefied gas does not solve; switch it off or set Fluid/Rarefaction = none.");
-    require(rarefaction != Rarefaction::transitional || accommodation == 1.,
-            "Fluid/Rarefaction = transitional is for walls that reflect diffusely; set "
-            "Fluid/Accommodation = 1, or Rarefaction = slip.");
-  }
-
-  void
   FluidParameters::check() const
   {
-    check_rarefaction();
+    check_rarefaction(*this);
     if (feedback.enabled)
       feedback.check(is_gas, std::min(inlet_pressure, outlet_pressure));
     require(!slip_lengths.empty(),

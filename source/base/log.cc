@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/files.h>
 #include <strait/base/log.h>
-#include <strait/base/unwritable.h>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -27,14 +27,6 @@ namespace strait
       winsize size{};
       ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
       return size.ws_col;
-    }
-
-    Log::Screen
-    standard_screen(const bool quiet)
-    {
-      return quiet                  ? Log::Screen::silent
-             : terminal_width() > 0 ? Log::Screen::terminal
-                                    : Log::Screen::plain;
     }
 
     constexpr int columns = 80; // of a terminal, as they have been since punched cards
@@ -86,7 +78,11 @@ namespace strait
   } // namespace
 
   Log::Log(MPI_Comm comm, const bool quiet)
-    : Log(comm, std::cout, standard_screen(quiet))
+    : Log(comm,
+          std::cout,
+          quiet                  ? Screen::silent
+          : terminal_width() > 0 ? Screen::terminal
+                                 : Screen::plain)
   {
     width = terminal_width() - 1;
   }

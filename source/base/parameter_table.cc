@@ -73,38 +73,6 @@ namespace strait
     }
   } // namespace
 
-  std::string
-  Parameter::path() const
-  {
-    return join(section, "/") + "/" + name;
-  }
-
-  void
-  ParameterTable::check_section(const SceneEntry &entry) const
-  {
-    std::vector<std::string> part;
-    for (const std::string &name : entry.section)
-      {
-        std::vector<std::string> siblings, anywhere;
-        for (const auto &parameter : parameters)
-          {
-            const auto &section = parameter.section;
-            if (section.size() > part.size() &&
-                std::equal(part.begin(), part.end(), section.begin()))
-              siblings.push_back(section[part.size()]);
-            anywhere.push_back(join(section, "/"));
-          }
-        part.push_back(name);
-        if (std::find(siblings.begin(), siblings.end(), name) != siblings.end())
-          continue;
-        std::string nearest = nearest_name(name, siblings);
-        if (nearest.empty())
-          nearest = nearest_name(join(part, "/"), anywhere);
-        throw InputError(entry.place + ": unknown subsection '" + join(part, "/") + "'" +
-                         suggestion(nearest, see_list));
-      }
-  }
-
   Parameter &
   ParameterTable::find(const SceneEntry &entry)
   {
@@ -122,18 +90,23 @@ namespace strait
     const std::string elsewhere = nearest_name(entry.name, names);
     for (const Parameter &parameter : parameters)
       if (nearest.empty() && parameter.name == elsewhere)
-        nearest = parameter.path();
+        nearest = parameter.section + "/" + parameter.name;
     throw InputError(entry.place + ": unknown parameter '" + entry.name + "' " +
-                     (entry.section.empty()
-                        ? "outside every subsection"
-                        : "in subsection '" + join(entry.section, "/") + "'") +
+                     (entry.section.empty() ? "outside every subsection"
+                                            : "in subsection '" + entry.section + "'") +
                      suggestion(nearest, see_list));
   }
 
   void
   ParameterTable::assign(const SceneEntry &entry)
   {
-    check_section(entry);
+    std::vector<std::string> sections;
+    for (const Parameter &parameter : parameters)
+      sections.push_back(parameter.section);
+    if (!entry.section.empty() &&
+        std::find(sections.begin(), sections.end(), entry.section) == sections.end())
+      throw InputError(entry.place + ": unknown subsection '" + entry.section + "'" +
+                       suggestion(nearest_name(entry.section, sections), see_list));
     if (entry.name.empty())
       return;
     Parameter &parameter = find(entry);
@@ -143,8 +116,8 @@ namespace strait
         (std::filesystem::path(entry.folder) / entry.value).lexically_normal().string();
     if (!parameter.take(parameter.value))
       throw InputError(entry.place + ": '" + entry.value + "' is no value for " +
-                       parameter.path() + "; expected " + parameter.allowed +
-                       magnitude_note(entry.value) + ".");
+                       parameter.section + "/" + parameter.name + "; expected " +
+                       parameter.allowed + magnitude_note(entry.value) + ".");
   }
 
   bool
@@ -165,8 +138,8 @@ namespace strait
       {
         if (parameter.value == parameter.usual || counts(parameter))
           continue;
-        const std::string off = join(parameter.section, "/") + "/" + parameter.decider +
-                                " = " + join(parameter.needed, " or ");
+        const std::string off = parameter.section + "/" + parameter.decider + " = " +
+                                join(parameter.needed, " or ");
         if (idle.empty() || idle.back().first != off)
           idle.push_back({off, {}});
         idle.back().second.push_back(parameter.name);
@@ -186,7 +159,7 @@ namespace strait
     std::vector<std::string> open;
     for (const Parameter &parameter : parameters)
       {
-        go_to(parameter.section, open, out);
+        go_to(split(parameter.section, '/'), open, out);
         if (explained)
           print_comment(meaning_of(parameter) + " Values: " + parameter.allowed + ".",
                         indent(open),
@@ -210,12 +183,12 @@ namespace strait
          "magnitude from 1e-30 to 1e30.\nWhat begins with a condition, as `Kind = file:` "
          "does, counts where that holds, and the parameters\nof an effect where it is "
          "`Enabled`; where they are given all the same, a warning says so.\n\n";
-    std::vector<std::string> section;
+    std::string section;
     for (const Parameter &parameter : parameters)
       {
         if (parameter.section != section)
-          out << (section.empty() ? "" : "\n") << "## " << join(parameter.section, " / ")
-              << "\n\n"
+          out << (section.empty() ? "" : "\n") << "## "
+              << join(split(parameter.section, '/'), " / ") << "\n\n"
               << "| Parameter | Default | Values | Meaning |\n|-|-|-|-|\n";
         section = parameter.section;
         out << "| " << parameter.name << " | "
@@ -223,24 +196,6 @@ namespace strait
             << parameter.allowed << " | " << escaped(meaning_of(parameter)) << " |\n";
       }
     return out.str() + "\n";
-  }
-
-  ParameterSection
-  ParameterSection::subsection(const std::string &name) const
-  {
-    std::vector<std::string> inner = names;
-    inner.push_back(name);
-    return {table, inner};
-  }
-
-  ParameterSection
-  ParameterSection::when(const std::string              &decider_,
-                         const std::vector<std::string> &needed_) const
-  {
-    ParameterSection result = *this;
-    result.decider          = decider_;
-    result.needed           = needed_;
-    return result;
   }
 
   Parameter &
@@ -264,12 +219,12 @@ namespace strait
                              std::string       &variable,
                              const std::string &keyword)
   {
-    return append({names,
+    return append({path,
                    name,
                    variable,
                    keyword.empty() ? "a path" : keyword + ", or a path",
-                   [&variable](const std::string &path) {
-                     variable = path;
+                   [&variable](const std::string &text) {
+                     variable = text;
                      return true;
                    },
                    true,

@@ -2,6 +2,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/parameter_table.h>
 #include <strait/base/run_parameters.h>
+#include <strait/base/text.h>
 #include <strait/base/units.h>
 
 namespace strait
@@ -194,9 +195,9 @@ namespace strait
     section
       .add("Leak rate units",
            leak_rate_units,
-           Text{"some of: " + leak_rate_unit_names(),
+           Text{"some of: " + names_in(strait::leak_rate_units),
                 [](const std::string &name) {
-                  return find_leak_rate_unit(name) != nullptr;
+                  return find_row(strait::leak_rate_units, name) != nullptr;
                 }})
       .meaning =
       "Columns with the leak rate in units of the trade; needs the section Units. The "

@@ -31,18 +31,15 @@ namespace strait
   void
   Scene::bind(ParameterTable &table)
   {
-    const auto section = [&](const char *name) {
-      return ParameterSection(table, {name});
-    };
-    units.bind(section("Units"));
-    surface.bind(section("Surface"));
-    contact.bind(section("Contact"));
-    fluid.bind(section("Fluid"));
-    programme.bind(section("Load programme"));
-    realisations.bind(section("Realisations"));
-    seal.bind(section("Seal"));
-    theory.bind(section("Theory"));
-    output.bind(section("Output"));
+    units.bind({table, "Units"});
+    surface.bind({table, "Surface"});
+    contact.bind({table, "Contact"});
+    fluid.bind({table, "Fluid"});
+    programme.bind({table, "Load programme"});
+    realisations.bind({table, "Realisations"});
+    seal.bind({table, "Seal"});
+    theory.bind({table, "Theory"});
+    output.bind({table, "Output"});
   }
 
   bool
@@ -76,8 +73,7 @@ namespace strait
     scene.check();
     const bool has_size =
       std::any_of(entries.begin(), entries.end(), [](const SceneEntry &entry) {
-        return entry.section == std::vector<std::string>{"Surface"} &&
-               entry.name == "Size";
+        return entry.path() == "Surface/Size";
       });
     if (!has_size && !scene.units.length.empty() &&
         scene.surface.kind != SurfaceKind::file)

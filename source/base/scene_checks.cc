@@ -50,7 +50,7 @@ namespace strait
                   "Output/Leak rate units = " + name +
                     " needs to know the scene's units; set Units/Length, Pressure "
                     "and Time.");
-          require(scene.fluid.is_gas || !find_leak_rate_unit(name)->is_throughput,
+          require(scene.fluid.is_gas || !find_row(leak_rate_units, name)->is_throughput,
                   "Output/Leak rate units = " + name +
                     " is a throughput of gas; set Fluid/State = gas, or choose a "
                     "volume per time.");

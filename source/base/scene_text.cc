@@ -57,30 +57,15 @@ namespace strait
     {
       return boost::trim_fill_copy(name, " ");
     }
-
-    /** The line that sets each parameter, by the names of its sections and its own. */
-    using LinesOfSettings = std::map<std::vector<std::string>, int>;
-
-    /** Throw if a line above sets the parameter of @p entry, which @p line sets. */
-    void
-    check_set_once(const SceneEntry &entry, const int line, LinesOfSettings &lines)
-    {
-      std::vector<std::string> path = entry.section;
-      path.push_back(entry.name);
-      const auto [earlier, is_first] = lines.emplace(path, line);
-      require(is_first,
-              entry.place + ": '" + join(path, "/") + "' was set before in line " +
-                std::to_string(earlier->second) + "; remove one of them.");
-    }
   } // namespace
 
   std::vector<SceneEntry>
   lex_scene(const std::string &text, const std::string &file, const std::string &folder)
   {
-    std::vector<SceneEntry>  entries;
-    std::vector<std::string> section;
-    std::vector<std::string> opened_at;
-    LinesOfSettings          lines_of_settings;
+    std::vector<SceneEntry>    entries;
+    std::vector<std::string>   section;
+    std::vector<std::string>   opened_at;
+    std::map<std::string, int> lines_of_settings; // by their paths
     // Some editors begin a text with a mark of its encoding.
     const std::string mark     = "\xef\xbb\xbf";
     const bool        has_mark = text.compare(0, mark.size(), mark) == 0;
@@ -100,16 +85,21 @@ namespace strait
                       std::to_string(deepest) + " others, and none is known so deep.");
             section.push_back(squeeze(rest));
             opened_at.push_back(place);
-            entries.push_back({section, "", "", place, folder});
+            entries.push_back({join(section, "/"), "", "", place, folder});
           }
         else if (word == "set" && equals != std::string::npos && equals > 0)
           {
-            entries.push_back({section,
+            entries.push_back({join(section, "/"),
                                squeeze(rest.substr(0, equals)),
                                trim(rest.substr(equals + 1)),
                                place,
                                folder});
-            check_set_once(entries.back(), line.number, lines_of_settings);
+            const std::string setting = entries.back().path();
+            const auto [earlier, is_first] =
+              lines_of_settings.emplace(setting, line.number);
+            require(is_first,
+                    place + ": '" + setting + "' was set before in line " +
+                      std::to_string(earlier->second) + "; remove one of them.");
           }
         else if (word == "end" && rest.empty())
           {
@@ -130,20 +120,15 @@ namespace strait
   SceneEntry
   lex_override(const std::string &text, const std::string &folder)
   {
-    const std::string place  = "--set \"" + text + "\"";
-    const auto        equals = text.find('=');
-    SceneEntry        entry{{}, "", "", place, folder};
-    if (equals != std::string::npos)
-      {
-        entry.section = split(text.substr(0, equals), '/');
-        for (std::string &part : entry.section)
-          part = squeeze(part);
-        entry.name = entry.section.back();
-        entry.section.pop_back();
-        entry.value = trim(text.substr(equals + 1));
-      }
-    require(!entry.name.empty() && !entry.section.empty(),
+    const std::string        place  = "--set \"" + text + "\"";
+    const auto               equals = text.find('=');
+    std::vector<std::string> names  = split(text.substr(0, equals), '/');
+    for (std::string &part : names)
+      part = squeeze(part);
+    const std::string name = names.back();
+    names.pop_back();
+    require(equals != std::string::npos && !name.empty() && !names.empty(),
             place + ": expected \"Section/Parameter=value\".");
-    return entry;
+    return {join(names, "/"), name, trim(text.substr(equals + 1)), place, folder};
   }
 } // namespace strait

@@ -6,15 +6,12 @@
 
 #include <csignal>
 #include <cstring>
-#include <utility>
 
 namespace strait
 {
   namespace
   {
     volatile std::sig_atomic_t caught = 0, speaks = 0; // the first rank does
-
-    std::function<void()> check_at_interruption_points;
 
     /** Nothing else may print in a handler. */
     void
@@ -72,18 +69,5 @@ namespace strait
   name_of_stop_signal()
   {
     return caught == 0 ? "a signal" : std::string("SIG") + sigabbrev_np(caught);
-  }
-
-  void
-  interruption_point()
-  {
-    if (check_at_interruption_points)
-      check_at_interruption_points();
-  }
-
-  void
-  at_interruption_points(std::function<void()> check)
-  {
-    check_at_interruption_points = std::move(check);
   }
 } // namespace strait

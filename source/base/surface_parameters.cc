@@ -65,9 +65,7 @@ namespace strait
       "mean at the edges; mirror: the map and its mirror images, twice as long and wide.";
     section.when("Make periodic", {"window"})
       .add("Window width", window_width, positive.at_most(0.5))
-      .meaning =
-      "share of the sides over which heights fade, at each edge "
-      "[1].";
+      .meaning = "share of the sides over which heights fade, at each edge [1].";
     section.add("Resample", resample).meaning =
       "bring the map to Contact/Grid points by Fourier interpolation; "
       "false: the grid must be the map's.";
@@ -158,29 +156,16 @@ namespace strait
   void
   SurfaceParameters::check() const
   {
-    switch (kind)
-      {
-        case SurfaceKind::self_affine:
-          check_spectrum(*this);
-          break;
-        case SurfaceKind::square_saddle:
-        case SurfaceKind::triangular_peaks:
-        case SurfaceKind::honeycomb_peaks:
-        case SurfaceKind::sphere:
-        case SurfaceKind::sine:
-          require(amplitude != 0.,
-                  "Surface/Amplitude is 0; choose Kind = flat for no roughness.");
-          break;
-        case SurfaceKind::expression:
-          require(!expression.empty(),
-                  "Surface/Kind = expression needs a formula; set Surface/Expression.");
-          break;
-        case SurfaceKind::file:
-          map.check();
-          break;
-        case SurfaceKind::flat:
-          break;
-      }
+    if (kind == SurfaceKind::self_affine)
+      check_spectrum(*this);
+    else if (kind == SurfaceKind::file)
+      map.check();
+    else if (kind == SurfaceKind::expression)
+      require(!expression.empty(),
+              "Surface/Kind = expression needs a formula; set Surface/Expression.");
+    else if (kind != SurfaceKind::flat)
+      require(amplitude != 0.,
+              "Surface/Amplitude is 0; choose Kind = flat for no roughness.");
     require(kind == SurfaceKind::file || map.file.empty(),
             "Surface/File is a map, but Surface/Kind is no file; set Kind = "
             "file, or remove File.");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/files.h>
 #include <strait/base/table.h>
 #include <strait/base/text.h>
 #include <strait/base/units.h>
-#include <strait/base/unwritable.h>
 
 #include <boost/algorithm/string.hpp>
 
@@ -68,20 +68,15 @@ namespace strait
   }
 
   void
-  TableFile::open(const std::string &path)
+  TableFile::open(const std::string &folder, const bool anew)
   {
-    file_name = path;
+    file_name = folder + "/" + about.file;
     std::error_code error;
-    std::filesystem::remove(path, error);
+    if (anew)
+      std::filesystem::remove(file_name, error);
     if (error)
-      throw_unfinished("The file '" + path + "'", error.value());
+      throw_unfinished("The file '" + file_name + "'", error.value());
     write({}); // the header
-  }
-
-  void
-  TableFile::reopen(const std::string &path)
-  {
-    file_name = path;
   }
 
   void

@@ -10,6 +10,37 @@
 
 namespace strait
 {
+  namespace
+  {
+    /** How many characters must be inserted, removed, replaced or swapped with their
+     *  neighbour to turn @p from into @p to; case does not count. */
+    int
+    edit_distance(const std::string &from, const std::string &to)
+    {
+      const std::string a = boost::to_lower_copy(from), b = boost::to_lower_copy(to);
+      // distance[i][j]: of the first i letters of a from the first j of b
+      // (optimal string alignment).
+      std::vector<std::vector<int>> distance(a.size() + 1,
+                                             std::vector<int>(b.size() + 1));
+      for (std::size_t i = 0; i <= a.size(); ++i)
+        for (std::size_t j = 0; j <= b.size(); ++j)
+          {
+            if (i == 0 || j == 0)
+              {
+                distance[i][j] = static_cast<int>(i + j);
+                continue;
+              }
+            distance[i][j] =
+              std::min({distance[i - 1][j] + 1,
+                        distance[i][j - 1] + 1,
+                        distance[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+              distance[i][j] = std::min(distance[i][j], distance[i - 2][j - 2] + 1);
+          }
+      return distance[a.size()][b.size()];
+    }
+  } // namespace
+
   std::string
   trim(const std::string &text)
   {
@@ -51,31 +82,6 @@ namespace strait
     char       buffer[64];
     const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value);
     return {buffer, result.ptr};
-  }
-
-  int
-  edit_distance(const std::string &from, const std::string &to)
-  {
-    const std::string a = boost::to_lower_copy(from), b = boost::to_lower_copy(to);
-    // distance[i][j]: of the first i letters of a from the first j of b
-    // (optimal string alignment).
-    std::vector<std::vector<int>> distance(a.size() + 1, std::vector<int>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i)
-      for (std::size_t j = 0; j <= b.size(); ++j)
-        {
-          if (i == 0 || j == 0)
-            {
-              distance[i][j] = static_cast<int>(i + j);
-              continue;
-            }
-          distance[i][j] =
-            std::min({distance[i - 1][j] + 1,
-                      distance[i][j - 1] + 1,
-                      distance[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
-          if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-            distance[i][j] = std::min(distance[i][j], distance[i - 2][j - 2] + 1);
-        }
-    return distance[a.size()][b.size()];
   }
 
   std::string

@@ -2,7 +2,6 @@
 #include <strait/base/parameter_table.h>
 #include <strait/base/units.h>
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -31,20 +30,7 @@ namespace strait
           return "u" + text.substr(std::string(micro).size());
       return text;
     }
-
-    constexpr double standard_atmosphere = 101325.; // Pa
-
-    constexpr std::array<LeakRateUnit, 9> leak_rate_units = {
-      {{"ml/h", "leak_rate_ml_per_h", false, 1e-6 / 3600},
-       {"ml/min", "leak_rate_ml_per_min", false, 1e-6 / 60},
-       {"ul/min", "leak_rate_ul_per_min", false, 1e-9 / 60},
-       {"l/h", "leak_rate_l_per_h", false, 1e-3 / 3600},
-       {"l/min", "leak_rate_l_per_min", false, 1e-3 / 60},
-       {"Pa m3/s", "leak_rate_Pa_m3_per_s", true, 1.},
-       {"mbar l/s", "leak_rate_mbar_l_per_s", true, 0.1},
-       {"atm cm3/s", "leak_rate_atm_cm3_per_s", true, 1e-6 * standard_atmosphere},
-       {"sccm", "leak_rate_sccm", true, 1e-6 / 60. * standard_atmosphere}}}; // at 0 °C
-  }                                                                          // namespace
+  } // namespace
 
   std::optional<double>
   metres_in(const std::string &unit)
@@ -99,25 +85,6 @@ namespace strait
     if (!unit || !(factor > 0.) || !std::isfinite(factor))
       return {name, {}};
     return {name, factor * *unit};
-  }
-
-  const LeakRateUnit *
-  find_leak_rate_unit(const std::string &name)
-  {
-    for (const LeakRateUnit &unit : leak_rate_units)
-      if (unit.name == name)
-        return &unit;
-    return nullptr;
-  }
-
-  std::string
-  leak_rate_unit_names()
-  {
-    std::vector<std::string> names;
-    names.reserve(std::size(leak_rate_units));
-    for (const LeakRateUnit &unit : leak_rate_units)
-      names.emplace_back(unit.name);
-    return join(names, ", ");
   }
 
   double

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/contact/grid_transfer.h>
-#include <strait/run/coarser_seals.h>
+#include <strait/run/load_sweep.h>
 #include <strait/seal/make_seal.h>
 
 #include <algorithm>

@@ -38,19 +38,14 @@ namespace strait
       return format("%.0f to %.0f", rounded(range.lowest), rounded(range.highest));
     }
 
-    std::size_t
-    n_slips(const Scene &scene)
-    {
-      return scene.fluid.enabled ? scene.fluid.slip_lengths.size() : 1;
-    }
-
     /** Steps that solve a contact problem, without searches. */
     std::size_t
     n_contacts(const Scene &scene)
     {
-      const std::size_t n_reduced =
-        scene.programme.find_threshold ? scene.programme.reduced_loads.size() : 0;
-      return plan_stops(scene, {}).size() / n_slips(scene) + n_reduced * n_slips(scene);
+      const std::size_t n_slips =
+        scene.fluid.enabled ? scene.fluid.slip_lengths.size() : 1;
+      return plan_stops(scene, {}).size() / n_slips +
+             scene.programme.reduced_loads.size() * n_slips;
     }
 
     /** FFT pairs of one contact solution at full resolution. */
@@ -74,12 +69,7 @@ namespace strait
         solves = {n + 7., n + 16.};
       Range pairs = pairs_per_contact(scene);
       if (scene.fluid.feedback.enabled)
-        {
-          // Contacts between rounds differ little. What the fluid does to the wall
-          // depends on the slip length.
-          const auto slips = static_cast<double>(n_slips(scene));
-          pairs            = {40. * slips, 900. * slips};
-        }
+        pairs = {40., 900.}; // contacts between rounds differ little
       return {solves.lowest * pairs.lowest, solves.highest * pairs.highest};
     }
 

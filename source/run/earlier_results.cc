@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
+#include <strait/base/files.h>
 #include <strait/base/scene_text.h>
 #include <strait/base/text.h>
-#include <strait/base/unwritable.h>
-#include <strait/run/disk_space.h>
-#include <strait/run/earlier_results.h>
+#include <strait/run/output_directory.h>
 #include <strait/run/result_tables.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <filesystem>
@@ -14,7 +17,6 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <vector>
 
 namespace strait
@@ -75,11 +77,8 @@ namespace strait
     {
       std::map<std::string, std::string> values;
       for (const SceneEntry &entry : lex_scene(resolved, "scene", ""))
-        {
-          const std::string name = join(entry.section, "/") + "/" + entry.name;
-          if (!entry.name.empty() && !may_change(name))
-            values[name] = entry.value;
-        }
+        if (!entry.name.empty() && !may_change(entry.path()))
+          values[entry.path()] = entry.value;
       return values;
     }
 
@@ -135,13 +134,18 @@ namespace strait
     }
   } // namespace
 
-  std::string
-  text_of(const std::string &path)
+  std::shared_ptr<const void>
+  lock_folder(const std::string &folder)
   {
-    std::ifstream      file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
+    const int  descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const auto unlock     = [descriptor](const void *) { close(descriptor); };
+    const std::shared_ptr<const void> lock(nullptr, unlock);
+    // Any other error is one of a file system without locks.
+    require(descriptor < 0 || flock(descriptor, LOCK_EX | LOCK_NB) == 0 ||
+              errno != EWOULDBLOCK,
+            "Another run is writing into '" + folder +
+              "'; wait for it to end or choose another Output/Directory.");
+    return lock;
   }
 
   std::string
@@ -183,21 +187,20 @@ namespace strait
             join({"The folder '" + folder + "' holds the results of another scene",
                   difference},
                  ", ") +
-            "; choose another folder with --output, or overwrite them "
-            "with --force.");
+            "; choose another folder with --output, or overwrite them with --force.");
         }
     });
   }
 
-  std::unique_ptr<const FolderLock>
+  std::shared_ptr<const void>
   begin_results(const Scene &scene, MPI_Comm comm, Log &log, const bool resumed)
   {
-    const std::string                &folder = scene.output.directory;
-    std::unique_ptr<const FolderLock> lock;
+    const std::string          &folder = scene.output.directory;
+    std::shared_ptr<const void> lock;
     run_on_root(comm, [&]() {
       if (!resumed)
         make_folder(folder);
-      lock = std::make_unique<const FolderLock>(folder);
+      lock = lock_folder(folder);
       if (!resumed)
         remove_results(folder);
     });

@@ -3,8 +3,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/signals.h>
 #include <strait/base/text.h>
-#include <strait/run/earlier_results.h>
-#include <strait/run/ensemble.h>
+#include <strait/run/output_directory.h>
 #include <strait/run/result_tables.h>
 #include <strait/run/run_state.h>
 #include <strait/run/scripts.h>
@@ -205,7 +204,7 @@ namespace strait
     state.has_begun = true;
     state.save_mark({}); // that it is these realisations
     Table<RealisationRow> table = ensemble_table(scene);
-    run_on_root(MPI_COMM_WORLD, [&]() { table.open(folder + "/ensemble.csv"); });
+    run_on_root(MPI_COMM_WORLD, [&]() { table.open(folder, true); });
 
     bool                        all_converged = true;
     std::vector<RealisationRow> rows; // of those that are done
@@ -242,8 +241,7 @@ namespace strait
             rows.push_back(done);
             run_on_root(MPI_COMM_WORLD, [&]() {
               table.append(done);
-              ensemble_summary_table(scene).write_rows(folder + "/ensemble_summary.csv",
-                                                       scatter_of(rows, scene));
+              ensemble_summary_table(scene).write_rows(folder, scatter_of(rows, scene));
             });
           }
       }

@@ -117,25 +117,21 @@ namespace strait
                     "The leak rate of the whole seal, one row for each load whose "
                     "pressures over the width are covered by those of the patches; "
                     "see [seal.md](seal.md).");
-    table.declare("pressure [pressure]: nominal, mean over the width");
-    table.declare("leak_rate_median [of the column unit]: as likely exceeded as not");
-    table.declare(
-      "leak_rate_5_percent [of the column unit]: exceeded with a probability of 95 %");
-    table.declare("leak_rate_95_percent [of the column unit]: with one of 5 %");
-    table.declare(
-      "unit: of the leak rates: the first of `Output/Leak rate units`, or that of "
-      "the scene; empty if that states none");
-    table.declare("sealed [1]: fraction of the seals that do not leak");
-    table.declare(
-      "scatter_patches [1]: standard deviation of ln Q that more patches would "
-      "reduce");
-    table.declare(
-      "scatter_arrangement [1]: the same between seals of this size and surface, "
-      "which nothing reduces");
-    table.declare(
-      "solution_error [1]: relative error of the patches' leak rates: "
-      "`leak_rate_error` where it is known, else the half width of the "
-      "brackets");
+    for (const char *column :
+         {"pressure [pressure]: nominal, mean over the width",
+          "leak_rate_median [of the column unit]: as likely exceeded as not",
+          "leak_rate_5_percent [of the column unit]: exceeded with a probability of 95 %",
+          "leak_rate_95_percent [of the column unit]: with one of 5 %",
+          "unit: of the leak rates: the first of `Output/Leak rate units`, or that of "
+          "the scene; empty if that states none",
+          "sealed [1]: fraction of the seals that do not leak",
+          "scatter_patches [1]: standard deviation of ln Q that more patches would "
+          "reduce",
+          "scatter_arrangement [1]: the same between seals of this size and surface, "
+          "which nothing reduces",
+          "solution_error [1]: relative error of the patches' leak rates: "
+          "`leak_rate_error` where it is known, else the half width of the brackets"})
+      table.declare(column);
     return table.info();
   }
 
@@ -147,13 +143,14 @@ namespace strait
                      scene.seal.enabled && scene.seal.wanted_leak_rate > 0.},
                     "The load at which the whole seal leaks as wanted; `nan` "
                     "where it lies beyond the loads of seal.csv.");
-    table.declare("wanted_leak_rate [of the column unit]: `Seal/Wanted leak rate`");
-    table.declare("unit: as in seal.csv");
-    table.declare("load [pressure]: where the median is as wanted");
-    table.declare("load_5_percent [pressure]: where the 5 % quantile is");
-    table.declare(
-      "load_95_percent [pressure]: where the 95 % quantile is: enough with a "
-      "probability of 95 %");
+    for (const char *column :
+         {"wanted_leak_rate [of the column unit]: `Seal/Wanted leak rate`",
+          "unit: as in seal.csv",
+          "load [pressure]: where the median is as wanted",
+          "load_5_percent [pressure]: where the 5 % quantile is",
+          "load_95_percent [pressure]: where the 95 % quantile is: enough with a "
+          "probability of 95 %"})
+      table.declare(column);
     return table.info();
   }
 } // namespace strait

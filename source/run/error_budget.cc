@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/run/error_budget.h>
-#include <strait/run/exponent_fit.h>
+#include <strait/run/load_sweep.h>
+#include <strait/run/scaling.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/run/exponent_fit.h>
+#include <strait/run/scaling.h>
 #include <strait/run/step.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/run/disk_space.h>
+#include <strait/base/files.h>
 #include <strait/run/field_output.h>
 
 #include <deal.II/base/hdf5.h>
@@ -30,12 +30,10 @@ namespace strait
       bool        is_whole = false; // of whole numbers of 4 bytes, else doubles
     };
 
-    /**
-     * The text of an XDMF file (version 2, as ParaView reads it) beside the HDF5 file
-     * @p file, with each of @p datasets at the points of @p pieces in the plane z = 0: a
-     * slice of a three-dimensional grid, as ParaView lays a two-dimensional one out in
-     * another plane.
-     */
+    /** The text of an XDMF file (version 2, as ParaView reads it) beside the HDF5 file
+     *  @p file, with each of @p datasets at the points of @p pieces in the plane z = 0: a
+     *  slice of a three-dimensional grid, as ParaView lays a two-dimensional one out in
+     *  another plane. */
     std::string
     grid_description(const std::string              &file,
                      const std::vector<GridPiece>   &pieces,
@@ -176,27 +174,24 @@ namespace strait
                             const TheoryResult &theory,
                             MPI_Comm            comm)
     {
-      const auto &persson   = theory.persson_gaps;
-      const auto &simulated = theory.simulated_gaps;
-      auto        group     = file.create_group("gap_distribution");
-      const auto  write     = [&](const char *name, const std::vector<double> &values) {
+      auto       group = file.create_group("gap_distribution");
+      const auto write = [&](const std::string &name, const std::vector<double> &values) {
         auto dataset = group.create_dataset<double>(name, {values.size()});
         if (rank_in(comm) == 0) // every rank knows them
           dataset.write_hyperslab(values, {0}, {values.size()});
         else
           dataset.write_none<double>();
       };
+      const auto &persson = theory.persson_gaps, &simulated = theory.simulated_gaps;
       write("edges", (persson ? persson : simulated)->edges);
-      if (persson)
-        {
-          write("persson", persson->shares);
-          group.set_attribute("persson_contact_area", persson->contact_area);
-        }
-      if (simulated)
-        {
-          write("simulated", simulated->shares);
-          group.set_attribute("simulated_contact_area", simulated->contact_area);
-        }
+      for (const auto &[name, gaps] :
+           {std::pair<std::string, decltype(persson)>{"persson", persson},
+            {"simulated", simulated}})
+        if (gaps)
+          {
+            write(name, gaps->shares);
+            group.set_attribute(name + "_contact_area", gaps->contact_area);
+          }
     }
   } // namespace
 

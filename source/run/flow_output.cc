@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/files.h>
 #include <strait/flow/reynolds_solver.h>
-#include <strait/run/disk_space.h>
 #include <strait/run/field_output.h>
 
 #include <deal.II/numerics/data_out.h>

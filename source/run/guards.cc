@@ -41,15 +41,6 @@ namespace strait
       return unlimited;
     }
 
-    /** What a container may take in all, by either version of control groups; what it has
-     *  taken is mostly copies of files, which make room. */
-    double
-    memory_of_container()
-    {
-      return std::min(limit_in("/sys/fs/cgroup/memory.max"),
-                      limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"));
-    }
-
     /** Throws where pressures leave the solid no shape, or the seal no load. */
     void
     refuse_meaningless_pressures(const Scene &scene)
@@ -121,7 +112,12 @@ namespace strait
       getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY
         ? static_cast<double>(limit.rlim_cur)
         : unlimited;
-    return std::min({available_memory(), memory_of_container(), of_process});
+    // What a container may take in all, by either version of control groups; what it has
+    // taken is mostly copies of files, which make room.
+    return std::min({available_memory(),
+                     limit_in("/sys/fs/cgroup/memory.max"),
+                     limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"),
+                     of_process});
   }
 
   double
@@ -145,9 +141,8 @@ namespace strait
       needed <= available
         ? ""
         : format(
-            "A grid of %d x %d points takes about %.3g GB of memory on this machine, "
-            "and %.3g GB are free; reduce Contact/Grid points, or run on more "
-            "machines.",
+            "A grid of %d x %d points takes about %.3g GB of memory on this machine, and "
+            "%.3g GB are free; reduce Contact/Grid points, or run on more machines.",
             scene.contact.grid_points[0],
             scene.contact.grid_points[1],
             1e-9 * needed,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/text.h>
 #include <strait/run/result_tables.h>
 
 #include <algorithm>
@@ -8,22 +9,7 @@ namespace strait
 {
   namespace
   {
-    // Values of columns that are members of a part of a step, or functions of it.
-    const auto of_contact = values_of(
-      [](const Step &step) -> const ContactState & { return *step.state.contact; });
-    const auto of_plasticity = values_of([](const Step &step) -> const PlasticState & {
-      return *step.state.contact->plasticity;
-    });
-    const auto of_costs =
-      values_of([](const Step &step) -> const Costs & { return step.state.costs; });
-    const auto of_fluid =
-      values_of([](const Step &step) -> const FluidState & { return *step.state.fluid; });
-    const auto of_theory =
-      values_of([](const Step &step) -> const TheoryResult & { return *step.theory; });
-    const auto of_leakage =
-      values_of([](const Step &step) -> const Leakage & { return step.flow->leakage; });
-
-    /** The same of fluid that is trapped, 0 where the walls have parted. */
+    // Values of columns of fluid that is trapped, 0 where the walls have parted.
     const auto of_trapped = [](double TrappedFluid::*member) {
       return [member](const Step &step) {
         const std::optional<TrappedFluid> &trapped = step.state.fluid->trapped;
@@ -37,18 +23,18 @@ namespace strait
       const FluidParameters fluid = scene.fluid;
       table.when(with_flow)
         .add(
-          of_leakage(&Leakage::rate),
+          [](const Step &step) { return step.flow->leakage.rate; },
           "leak_rate [length³/time]: Q, volume per time from inlet to outlet: geometric "
           "mean of its bounds, or the upper one if they differ by more than a factor of "
           "two; with `Fluid/Rarefaction` the same of those that enclose what leaks if the "
           "gas slips as it does in the solution, `mesh_error` apart, but within "
           "`leak_rate_lower` and `leak_rate_upper`; 0 if nothing percolates; negative if "
           "the outlet has the higher pressure")
-        .add(of_leakage(&Leakage::lower),
+        .add([](const Step &step) { return step.flow->leakage.lower; },
              "leak_rate_lower [length³/time]: lower bound of its magnitude, the best of "
              "all meshes; with `Wall feedback` bounds are widened by what the last mesh "
              "changed of it through the gap")
-        .add(of_leakage(&Leakage::upper),
+        .add([](const Step &step) { return step.flow->leakage.upper; },
              "leak_rate_upper [length³/time]: upper bound, likewise");
       table
         .when({"with `Contact/Zoom` or `Output/Error budget`",
@@ -61,7 +47,7 @@ namespace strait
       table.when({"with `Output/Leak rate units`", scene.fluid.enabled});
       for (const std::string &name : scene.output.leak_rate_units)
         {
-          const LeakRateUnit  *unit  = find_leak_rate_unit(name);
+          const LeakRateUnit  *unit  = find_row(leak_rate_units, name);
           const UnitParameters units = scene.units;
           table.add(
             [=](const Step &step) {
@@ -92,19 +78,19 @@ namespace strait
           },
           "throughput [pressure length³/time]: of the gas, `leak_rate` times the mean "
           "pressure of the reservoirs")
-        .add(of_leakage(&Leakage::knudsen),
+        .add([](const Step &step) { return step.flow->leakage.knudsen; },
              "knudsen [1]: mean free path over gap at the worst constriction, at the "
              "pressure where the path of least resistance has as much of its viscous "
              "resistance before it: an estimate, up to half off against vacuum")
         .add(
-          of_leakage(&Leakage::bound),
+          [](const Step &step) { return step.flow->leakage.bound; },
           "bound: which bounds of the nonlinear problem `leak_rate_lower` and "
           "`leak_rate_upper` are, the mesh's error included: `any-order`, which hold "
           "whichever gap the gas meets at which pressure, `two-gases`, with the lower one "
           "that of a viscous and a molecular gas side by side, or `none`; see "
           "[gas](gas_and_metals.md#gas)")
         .add(
-          of_leakage(&Leakage::mesh_width),
+          [](const Step &step) { return step.flow->leakage.mesh_width; },
           "mesh_error [1]: relative width of the bracket that the mesh alone leaves, if "
           "the gas slips as it does in the solution; this is what `Target accuracy` is "
           "for");
@@ -158,9 +144,8 @@ namespace strait
     Table<Step> table(
       "leakage.csv",
       {},
-      "One row a step, written as soon as the step is done. Columns of an "
-      "effect that is off (`Contact/Enabled = false`, `Fluid/Enabled = "
-      "false`) are absent.");
+      "One row a step, written as soon as the step is done. Columns of an effect that is "
+      "off (`Contact/Enabled = false`, `Fluid/Enabled = false`) are absent.");
     table.add(&Step::number, "step [1]: number of the load, from 1")
       .when(with_contact)
       .add(&Step::branch,
@@ -180,10 +165,10 @@ namespace strait
            "zero")
       .when(with_contact)
       .add(
-        of_contact(&ContactState::contact_area),
+        [](const Step &step) { return step.state.contact->contact_area; },
         "contact_area [1]: fraction of the area in contact, where the hard wall pushes "
         "back")
-      .add(of_contact(&ContactState::contact_area_corrected),
+      .add([](const Step &step) { return step.state.contact->contact_area_corrected; },
            "contact_area_corrected [1]: the same for the continuum: A − 0.118 S a, with "
            "the lattice perimeter S of the contact, less where it yields up to its edge, "
            "and the spacing a of the points")
@@ -203,22 +188,24 @@ namespace strait
     add_leak_rates(table, scene, with_flow);
     table.when(with_contact)
       .add(
-        of_contact(&ContactState::residual),
+        [](const Step &step) { return step.state.contact->residual; },
         "contact_residual [1]: max( max over contact of \\|g\\|, max elsewhere of −g "
         ") / rms height, at exact force balance; where the contact flows g counts in "
         "place of \\|g\\|; with adhesion the largest traction that is not balanced, over "
         "E* × rms slope / 2")
-      .add(of_costs(&Costs::iterations),
+      .add([](const Step &step) { return step.state.costs.iterations; },
            "contact_iterations [1]: on the finest grid; with adhesion those of all loads "
            "since the last step, and of the check of the minimum")
-      .add(of_costs(&Costs::fft_pairs),
+      .add([](const Step &step) { return step.state.costs.fft_pairs; },
            "fft_pairs [1]: transforms there and back, counted likewise")
       .when(with_flow)
-      .add(of_leakage(&Leakage::cells), "cells [1]: active cells of the last mesh")
-      .add(of_leakage(&Leakage::unknowns),
+      .add([](const Step &step) { return step.flow->leakage.cells; },
+           "cells [1]: active cells of the last mesh")
+      .add([](const Step &step) { return step.flow->leakage.unknowns; },
            "unknowns [1]: of pressure and stream function together, on the last mesh")
-      .add(of_leakage(&Leakage::refinements), "refinements [1]: meshes after the first")
-      .add(of_leakage(&Leakage::iterations),
+      .add([](const Step &step) { return step.flow->leakage.refinements; },
+           "refinements [1]: meshes after the first")
+      .add([](const Step &step) { return step.flow->leakage.iterations; },
            "flow_iterations [1]: of the linear solver, all meshes, both problems")
       .when({"with adhesion", scene.contact.enabled && scene.contact.adhesion.enabled})
       .add([](const Step &step) { return step.state.contact->adhesion->adhesive_energy; },
@@ -229,24 +216,24 @@ namespace strait
            "[jumps.csv](#jumpscsv)")
       .when({"with `Contact/Yielding`", scene.contact.enabled && scene.contact.yields})
       .add(
-        of_plasticity(&PlasticState::area),
+        [](const Step &step) { return step.state.contact->plasticity->area; },
         "plastic_area [1]: fraction of grid points where the pressure is the hardness, "
         "to a thousandth")
       .add(
-        of_plasticity(&PlasticState::mean_indentation),
+        [](const Step &step) { return step.state.contact->plasticity->mean_indentation; },
         "mean_indentation [length]: mean over the box of what the surface was indented "
         "by at this and all earlier loads")
       .when(with_contact)
-      .add(of_costs(&Costs::contact_seconds),
+      .add([](const Step &step) { return step.state.costs.contact_seconds; },
            "contact_seconds [s]: wall-clock time of the contact")
       .when(with_flow)
       .add(&Step::flow_seconds, "flow_seconds [s]: wall-clock time of the flow")
       .when({"with `Wall feedback`", scene.fluid.feedback.enabled})
-      .add(of_fluid(&FluidState::load),
+      .add([](const Step &step) { return step.state.fluid->load; },
            "fluid_load [pressure]: mean fluid pressure over the nominal area, part of "
            "`pressure`")
       .add(
-        of_costs(&Costs::rounds),
+        [](const Step &step) { return step.state.costs.rounds; },
         "feedback_iterations [1]: rounds of contact and flow, in all parts of a halved step")
       .when({"with `Trapped fluid` other than `drained`",
              scene.fluid.feedback.keeps_trapped_fluid()})
@@ -258,9 +245,10 @@ namespace strait
            "trapped_pressure [pressure]: of the fluid in these, mean over their area")
       .when({"with `Theory/Enabled`, and not where the gap is given",
              scene.theory.enabled && (scene.contact.enabled || theory_alone)})
-      .add(of_theory(&TheoryResult::contact_area),
+      .add([](const Step &step) { return step.theory->contact_area; },
            "theory_contact_area [1]: of Persson's theory")
-      .add(of_theory(&TheoryResult::mean_gap), "theory_mean_gap [length]: likewise")
+      .add([](const Step &step) { return step.theory->mean_gap; },
+           "theory_mean_gap [length]: likewise")
       .when({"with `Theory/Enabled` and `Contact/Yielding`",
              scene.theory.enabled && scene.contact.yields &&
                (scene.contact.enabled || theory_alone)})
@@ -270,10 +258,10 @@ namespace strait
       .add([](const Step &step) { return step.theory->yielding->plastic; },
            "theory_plastic_area [1]: in contact at the hardness, likewise")
       .when({"with `Theory/Enabled`", scene.theory.enabled})
-      .add(of_theory(&TheoryResult::leak_rate),
+      .add([](const Step &step) { return step.theory->leak_rate; },
            "theory_leak_rate [length³/time]: Q of the effective medium in the same box; "
            "0 where it seals; see [theory.md](theory.md)")
-      .add(of_theory(&TheoryResult::error),
+      .add([](const Step &step) { return step.theory->error; },
            "theory_error [1]: of mean gap and leak rate by the theory's quadrature, "
            "relative")
       .when()

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
-#include <strait/run/error_budget.h>
 #include <strait/run/load_sweep.h>
-#include <strait/run/step_report.h>
 #include <strait/run/validity.h>
 #include <strait/seal/make_seal.h>
 

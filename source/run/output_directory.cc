@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/build_info.h>
 #include <strait/base/exceptions.h>
-#include <strait/run/disk_space.h>
-#include <strait/run/earlier_results.h>
+#include <strait/base/files.h>
 #include <strait/run/field_output.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/scripts.h>
-#include <strait/run/validity.h>
 
 #include <nlohmann/json.hpp>
 
@@ -61,14 +59,22 @@ namespace strait
       return record;
     }
 
-    /** An array of such @p records. */
+    /** All checks of a step, with their numbers. */
     RunRecord
-    of_steps(const std::vector<std::string> &records)
+    validity_record(const Step &step)
     {
-      RunRecord all = RunRecord::array();
-      for (const std::string &text : records)
-        all.push_back(RunRecord::parse(text));
-      return all;
+      RunRecord checks = RunRecord::array();
+      for (const ValidityCheck &check : step.checks)
+        {
+          RunRecord entry = {{"word", check.word},
+                             {"number", check.number},
+                             {check.is_least ? "least" : "most", check.limit},
+                             {"holds", check.holds()}};
+          if (!check.holds())
+            entry["advice"] = check.advice;
+          checks.push_back(entry);
+        }
+      return {{"step", step.number}, {"validity", step.validity()}, {"checks", checks}};
     }
   } // namespace
 
@@ -85,12 +91,11 @@ namespace strait
     , scaling(scene.programme.largest_fitted)
   {
     lock = begin_results(scene, comm, log, resumed);
-    if (!resumed)
-      run_on_root(comm, [&]() {
-        table.open(path + "/leakage.csv");
-        if (scene.programme.find_threshold)
-          constrictions.open(path + "/constrictions.csv");
-      });
+    run_on_root(comm, [&]() {
+      table.open(path);
+      if (scene.programme.find_threshold)
+        constrictions.open(path);
+    });
   }
 
   void
@@ -110,13 +115,7 @@ namespace strait
           run_on_root(comm, [&]() { write_text(path + "/" + name, text); });
       }
     scaling.transfer(archive);
-    archive.values(error_budget, validity, words_of_status, words_of_validity);
-    if (archive.is_reading())
-      run_on_root(comm, [&]() {
-        table.reopen(path + "/leakage.csv");
-        if (scene.programme.find_threshold)
-          constrictions.reopen(path + "/constrictions.csv");
-      });
+    archive.values(error_budget, validity, summary.status, summary.validity);
   }
 
   void
@@ -124,16 +123,15 @@ namespace strait
   {
     if (!step.errors.items.empty())
       error_budget.push_back(error_record(step).dump());
-    validity.push_back(validity_record(step));
-    add_words(words_of_status, step.status());
-    add_words(words_of_validity, step.validity());
+    validity.push_back(validity_record(step).dump());
+    add_words(summary.status, step.status());
+    add_words(summary.validity, step.validity());
     run_on_root(comm, [&]() {
       table.append(step);
       if (step.state.contact && step.state.contact->adhesion &&
           !step.state.contact->adhesion->relaxation.empty())
-        relaxation_table(scene).write_rows(path + "/relaxation-" +
-                                             std::to_string(step.number) + ".csv",
-                                           step.state.contact->adhesion->relaxation);
+        relaxation_table(scene, std::to_string(step.number))
+          .write_rows(path, step.state.contact->adhesion->relaxation);
       if (step.flow && step.flow->constrictions)
         constrictions.append(step);
     });
@@ -152,31 +150,23 @@ namespace strait
       write_picture_data(path, step, scene.fluid);
   }
 
-  void
-  OutputDirectory::summarise(const std::vector<Transition> &thresholds,
-                             RunSummary                    &summary) const
+  RunSummary
+  OutputDirectory::finish(const std::vector<Transition> &thresholds,
+                          const Timers                  &timers,
+                          const double                   bytes_per_point)
   {
-    if (!thresholds.empty())
-      {
-        summary.critical_load_lower = thresholds.front().lower;
-        summary.critical_load_upper = thresholds.front().upper;
-        summary.contact_area        = thresholds.front().contact_area;
-      }
-    summary.status   = words_of_status;
-    summary.validity = words_of_validity;
-    scaling.summarise(thresholds, summary);
-  }
-
-  void
-  OutputDirectory::finish(const Timers &timers, const double bytes_per_point)
-  {
+    log.line(timers.summary());
+    log.stage("tables and pictures");
     if (scene.programme.find_threshold)
       write_table(fit_table(scene), scaling.fits(log));
     RunRecord seconds = RunRecord::object();
     for (const Timers::Part &part : timers.table())
       seconds[part.path] = part.seconds;
+    const auto of_steps = [](const std::vector<std::string> &records) {
+      return RunRecord::parse("[" + join(records, ",") + "]");
+    };
     RunRecord record = {{"program", "strait"},
-                        {"version", version()},
+                        {"version", version},
                         {"ranks", n_ranks_in(comm)},
                         {"grid",
                          {{"nx", scene.contact.grid_points[0]},
@@ -200,5 +190,15 @@ namespace strait
                  record.dump(2, ' ', false, RunRecord::error_handler_t::replace));
       draw_results(scene, log);
     });
+    log.stage("");
+    log.line("results are in " + path);
+    if (!thresholds.empty())
+      {
+        summary.critical_load_lower = thresholds.front().lower;
+        summary.critical_load_upper = thresholds.front().upper;
+        summary.contact_area        = thresholds.front().contact_area;
+      }
+    scaling.summarise(thresholds, summary);
+    return summary;
   }
 } // namespace strait

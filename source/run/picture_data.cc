@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/files.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/flow/seal_mesh.h>
 #include <strait/flow/solution_on_grid.h>
-#include <strait/run/disk_space.h>
 #include <strait/run/field_output.h>
 
 #include <deal.II/base/hdf5.h>

@@ -5,7 +5,6 @@
 #include <strait/run/result_tables.h>
 
 #include <cmath>
-#include <ostream>
 
 namespace strait
 {
@@ -16,13 +15,6 @@ namespace strait
     {
       return {"with `Load programme/Find threshold`", scene.programme.find_threshold};
     }
-
-    /** Entries of the report on a step's constrictions, and of the throat. */
-    const auto of_report = values_of([](const Step &step) -> const ConstrictionReport & {
-      return *step.flow->constrictions;
-    });
-    const auto of_throat = values_of(
-      [](const Step &step) -> const Throat & { return step.flow->channel.throat; });
   } // namespace
 
   Table<Transition>
@@ -64,18 +56,19 @@ namespace strait
            "x [length]: narrowest point of the path of least resistance")
       .add([](const Step &step) { return step.place_of_bottleneck()[1]; },
            "y [length]: likewise")
-      .add(of_throat(&Throat::gap), "gap [length]: g0 of the throat there")
-      .add(of_throat(&Throat::length),
+      .add([](const Step &step) { return step.flow->channel.throat.gap; },
+           "gap [length]: g0 of the throat there")
+      .add([](const Step &step) { return step.flow->channel.throat.length; },
            "length [length]: along the channel, within which the gap doubles")
-      .add(of_throat(&Throat::width),
+      .add([](const Step &step) { return step.flow->channel.throat.width; },
            "width [length]: across it, at which the gap would vanish")
-      .add(of_report(&ConstrictionReport::points_along),
+      .add([](const Step &step) { return step.flow->constrictions->points_along; },
            "points_along [1]: the length in grid spacings")
-      .add(of_report(&ConstrictionReport::fraction_at_worst),
+      .add([](const Step &step) { return step.flow->constrictions->fraction_at_worst; },
            "share_of_worst [1]: largest part of the pressure drop at one of them")
-      .add(of_report(&ConstrictionReport::n_constrictions),
+      .add([](const Step &step) { return step.flow->constrictions->n_constrictions; },
            "constrictions [1]: how many there are along the path")
-      .add(of_report(&ConstrictionReport::n_for_90_percent),
+      .add([](const Step &step) { return step.flow->constrictions->n_for_90_percent; },
            "constrictions_for_90_percent [1]: how many carry 90 % of the pressure drop");
     return table;
   }
@@ -119,22 +112,22 @@ namespace strait
                          {"with `Load programme/Find blow-out`",
                           scene.programme.find_blow_out},
                          "One row for each of `Pressures`.");
-    const auto     of_opening = values_of(&BlowOut::opening);
     table.add(&BlowOut::load, "pressure [pressure]: nominal pressure, the load")
-      .add(of_opening(&Transition::lower),
+      .add([](const BlowOut &found) { return found.opening.lower; },
            "blow_out_pressure_lower [pressure]: largest inlet pressure known to be held "
            "when it is raised at this load")
       .add(
-        of_opening(&Transition::upper),
+        [](const BlowOut &found) { return found.opening.upper; },
         "blow_out_pressure_upper [pressure]: smallest known to leak; 0 or the outlet's: "
         "it leaks by itself")
-      .add(of_opening(&Transition::contact_area),
+      .add([](const BlowOut &found) { return found.opening.contact_area; },
            "contact_area [1]: fraction in contact at the former")
       .add([](const BlowOut &found) { return found.opening.bottleneck[0]; },
            "x [length]: the point that opens")
       .add([](const BlowOut &found) { return found.opening.bottleneck[1]; },
            "y [length]: likewise")
-      .add(of_opening(&Transition::n_solves), "solves [1]: of contact and flow")
+      .add([](const BlowOut &found) { return found.opening.n_solves; },
+           "solves [1]: of contact and flow")
       .when({"with `Find re-sealing`", scene.programme.find_resealing})
       .add([](const BlowOut &found) { return found.closing->lower; },
            "resealing_pressure_lower [pressure]: largest inlet pressure known to be held "
@@ -148,7 +141,6 @@ namespace strait
   Table<Jump>
   jump_table(const Scene &scene)
   {
-    const auto before = values_of(&Jump::before);
     // After a pull-off there is no state.
     const auto after = [](double PathPoint::*value) {
       return [value](const Jump &jump) {
@@ -167,17 +159,19 @@ namespace strait
                  : jump.after.contact_area > jump.before.contact_area ? "closing"
                                                                       : "opening";
         },
-        "kind: `closing` or `opening` by the change of the contact area, or "
-        "`pull-off` where the surfaces part: no state follows, gap and area after it "
-        "are `nan`")
-      .add(before(&PathPoint::pressure), "pressure_before [pressure]: nominal pressure")
+        "kind: `closing` or `opening` by the change of the contact area, or `pull-off` "
+        "where the surfaces part: no state follows, gap and area after it are `nan`")
+      .add([](const Jump &jump) { return jump.before.pressure; },
+           "pressure_before [pressure]: nominal pressure")
       .add(
         [](const Jump &jump) { return jump.after.pressure; },
         "pressure_after [pressure]: at most `Load programme/Jump tolerance` from it, or a "
         "warning says that some are farther")
-      .add(before(&PathPoint::mean_gap), "mean_gap_before [length]: as in leakage.csv")
+      .add([](const Jump &jump) { return jump.before.mean_gap; },
+           "mean_gap_before [length]: as in leakage.csv")
       .add(after(&PathPoint::mean_gap), "mean_gap_after [length]: likewise")
-      .add(before(&PathPoint::contact_area), "contact_area_before [1]: as in leakage.csv")
+      .add([](const Jump &jump) { return jump.before.contact_area; },
+           "contact_area_before [1]: as in leakage.csv")
       .add(after(&PathPoint::contact_area), "contact_area_after [1]: likewise")
       .add(&Jump::dissipated,
            "dissipated_energy [pressure length]: per area: what the energy falls short "
@@ -187,10 +181,10 @@ namespace strait
   }
 
   Table<RelaxationStep>
-  relaxation_table(const Scene &scene)
+  relaxation_table(const Scene &scene, const std::string &step)
   {
     Table<RelaxationStep> table(
-      "relaxation-STEP.csv",
+      "relaxation-" + step + ".csv",
       {"with `Contact/Adhesion/Trajectory`", scene.contact.adhesion.write_relaxation},
       "One row for each iteration at the last load of the step.");
     table.add(&RelaxationStep::iteration, "iteration [1]: its number")
@@ -245,7 +239,7 @@ namespace strait
   {
     require(format == "md", "--columns " + format + ": the format is md.");
     Scene scene; // with the columns that a scene gives names to
-    scene.output.leak_rate_units = split(leak_rate_unit_names(), ',');
+    scene.output.leak_rate_units = split(names_in(leak_rate_units), ',');
     for (const TableInfo &table : all_tables(scene))
       print_markdown(out, table);
   }

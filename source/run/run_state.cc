@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
-#include <strait/run/earlier_results.h>
-#include <strait/run/folder_lock.h>
 #include <strait/run/run_state.h>
 
 #include <zlib.h>
@@ -67,7 +65,9 @@ namespace strait
                                               : std::vector<std::string>())
   {
     // Whatever it takes until the folder is written to would be in vain.
-    run_on_root(comm, [this]() { const FolderLock nobody_else(scene.output.directory); });
+    run_on_root(comm, [this]() {
+      const auto nobody_else = lock_folder(scene.output.directory);
+    });
     if (!resume)
       return;
     archive = std::make_unique<StateArchive>(path, comm, StateArchive::Access::read);
@@ -93,8 +93,9 @@ namespace strait
                          scene.output.directory +
                          "' began with; restore it to resume, or begin anew in another "
                          "folder.");
-    if (transfer_presence(file, left))
-      std::apply([&file](auto &...members) { file.values(members...); }, left->members());
+    if (transfer_presence(file, finished))
+      std::apply([&file](auto &...members) { file.values(members...); },
+                 finished->members());
     else
       file.values(surface_energy, has_begun, has_searched);
   }
@@ -122,7 +123,7 @@ namespace strait
   void
   RunState::save_mark(const std::optional<RunSummary> &end)
   {
-    left = end;
+    finished = end;
     if (!scene.output.checkpoint)
       return;
     StateArchive writer(path, comm, StateArchive::Access::write);
@@ -137,7 +138,7 @@ namespace strait
     try
       {
         const RunState earlier(scene, comm, true);
-        if (earlier.finished() || !earlier.has_begun)
+        if (earlier.finished || !earlier.has_begun)
           return;
       }
     catch (const InputError &)

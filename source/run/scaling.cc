@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
-#include <strait/run/run_summary.h>
 #include <strait/run/scaling.h>
 #include <strait/run/step.h>
 #include <strait/spectral/state_archive.h>
@@ -199,14 +198,14 @@ namespace strait
     {
       Quantity    quantity;
       const char *name;
-      double (ClosingLaw::*law_exponent)(double reduced_load) const;
+      double ClosingLaw::Exponents::*exponent;
       // An immobile layer cuts the throat off where it is still wide and smooth.
       double exponent_with_slip;
     } const quantities[] = {
-      {leak_rate, "leak_rate", &ClosingLaw::leak_rate_exponent, 3.},
-      {throat_gap, "throat_gap", &ClosingLaw::gap_exponent, 1.},
-      {throat_length, "throat_length", &ClosingLaw::length_exponent, .5},
-      {throat_width, "throat_width", &ClosingLaw::width_exponent, .5}};
+      {leak_rate, "leak_rate", &ClosingLaw::Exponents::leak_rate, 3.},
+      {throat_gap, "throat_gap", &ClosingLaw::Exponents::gap, 1.},
+      {throat_length, "throat_length", &ClosingLaw::Exponents::length, .5},
+      {throat_width, "throat_width", &ClosingLaw::Exponents::width, .5}};
     const auto middle = [](const ExponentFit &slope) {
       return std::sqrt(slope.from * slope.to);
     };
@@ -220,7 +219,7 @@ namespace strait
         closing.push_back({middle(slope), slope.exponent});
     const ClosingLaw law = ClosingLaw::fit(closing);
     for (const double slip_length : slip_lengths)
-      for (const auto &[quantity, name, law_exponent, with_slip] : quantities)
+      for (const auto &[quantity, name, exponent, with_slip] : quantities)
         {
           for (const ExponentFit &slope :
                local_slopes(series(quantity, slip_length, Trust::all)))
@@ -229,7 +228,7 @@ namespace strait
                name,
                slip_length,
                "local",
-               slip_length < 0 ? with_slip : (law.*law_exponent)(middle(slope))});
+               slip_length < 0 ? with_slip : law.at(middle(slope)).*exponent});
           const auto        trusted = series(quantity, slip_length, Trust::doubtless);
           const ExponentFit fit     = fit_exponent(trusted, largest);
           if (fit.n_points < 2)

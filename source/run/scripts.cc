@@ -38,7 +38,7 @@ namespace strait
       // An interpreter that inherits MPI's variables may believe it is a rank.
       const std::string command =
         (input.empty() ? "" : "printf %s " + quoted(input) + " | ") +
-        "env -u OMPI_COMM_WORLD_SIZE " + quoted(python_interpreter()) + " " +
+        "env -u OMPI_COMM_WORLD_SIZE " + quoted(python_interpreter) + " " +
         quoted(script) + " " + quoted(argument) + " 2>&1";
       std::FILE *pipe = popen(command.c_str(), "r"); // NOLINT(cert-env33-c)
       if (pipe == nullptr)

@@ -6,12 +6,12 @@
 #include <strait/base/timers.h>
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/flow/seal_mesh.h>
+#include <strait/run/field_output.h>
 #include <strait/run/guards.h>
 #include <strait/run/load_sweep.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/run_state.h>
 #include <strait/run/simulation.h>
-#include <strait/run/surface_output.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/map_processing.h>
 #include <strait/surface/resolution.h>
@@ -143,12 +143,8 @@ namespace strait
       return names;
     }
 
-    /** Thrown where a search is left because a signal asks for it. */
-    struct StoppedInSearch
-    {
-    };
-
-    /** The searches that come before the steps, unless they were made before. */
+    /** The searches that come before the steps, unless they were made before. Throws
+     *  Interruption if a signal asks for it. */
     void
     find_seals(const Scene     &scene,
                LoadSweep       &sweep,
@@ -162,7 +158,7 @@ namespace strait
       sweep.after_probe([&]() {
         state.save(sweep, output, log);
         if (stop_requested(comm))
-          throw StoppedInSearch();
+          throw Interruption("");
       });
       if (scene.programme.find_threshold)
         output.write_table(threshold_table(scene), sweep.find_thresholds());
@@ -182,10 +178,10 @@ namespace strait
       return run_theory(scene, log, comm);
     Timers   timers;
     RunState state(scene, comm, resume);
-    if (state.finished())
+    if (state.finished)
       {
         log.line("nothing is left to do in " + scene.output.directory);
-        return *state.finished();
+        return *state.finished;
       }
     SlabField heights = [&]() {
       const auto scope = timers.scope("surface");
@@ -212,14 +208,14 @@ namespace strait
         write_surface(scene, shown);
         state.save(sweep, output, log);
       }
-    RunSummary summary;
+    bool stopped = false, converged = true;
     try
       {
         find_seals(scene, sweep, output, state, comm, log);
       }
-    catch (const StoppedInSearch &)
+    catch (const Interruption &)
       {
-        summary.stopped = true;
+        stopped = true;
       }
     const auto write_jumps = [&]() {
       if (!sweep.jumps().empty())
@@ -229,9 +225,9 @@ namespace strait
     const auto is_asked_to_stop = [&]() {
       return sweep.n_done() < n_steps && stop_requested(comm);
     };
-    summary.stopped = summary.stopped || is_asked_to_stop();
-    if (!summary.stopped)
-      summary.converged = sweep.run([&](const Step &step) {
+    stopped = stopped || is_asked_to_stop();
+    if (!stopped)
+      converged = sweep.run([&](const Step &step) {
         {
           const auto scope = timers.scope("output");
           output.write(step, step.number == n_steps);
@@ -241,19 +237,17 @@ namespace strait
           const auto scope = timers.scope("checkpoint");
           state.save(sweep, output, log);
         }
-        summary.stopped = is_asked_to_stop();
-        return !summary.stopped;
+        stopped = is_asked_to_stop();
+        return !stopped;
       });
-    if (!summary.stopped && sweep.state().contact)
+    if (!stopped && sweep.state().contact)
       write_indented_surface(scene, shown, *sweep.state().contact);
     write_jumps();
-    log.line(timers.summary());
-    log.stage("tables and pictures");
-    output.finish(timers, most_memory(comm) / n_points);
-    log.stage("");
-    log.line("results are in " + scene.output.directory);
-    output.summarise(sweep.known_thresholds(), summary);
-    if (!summary.stopped)
+    RunSummary summary =
+      output.finish(sweep.known_thresholds(), timers, most_memory(comm) / n_points);
+    summary.stopped   = stopped;
+    summary.converged = converged;
+    if (!stopped)
       state.save_mark(summary);
     return summary;
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/text.h>
-#include <strait/run/step_report.h>
+#include <strait/run/step.h>
 
 #include <cmath>
 

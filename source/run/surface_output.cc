@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/text.h>
+#include <strait/run/field_output.h>
 #include <strait/run/guards.h>
 #include <strait/run/result_tables.h>
-#include <strait/run/surface_output.h>
 #include <strait/surface/map_writer.h>
 #include <strait/surface/spectrum.h>
 #include <strait/surface/statistics.h>
@@ -51,7 +51,7 @@ namespace strait
           rows.push_back({{bin}, law});
         }
       run_on_root(heights.layout().communicator(), [&]() {
-        spectrum_table(scene).write_rows(scene.output.directory + "/spectrum.csv", rows);
+        spectrum_table(scene).write_rows(scene.output.directory, rows);
       });
     }
   } // namespace

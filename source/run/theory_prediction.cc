@@ -41,6 +41,64 @@ namespace strait
     {
       return a == b ? 0. : std::abs(a - b) / std::max(std::abs(a), std::abs(b));
     }
+
+    /** n of the effective medium. */
+    double
+    dimension(const Scene         &scene,
+              const PerssonTheory &with,
+              const double         slip_length,
+              const Transition    *threshold)
+    {
+      switch (scene.theory.dimension)
+        {
+          case TheoryDimension::critical_fraction:
+            return dimension_parameter(scene.theory.critical_fraction);
+          case TheoryDimension::from_threshold:
+            {
+              if (scene.theory.simulated_gaps)
+                return dimension_parameter(threshold->contact_area);
+              const double critical = threshold->middle();
+              if (slip_length == 0.)
+                return dimension_parameter(with.contact_area(critical));
+              return dimension_parameter(
+                with.distribution(with.solve(critical), -2 * slip_length).contact_area);
+            }
+          default:
+            return 2.;
+        }
+    }
+
+    /** Without what compares this theory, or its gaps, with others. */
+    TheoryResult
+    evaluate(const Scene         &scene,
+             const PerssonTheory &with,
+             const double         pressure,
+             const double         slip_length,
+             const SlabField     *gap,
+             const Transition    *threshold)
+    {
+      TheoryResult result;
+      result.pressure     = pressure;
+      result.contact_area = result.mean_gap = result.leak_rate = std::nan("");
+      GapDistribution gaps;
+      if (pressure > 0)
+        {
+          const PerssonState state = with.solve(pressure);
+          result.mean_gap          = state.mean_gap;
+          result.contact_area      = state.contact_area;
+          gaps                     = with.distribution(state, -2 * slip_length);
+          if (scene.output.fields != FieldOutput::none)
+            result.persson_gaps =
+              with.distribution(state, 0., with.bins_per_decade() / bins_shown);
+        }
+      if (scene.theory.simulated_gaps)
+        gaps = gap_histogram(*gap, n_decades, with.bins_per_decade(), -2 * slip_length);
+      if (scene.theory.simulated_gaps || pressure > 0)
+        result.leak_rate =
+          conductance_of_box(scene) *
+          effective_cubed_gap(gaps, dimension(scene, with, slip_length, threshold));
+      return result;
+    }
   } // namespace
 
   TheoryPrediction::TheoryPrediction(const Scene &scene_, const SlabField *heights)
@@ -58,9 +116,10 @@ namespace strait
                             const SlabField  *gap,
                             const Transition *threshold) const
   {
-    TheoryResult       result = evaluate(persson, pressure, slip_length, gap, threshold);
-    const TheoryResult other  = evaluate(coarse, pressure, slip_length, gap, threshold);
-    result.error              = relative_difference(result.leak_rate, other.leak_rate);
+    TheoryResult result = evaluate(scene, persson, pressure, slip_length, gap, threshold);
+    const TheoryResult other =
+      evaluate(scene, coarse, pressure, slip_length, gap, threshold);
+    result.error = relative_difference(result.leak_rate, other.leak_rate);
     if (scene.contact.yields)
       result.yielding = pressure > 0
                           ? persson.contact_areas(pressure, scene.contact.hardness)
@@ -74,60 +133,5 @@ namespace strait
                                 ? gap_histogram(*gap, result.persson_gaps->edges)
                                 : gap_histogram(*gap, n_decades, bins_shown);
     return result;
-  }
-
-  /** Without what compares this theory, or its gaps, with others. */
-  TheoryResult
-  TheoryPrediction::evaluate(const PerssonTheory &with,
-                             const double         pressure,
-                             const double         slip_length,
-                             const SlabField     *gap,
-                             const Transition    *threshold) const
-  {
-    TheoryResult result;
-    result.pressure     = pressure;
-    result.contact_area = result.mean_gap = result.leak_rate = std::nan("");
-    GapDistribution gaps;
-    if (pressure > 0)
-      {
-        const PerssonState state = with.solve(pressure);
-        result.mean_gap          = state.mean_gap;
-        result.contact_area      = state.contact_area;
-        gaps                     = with.distribution(state, -2 * slip_length);
-        if (scene.output.fields != FieldOutput::none)
-          result.persson_gaps =
-            with.distribution(state, 0., with.bins_per_decade() / bins_shown);
-      }
-    if (scene.theory.simulated_gaps)
-      gaps = gap_histogram(*gap, n_decades, with.bins_per_decade(), -2 * slip_length);
-    if (scene.theory.simulated_gaps || pressure > 0)
-      result.leak_rate =
-        conductance_of_box(scene) *
-        effective_cubed_gap(gaps, dimension(with, slip_length, threshold));
-    return result;
-  }
-
-  double
-  TheoryPrediction::dimension(const PerssonTheory &with,
-                              const double         slip_length,
-                              const Transition    *threshold) const
-  {
-    switch (scene.theory.dimension)
-      {
-        case TheoryDimension::critical_fraction:
-          return dimension_parameter(scene.theory.critical_fraction);
-        case TheoryDimension::from_threshold:
-          {
-            if (scene.theory.simulated_gaps)
-              return dimension_parameter(threshold->contact_area);
-            const double critical = threshold->middle();
-            if (slip_length == 0.)
-              return dimension_parameter(with.contact_area(critical));
-            return dimension_parameter(
-              with.distribution(with.solve(critical), -2 * slip_length).contact_area);
-          }
-        default:
-          return 2.;
-      }
   }
 } // namespace strait

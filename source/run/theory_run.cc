@@ -4,7 +4,6 @@
 #include <strait/run/guards.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/simulation.h>
-#include <strait/run/step_report.h>
 #include <strait/run/theory_prediction.h>
 #include <strait/run/validity.h>
 #include <strait/surface/make_surface.h>
@@ -69,12 +68,7 @@ namespace strait
           const auto scope = timers.scope("output");
           output.write(step, step.number == n_steps);
         }
-    log.line(timers.summary());
-    output.finish(timers, 0.);
-    log.line("results are in " + scene.output.directory);
-    RunSummary summary;
-    output.summarise({}, summary);
-    return summary;
+    return output.finish({}, timers, 0.);
   }
 
   void

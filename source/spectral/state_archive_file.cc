@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
-#include <strait/base/unwritable.h>
+#include <strait/base/files.h>
 #include <strait/spectral/state_archive.h>
 
 #include <fcntl.h>

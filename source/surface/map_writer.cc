@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/base/unwritable.h>
+#include <strait/base/files.h>
 #include <strait/surface/map_writer.h>
 #include <strait/surface/readers/height_map.h>
 

@@ -17,7 +17,7 @@ namespace strait
       const ClosingLaw law{constant};
       double           sum = 0;
       for (const Slope &slope : leak_rate)
-        sum += law.leak_rate_exponent(slope.reduced_load) - slope.exponent;
+        sum += law.at(slope.reduced_load).leak_rate - slope.exponent;
       return sum;
     };
     // From the constant at which the largest ε would have no Λ to one at which the
@@ -35,34 +35,14 @@ namespace strait
     return {.5 * (lower + upper)};
   }
 
-  double
-  ClosingLaw::lambda(const double reduced_load) const
+  ClosingLaw::Exponents
+  ClosingLaw::at(const double reduced_load) const
   {
     // In this order an unknown constant stays unknown.
-    return 1. + std::sqrt(std::max(constant - .5 * std::log(reduced_load), 0.));
-  }
-
-  double
-  ClosingLaw::gap_exponent(const double reduced_load) const
-  {
-    return 1. + .5 / lambda(reduced_load);
-  }
-
-  double
-  ClosingLaw::width_exponent(const double reduced_load) const
-  {
-    return 1. / (2. + std::pow(lambda(reduced_load), -2));
-  }
-
-  double
-  ClosingLaw::length_exponent(const double reduced_load) const
-  {
-    return .5 * gap_exponent(reduced_load);
-  }
-
-  double
-  ClosingLaw::leak_rate_exponent(const double reduced_load) const
-  {
-    return 2.5 * gap_exponent(reduced_load) + width_exponent(reduced_load);
+    const double root   = std::sqrt(std::max(constant - .5 * std::log(reduced_load), 0.));
+    const double lambda = 1. + root;
+    const double gap    = 1. + .5 / lambda;
+    const double width  = 1. / (2. + std::pow(lambda, -2));
+    return {gap, width, .5 * gap, 2.5 * gap + width};
   }
 } // namespace strait

@@ -115,9 +115,6 @@ namespace strait
   RadialSpectrum
   model_spectrum(const SurfaceParameters &parameters)
   {
-    require(parameters.kind == SurfaceKind::self_affine,
-            "Theory/Spectrum = model needs Surface/Kind = self-affine; take "
-            "Theory/Spectrum = surface for other kinds.");
     const double box      = std::sqrt(parameters.size[0] * parameters.size[1]);
     const double lowest   = 2 * M_PI / box;
     const double roll_off = 2 * M_PI / parameters.roll_off_wavelength;

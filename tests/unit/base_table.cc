@@ -38,8 +38,7 @@ namespace
       table.add(&Row::step, "step [1]: number");
       table.add(&Row::value, "value [1]: number");
       std::ofstream(path) << "of an earlier run\n";
-      table.open(path);
-      table.append({1, .5});
+      table.write_rows(folder.path(), {{1, .5}});
       std::filesystem::copy(path, path + ".saved");
       std::filesystem::rename(path + ".saved", path);
       table.append({2, .25});
@@ -48,7 +47,7 @@ namespace
       table.append({3, .125});
       EXPECT_EQ(text_in(path), "step,value\n3,0.125\n");
       Table<Row> again = table;
-      again.reopen(path);
+      again.open(folder.path());
       again.append({4, 1.});
       EXPECT_EQ(text_in(path), "step,value\n3,0.125\n4,1\n");
     });

@@ -24,14 +24,12 @@ TEST(Text, NumbersReadBackExactly)
   EXPECT_EQ(to_text(1.), "1");
 }
 
-TEST(Text, EditDistance)
+TEST(Text, NearestNameByEditDistance)
 {
-  EXPECT_EQ(edit_distance("gap", "gap"), 0);
-  EXPECT_EQ(edit_distance("Gap", "gap"), 0);
-  EXPECT_EQ(edit_distance("gap", "gaps"), 1);
-  EXPECT_EQ(edit_distance("gpa", "gap"), 1); // swapped
-  EXPECT_EQ(edit_distance("", "gap"), 3);
-  EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
+  EXPECT_EQ(nearest_name("gpa", {"gas", "Gap"}), "Gap"); // swapped
+  EXPECT_EQ(nearest_name("gaps", {"grape", "gap"}), "gap");
+  EXPECT_EQ(nearest_name("kitten", {"sitting"}), "sitting"); // 3 of 7
+  EXPECT_EQ(nearest_name("", {"gap"}), "");
 }
 
 TEST(Text, NearestNameOnlyIfNear)
@@ -61,7 +59,7 @@ TEST(SceneText, EntriesWithSectionAndLine)
   EXPECT_EQ(entries[1].value, "1, 2");
   EXPECT_EQ(entries[1].place, "f.prm:3");
   EXPECT_EQ(entries[1].folder, "/there");
-  EXPECT_EQ(entries[3].section, (std::vector<std::string>{"A", "B"}));
+  EXPECT_EQ(entries[3].section, "A/B");
   EXPECT_EQ(entries[3].value, "p = q");
   EXPECT_EQ(entries[3].place, "f.prm:6");
 }
@@ -115,7 +113,7 @@ TEST(SceneText, AParameterIsSetOnceInAFile)
 TEST(SceneText, Overrides)
 {
   const SceneEntry entry = lex_override("Contact/Adhesion/Enabled = a=b", "/here");
-  EXPECT_EQ(entry.section, (std::vector<std::string>{"Contact", "Adhesion"}));
+  EXPECT_EQ(entry.section, "Contact/Adhesion");
   EXPECT_EQ(entry.name, "Enabled");
   EXPECT_EQ(entry.value, "a=b");
   EXPECT_EQ(entry.folder, "/here");

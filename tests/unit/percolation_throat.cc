@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/bottleneck.h>
 #include <strait/percolation/channel.h>
-#include <strait/run/exponent_fit.h>
+#include <strait/run/scaling.h>
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace strait
 {
@@ -83,8 +85,11 @@ namespace strait
       scene.programme.path           = LoadPath::cycle;
       scene.programme.pressures      = {1., 2., 3.};
       scene.programme.find_threshold = false;
+      const std::vector<double> near_threshold =
+        std::exchange(scene.programme.reduced_loads, {});
       EXPECT_TRUE(says(scene, "50 to 200 in all")) << "5 steps";
       scene.programme.pressures      = {};
+      scene.programme.reduced_loads  = near_threshold;
       scene.programme.find_threshold = true;
       scene.fluid.slip_lengths       = {0., -.1, -.2};
       EXPECT_TRUE(says(scene, "130 to 880 in all")) << "two steps near each threshold";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/log.h>
 #include <strait/base/text.h>
-#include <strait/run/earlier_results.h>
 #include <strait/run/guards.h>
+#include <strait/run/output_directory.h>
 #include <strait/run/simulation.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/run/run_summary.h>
 #include <strait/run/scaling.h>
 #include <strait/run/step.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
+#include <strait/base/text.h>
 #include <strait/base/units.h>
 #include <strait/run/result_tables.h>
 
@@ -40,7 +41,7 @@ namespace
     fluid.outlet_pressure = 0;
     const UnitParameters si{"m", "Pa", "s"};
     const auto           in = [&](const char *name) {
-      return in_trade_unit(1e-9, *find_leak_rate_unit(name), si, fluid);
+      return in_trade_unit(1e-9, *find_row(leak_rate_units, name), si, fluid);
     };
     EXPECT_DOUBLE_EQ(in("ml/h"), 3.6);
     EXPECT_DOUBLE_EQ(in("ul/min"), 60.);
@@ -51,9 +52,11 @@ namespace
 
     // The same in mm, MPa and s.
     fluid.inlet_pressure = 0.1;
-    EXPECT_DOUBLE_EQ(
-      in_trade_unit(1., *find_leak_rate_unit("mbar l/s"), {"mm", "MPa", "s"}, fluid),
-      5e-4);
+    EXPECT_DOUBLE_EQ(in_trade_unit(1.,
+                                   *find_row(leak_rate_units, "mbar l/s"),
+                                   {"mm", "MPa", "s"},
+                                   fluid),
+                     5e-4);
   }
 
   TEST(Units, OfColumns)
@@ -105,13 +108,13 @@ namespace
     };
     if (rank_in(MPI_COMM_WORLD) != 0) // one of them writes
       return;
-    make(true).write_rows(path, {{"a", .2, 3}});
+    make(true).write_rows(folder.path(), {{"a", .2, 3}});
     EXPECT_EQ(text(), "name,count,half\na,3,0.10000000000000001\n");
     auto table = make(false);
-    table.write_rows(path, {{"a", 1., 3}});
+    table.write_rows(folder.path(), {{"a", 1., 3}});
     table.append({"b", 2., 4});
-    make(false).reopen(path);
+    make(false).open(folder.path());
     EXPECT_EQ(text(), "name,half\na,0.5\nb,1\n");
-    EXPECT_THROW(make(true).open(folder.path() + "/none/table.csv"), ComputationError);
+    EXPECT_THROW(make(true).open(folder.path() + "/none"), ComputationError);
   }
 } // namespace

@@ -261,13 +261,18 @@ namespace
     std::ostringstream out;
     Log                log(MPI_COMM_WORLD, out, Log::Screen::plain);
     judge_validity(step, scene, .5, log);
-    const std::string record = validity_record(step);
-    for (const char *part : {"\"word\":\"steep\"",
-                             "\"number\":0.5",
-                             "\"most\":0.3",
-                             "\"holds\":false",
-                             "\"advice\":\"the rms slope",
-                             "\"least\":3.0"})
-      expect_in(part, record);
+    const auto check_of = [&step](const std::string &word) {
+      return *std::find_if(step.checks.begin(),
+                           step.checks.end(),
+                           [&word](const ValidityCheck &check) {
+                             return check.word == word;
+                           });
+    };
+    EXPECT_EQ(check_of("steep").number, .5);
+    EXPECT_EQ(check_of("steep").limit, .3);
+    EXPECT_FALSE(check_of("steep").is_least || check_of("steep").holds());
+    expect_in("the rms slope", check_of("steep").advice);
+    EXPECT_TRUE(check_of("coarse-throat").is_least);
+    EXPECT_EQ(check_of("coarse-throat").limit, 3.);
   }
 } // namespace

@@ -25,21 +25,21 @@ namespace
                                      Expected{1e-12, 1.106, .489, 3.255}})
       {
         const double load = expected.reduced_load;
-        EXPECT_NEAR(law.gap_exponent(load), expected.gap, 1e-3) << load;
-        EXPECT_NEAR(law.width_exponent(load), expected.width, 1e-3) << load;
-        EXPECT_NEAR(law.length_exponent(load), .5 * expected.gap, 1e-3) << load;
-        EXPECT_NEAR(law.leak_rate_exponent(load), expected.leak_rate, 1e-3) << load;
+        EXPECT_NEAR(law.at(load).gap, expected.gap, 1e-3) << load;
+        EXPECT_NEAR(law.at(load).width, expected.width, 1e-3) << load;
+        EXPECT_NEAR(law.at(load).length, .5 * expected.gap, 1e-3) << load;
+        EXPECT_NEAR(law.at(load).leak_rate, expected.leak_rate, 1e-3) << load;
       }
     // The limits are approached so slowly that no contact gets there.
-    EXPECT_NEAR(law.leak_rate_exponent(1e-300), 3., .08);
-    EXPECT_GT(law.leak_rate_exponent(1e-300), 3.05);
+    EXPECT_NEAR(law.at(1e-300).leak_rate, 3., .08);
+    EXPECT_GT(law.at(1e-300).leak_rate, 3.05);
   }
 
   TEST(ClosingLaw, SaysNothingWithoutAConstant)
   {
     const ClosingLaw unknown = ClosingLaw::fit({});
-    EXPECT_TRUE(std::isnan(unknown.leak_rate_exponent(1e-3)));
-    EXPECT_TRUE(std::isnan(unknown.width_exponent(1e-3)));
+    EXPECT_TRUE(std::isnan(unknown.at(1e-3).leak_rate));
+    EXPECT_TRUE(std::isnan(unknown.at(1e-3).width));
   }
 
   TEST(ClosingLaw, FitFindsTheConstantThatExponentsWereMadeWith)
@@ -49,7 +49,7 @@ namespace
         const ClosingLaw               law{constant};
         std::vector<ClosingLaw::Slope> slopes;
         for (const double load : {.05, 1e-2, 1e-3, 1e-4})
-          slopes.push_back({load, law.leak_rate_exponent(load)});
+          slopes.push_back({load, law.at(load).leak_rate});
         EXPECT_NEAR(ClosingLaw::fit(slopes).constant, constant, 1e-6);
         // One that is too large and one that is too small by as much.
         slopes.front().exponent += .01;

@@ -143,9 +143,6 @@ namespace
   {
     const SlabField flat(make_layout({16, 16, 1., 1.}, MPI_COMM_WORLD), 2.);
     EXPECT_TRUE(mentions(input_error([&]() { measured_spectrum(flat); }), "flat"));
-    SurfaceParameters saddle;
-    saddle.kind = SurfaceKind::square_saddle;
-    EXPECT_TRUE(mentions(input_error([&]() { model_spectrum(saddle); }), "self-affine"));
     SurfaceParameters smooth        = rough(.8);
     smooth.short_cut_off_wavelength = 1.;
     EXPECT_TRUE(mentions(input_error([&]() { model_spectrum(smooth); }), "no wave"));

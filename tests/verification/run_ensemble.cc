@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Realisations of a scene, alone and together.
 #include <strait/base/exceptions.h>
-#include <strait/run/ensemble.h>
+#include <strait/run/simulation.h>
 #include <strait/surface/read_scene.h>
 
 #include <gtest/gtest.h>

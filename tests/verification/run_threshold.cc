@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The critical load of the isolated saddle and the exponents near it.
-#include <strait/run/exponent_fit.h>
+#include <strait/run/scaling.h>
 
 #include <gtest/gtest.h>
 

@@ -42,18 +42,13 @@ namespace strait
    */
   int with_clear_exit(MPI_Comm comm, const std::function<int()> &program);
 
-  /**
-   * Run @p action on rank 0 only; if it throws there, every rank of @p comm
-   * throws the same exception type (InputError or ComputationError) with the
-   * same message. Collective: keeps an error of one rank from becoming a hang
-   * of the others.
-   */
+  /** Run @p action on rank 0 only; if it throws there, every rank of @p comm throws the
+   *  same exception type (InputError or ComputationError) with the same message.
+   *  Collective: keeps an error of one rank from becoming a hang of the others. */
   void run_on_root(MPI_Comm comm, const std::function<void()> &action);
 
-  /**
-   * Collective: if @p error is non-empty on any rank, every rank throws an
-   * InputError with the message of the lowest such rank.
-   */
+  /** Collective: if @p error is non-empty on any rank, every rank throws an InputError
+   *  with the message of the lowest such rank. */
   void throw_if_any(MPI_Comm comm, const std::string &error);
 
   /** Collective: the string of the rank @p root on every rank. */

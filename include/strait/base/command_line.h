@@ -31,11 +31,9 @@ namespace strait
     }
   };
 
-  /**
-   * Read the arguments; argv[0] is skipped. Values follow their option or an
-   * equals sign (--output DIR, --output=DIR). Throws InputError for an unknown
-   * option (naming the nearest one), a missing value, no scene or two.
-   */
+  /** Read the arguments; argv[0] is skipped. Values follow their option or an equals sign
+   *  (--output DIR, --output=DIR). Throws InputError for an unknown option (naming the
+   *  nearest one), a missing value, no scene or two. */
   CommandLine parse_command_line(int argc, const char *const *argv);
 
   /** The text of --help. */

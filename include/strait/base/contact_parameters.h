@@ -9,7 +9,7 @@
 
 namespace strait
 {
-  class ParameterSection;
+  struct ParameterSection;
 
   /** Along a side of the grid: the product of two must fit into the 32-bit indices of
    *  deal.II's vectors. */
@@ -30,10 +30,8 @@ namespace strait
     van_der_waals
   };
 
-  /**
-   * The section Contact/Adhesion of a scene: an energy −γ0 f(g/z0) per area, in addition
-   * to the hard wall.
-   */
+  /** The section Contact/Adhesion of a scene: an energy −γ0 f(g/z0) per area, in addition
+   *  to the hard wall. */
   struct AdhesionParameters
   {
     bool           enabled           = false;
@@ -124,10 +122,8 @@ namespace strait
       return adhesion.enabled || yields;
     }
 
-    /**
-     * Where Young's moduli are given, take the effective modulus that follows from them.
-     * Throws InputError where they contradict the other values.
-     */
+    /** Where Young's moduli are given, take the effective modulus that follows from them.
+     *  Throws InputError where they contradict the other values. */
     void take_elastic_constants();
   };
 } // namespace strait

@@ -7,11 +7,9 @@
 
 namespace strait
 {
-  /**
-   * Something the user can mend: a bad scene, input file or command line.
-   * The message is one sentence that says what is wrong, where, and what to
-   * do. The program prints it once and ends with status 2.
-   */
+  /** Something the user can mend: a bad scene, input file or command line. The message is
+   *  one sentence that says what is wrong, where, and what to do. The program prints it
+   *  once and ends with status 2. */
   class InputError : public std::runtime_error
   {
   public:
@@ -26,20 +24,16 @@ namespace strait
       throw InputError(message);
   }
 
-  /**
-   * A computation that could not be completed although the input was valid.
-   * The program prints the message once and ends with status 1.
-   */
+  /** A computation that could not be completed although the input was valid. The program
+   *  prints the message once and ends with status 1. */
   class ComputationError : public std::runtime_error
   {
   public:
     using std::runtime_error::runtime_error;
   };
 
-  /**
-   * The run was asked to stop and did, after a step; it can be resumed. The program
-   * prints the message once and ends with status 3.
-   */
+  /** The run was asked to stop and did, after a step; it can be resumed. The program
+   *  prints the message once and ends with status 3. */
   class Interruption : public std::runtime_error
   {
   public:

@@ -9,7 +9,7 @@
 
 namespace strait
 {
-  class ParameterSection;
+  struct ParameterSection;
   struct LeakRateUnit;
   struct UnitParameters;
 
@@ -108,10 +108,9 @@ namespace strait
     bool
     has_slip() const
     {
-      for (const double slip_length : slip_lengths)
-        if (slip_length != 0.)
-          return true;
-      return false;
+      return std::any_of(slip_lengths.begin(),
+                         slip_lengths.end(),
+                         [](const double slip_length) { return slip_length != 0.; });
     }
 
     /** (p_in + p_out)/2, at which the volume of a gas is counted [pressure]. */
@@ -121,11 +120,9 @@ namespace strait
       return .5 * (inlet_pressure + outlet_pressure);
     }
 
-    /**
-     * The largest pressure of the fluid above that outside of the seal [pressure]: of a
-     * liquid, whose pressures count from there, the larger one of the two reservoirs; of
-     * a gas, whose pressures are absolute, the difference of the two.
-     */
+    /** The largest pressure of the fluid above that outside of the seal [pressure]: of a
+     *  liquid, whose pressures count from there, the larger one of the two reservoirs; of
+     *  a gas, whose pressures are absolute, the difference of the two. */
     double
     excess_pressure() const
     {
@@ -135,23 +132,16 @@ namespace strait
 
     void bind(ParameterSection section);
 
-    /**
-     * Where a gas is named, take its molar mass and, unless the scene gives one, its
-     * viscosity in the scene's @p units; of any gas find the thermal speed. Throws
-     * InputError where that contradicts the other values.
-     */
+    /** Where a gas is named, take its molar mass and, unless the scene gives one, its
+     *  viscosity in the scene's @p units; of any gas find the thermal speed. Throws
+     *  InputError where that contradicts the other values. */
     void take_gas(const UnitParameters &units);
     void check() const;
-
-  private:
-    void check_rarefaction() const;
   };
 
-  /**
-   * What a leak rate in the scene's units is in @p unit. A throughput is that rate
-   * times the mean of the two pressures: exact for an ideal gas at one temperature
-   * in viscous flow, because ∫ K p dp = K (p_in² − p_out²)/2.
-   */
+  /** What a leak rate in the scene's units is in @p unit. A throughput is that rate times
+   *  the mean of the two pressures: exact for an ideal gas at one temperature in viscous
+   *  flow, because ∫ K p dp = K (p_in² − p_out²)/2. */
   double in_trade_unit(double                 leak_rate,
                        const LeakRateUnit    &unit,
                        const UnitParameters  &units,

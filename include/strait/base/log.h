@@ -12,10 +12,8 @@
 
 namespace strait
 {
-  /**
-   * What the user sees: lines on the screen of rank 0 and in a log file. All
-   * ranks may call everything; the others stay silent.
-   */
+  /** What the user sees: lines on the screen of rank 0 and in a log file. All ranks may
+   *  call everything; the others stay silent. */
   class Log
   {
   public:
@@ -42,26 +40,20 @@ namespace strait
     /** A line, or several, on the screen and in the file. */
     void line(const std::string &text);
 
-    /**
-     * The line "warning: TEXT", once for each text; kept for warnings().
-     */
+    /** The line "warning: TEXT", once for each text; kept for warnings(). */
     void warn(const std::string &text);
 
-    /**
-     * What goes on from now on, "step 2 of 7"; empty: nothing that takes long. On a
-     * terminal the live line shows it, the last one on the screen, which overwrites
-     * itself; elsewhere it is printed at most every ten seconds. Not in the file.
-     */
+    /** What goes on from now on, "step 2 of 7"; empty: nothing that takes long. On a
+     *  terminal the live line shows it, the last one on the screen, which overwrites
+     *  itself; elsewhere it is printed at most every ten seconds. Not in the file. */
     void stage(const std::string &text);
 
     /** How far that is: the live line goes on with it until the next stage. */
     void progress(const std::string &text);
 
-    /**
-     * Collective. From now on write to the file @p path as well, beginning with
-     * the lines so far; with @p append after what is in it. Throws on all ranks if it
-     * cannot be written: ComputationError if the disk is full, else InputError.
-     */
+    /** Collective. From now on write to the file @p path as well, beginning with the
+     *  lines so far; with @p append after what is in it. Throws on all ranks if it cannot
+     *  be written: ComputationError if the disk is full, else InputError. */
     void attach_file(const std::string &path, bool append = false);
 
     /** Whether nothing is shown on the screen. */

@@ -16,10 +16,10 @@ namespace strait
   /** What a scene says of one parameter, and the way from there to who wants to know. */
   struct Parameter
   {
-    std::vector<std::string> section;
-    std::string              name;
-    std::string              value;   // at first the default
-    std::string              allowed; // in words
+    std::string section; // "Section/Subsection"
+    std::string name;
+    std::string value;   // at first the default
+    std::string allowed; // in words
 
     /** Hand on the value that stands in a text; false: it is not allowed. */
     std::function<bool(const std::string &)> take;
@@ -33,9 +33,6 @@ namespace strait
     std::string              decider = {};
     std::vector<std::string> needed  = {};
     std::string              usual   = {}; // the default
-
-    /** "Section/Subsection/Name". */
-    std::string path() const;
   };
 
   /** All parameters of a scene, in the order of the documentation. */
@@ -51,12 +48,10 @@ namespace strait
       return parameters.emplace_back(std::move(parameter));
     }
 
-    /**
-     * Give a parameter the value of @p entry; a path counts from the folder of the entry.
-     * Throws InputError, with the place of the entry, for a section or parameter that
-     * does not exist (with the nearest name that does) and for a value that is not
-     * allowed.
-     */
+    /** Give a parameter the value of @p entry; a path counts from the folder of the
+     *  entry. Throws InputError, with the place of the entry, for a section or parameter
+     *  that does not exist (with the nearest name that does) and for a value that is not
+     *  allowed. */
     void assign(const SceneEntry &entry);
 
     /** One sentence for each effect that is off but has parameters that are written other
@@ -70,34 +65,36 @@ namespace strait
     std::string markdown() const;
 
   private:
-    void       check_section(const SceneEntry &entry) const;
     Parameter &find(const SceneEntry &entry);
     bool       counts(const Parameter &parameter) const;
 
     std::vector<Parameter> parameters;
   };
 
-  /**
-   * One section of the table. Each add() is of a parameter: its name; the variable that
-   * holds the default and gets the value, which must stay where it is as long as the
-   * table is in use; the values allowed. The caller is to say what it means.
-   */
-  class ParameterSection
+  /** One section of the table. Each add() is of a parameter: its name; the variable that
+   *  holds the default and gets the value, which must stay where it is as long as the
+   *  table is in use; the values allowed. The caller is to say what it means. */
+  struct ParameterSection
   {
-  public:
-    ParameterSection(ParameterTable &table, const std::vector<std::string> &names)
-      : table(table)
-      , names(names)
-    {
-    }
+    ParameterTable          &table;
+    std::string              path;
+    std::string              decider = {};
+    std::vector<std::string> needed  = {};
 
     /** A section within this one. */
-    ParameterSection subsection(const std::string &name) const;
+    ParameterSection
+    subsection(const std::string &name) const
+    {
+      return {table, path + "/" + name};
+    }
 
-    /** The same section for parameters that count only if its parameter @p decider has
-     *  one of the values @p needed. */
-    ParameterSection when(const std::string              &decider,
-                          const std::vector<std::string> &needed) const;
+    /** The same section for parameters that count only if its parameter @p name has one
+     *  of the @p values. */
+    ParameterSection
+    when(const std::string &name, const std::vector<std::string> &values) const
+    {
+      return {table, path, name, values};
+    }
 
     /** Whether or not. */
     [[nodiscard]] Parameter &add(const std::string &name, bool &variable);
@@ -112,7 +109,7 @@ namespace strait
     [[nodiscard]] Parameter &
     add(const std::string &name, Value &variable, const Values &values)
     {
-      return append({names,
+      return append({path,
                      name,
                      values.text(variable),
                      values.words(std::is_integral<Value>::value, false),
@@ -130,7 +127,7 @@ namespace strait
       texts.reserve(variable.size());
       for (const Value &value : variable)
         texts.push_back(values.text(value));
-      return append({names,
+      return append({path,
                      name,
                      join(texts, ", "),
                      values.words(std::is_integral<Value>::value, true),
@@ -146,7 +143,7 @@ namespace strait
     {
       const std::string first = values.text(variable[0]);
       return append(
-        {names,
+        {path,
          name,
          variable[0] == variable[1] ? first : first + ", " + values.text(variable[1]),
          "one or two " + values.words(std::is_integral<Value>::value, true),
@@ -175,11 +172,6 @@ namespace strait
     }
 
     Parameter &append(Parameter parameter);
-
-    ParameterTable          &table;
-    std::vector<std::string> names;
-    std::string              decider = {};
-    std::vector<std::string> needed  = {};
   };
 } // namespace strait
 

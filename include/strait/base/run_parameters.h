@@ -7,7 +7,7 @@
 
 namespace strait
 {
-  class ParameterSection;
+  struct ParameterSection;
 
   /** In which direction the loads are taken. */
   enum class LoadPath

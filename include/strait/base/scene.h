@@ -37,11 +37,9 @@ namespace strait
       return theory.enabled && !contact.enabled && !fluid.enabled;
     }
 
-    /**
-     * Whether E* and with it slopes and pressures are meant as they stand. In reduced
-     * units, with E* = 1 and no unit stated, results depend on slope × E* over pressure
-     * alone, and a slope of 1 says nothing.
-     */
+    /** Whether E* and with it slopes and pressures are meant as they stand. In reduced
+     *  units, with E* = 1 and no unit stated, results depend on slope × E* over pressure
+     *  alone, and a slope of 1 says nothing. */
     bool
     has_physical_modulus() const
     {
@@ -92,27 +90,20 @@ namespace strait
    */
   Scene parse_scene(const std::vector<SceneEntry> &entries);
 
-  /**
-   * The scene that @p entries give, checked. Throws InputError for an unknown parameter
-   * (naming file, line and the nearest known name), a value that is not allowed, or
-   * sections that contradict each other.
-   */
+  /** The scene that @p entries give, checked. Throws InputError for an unknown parameter
+   *  (naming file, line and the nearest known name), a value that is not allowed, or
+   *  sections that contradict each other. */
   Scene make_scene(const std::vector<SceneEntry> &entries);
 
-  /**
-   * The entries of the scene file @p path, which rank 0 of MPI_COMM_WORLD reads, and the
-   * overrides behind them, on all ranks; see read_scene(). Throws InputError on all
-   * ranks, also for an unreadable file. Paths of files count from the folder of the scene
-   * file, those in an override from the current folder.
-   */
+  /** The entries of the scene file @p path, which rank 0 of MPI_COMM_WORLD reads, and the
+   *  overrides behind them, on all ranks; see read_scene(). Throws InputError on all
+   *  ranks, also for an unreadable file. Paths of files count from the folder of the
+   *  scene file, those in an override from the current folder. */
   std::vector<SceneEntry> read_entries(const std::string &path,
                                        const Overrides   &overrides);
 
-  /**
-   * All parameters with defaults, units and documentation, as a scene file
-   * ("prm") or as tables in Markdown ("md"). Throws InputError for another
-   * format.
-   */
+  /** All parameters with defaults, units and documentation, as a scene file ("prm") or as
+   *  tables in Markdown ("md"). Throws InputError for another format. */
   void print_parameters(std::ostream &out, const std::string &format);
 } // namespace strait
 

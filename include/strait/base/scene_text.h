@@ -10,26 +10,28 @@ namespace strait
   /** One "set NAME = VALUE" of a scene, or the opening of a subsection. */
   struct SceneEntry
   {
-    std::vector<std::string> section; // names from the outermost inwards
-    std::string              name;    // empty: the section is opened here
-    std::string              value;   // without comment
-    std::string              place;   // "FILE:LINE" or "--set ...", for messages
-    std::string              folder;  // relative paths in the value start here
+    std::string section; // "Section/Subsection"
+    std::string name;    // empty: the section is opened here
+    std::string value;   // without comment
+    std::string place;   // "FILE:LINE" or "--set ...", for messages
+    std::string folder;  // relative paths in the value start here
+
+    /** "Section/Subsection/Name". */
+    std::string
+    path() const
+    {
+      return section + "/" + name;
+    }
   };
 
-  /**
-   * Take a scene file apart: subsection, set, end, comments (#) and
-   * continued lines (\). Gives the entries in the order of the file. Throws
-   * InputError for a line that is none of these, an "end" too many or too few, or a
-   * parameter that is set twice.
-   */
+  /** Take a scene file apart: subsection, set, end, comments (#) and continued lines (\).
+   *  Gives the entries in the order of the file. Throws InputError for a line that is
+   *  none of these, an "end" too many or too few, or a parameter that is set twice. */
   std::vector<SceneEntry>
   lex_scene(const std::string &text, const std::string &file, const std::string &folder);
 
-  /**
-   * The entry of an override "Section/Parameter=value" or
-   * "Section/Subsection/Parameter=value". Throws InputError for another form.
-   */
+  /** The entry of an override "Section/Parameter=value" or
+   *  "Section/Subsection/Parameter=value". Throws InputError for another form. */
   SceneEntry lex_override(const std::string &text, const std::string &folder);
 } // namespace strait
 

@@ -7,7 +7,7 @@
 
 namespace strait
 {
-  class ParameterSection;
+  struct ParameterSection;
 
   /** What is subtracted from a measured map, by least squares. */
   enum class Detrend
@@ -26,10 +26,8 @@ namespace strait
     mirror
   };
 
-  /**
-   * The part of the section Surface that says how a measured map becomes a
-   * surface (Kind = file).
-   */
+  /** The part of the section Surface that says how a measured map becomes a surface (Kind
+   *  = file). */
   struct MapParameters
   {
     std::string file;
@@ -102,10 +100,8 @@ namespace strait
   /** @p value with nine significant digits, as one would write it in a scene. */
   std::string scene_number(double value);
 
-  /**
-   * "along_x, along_y", the values that a scene must give for a surface as it
-   * is before the rotation that @p parameters ask for.
-   */
+  /** "along_x, along_y", the values that a scene must give for a surface as it is before
+   *  the rotation that @p parameters ask for. */
   std::string
   scene_pair(const SurfaceParameters &parameters, double along_x, double along_y);
 } // namespace strait

@@ -42,11 +42,9 @@ namespace strait
   /** Print a heading, what the table is, and its columns. */
   void print_markdown(std::ostream &out, const TableInfo &table);
 
-  /**
-   * A file of comma-separated values whose rows are on the disk as soon as they are
-   * appended. Writing is for one rank only. All functions throw ComputationError if
-   * the file cannot be written; then the table ends with the row before.
-   */
+  /** A file of comma-separated values whose rows are on the disk as soon as they are
+   *  appended. Writing is for one rank only. All functions throw ComputationError if the
+   *  file cannot be written; then the table ends with the row before. */
   class TableFile
   {
   public:
@@ -63,11 +61,9 @@ namespace strait
     /** Note a column "name [unit]: definition", or "name: definition" of texts. */
     void declare(const std::string &text);
 
-    /** Write the header line to the file @p path. */
-    void open(const std::string &path);
-
-    /** Continue the table in the file @p path. */
-    void reopen(const std::string &path);
+    /** Continue the table in its file in @p folder or, if there is none or @p anew, begin
+     *  it there with the header line. */
+    void open(const std::string &folder, bool anew = false);
 
   protected:
     /** Append a line with one entry for each of the columns that are written, or none,
@@ -83,17 +79,6 @@ namespace strait
 
   /** A number with all its digits, as it is written to tables. */
   std::string full_precision(double value);
-
-  /** What makes values of columns of members of @p part, itself a member of a row or a
-   *  function of it, or of functions of that. */
-  template <typename Part>
-  auto
-  values_of(Part part)
-  {
-    return [part](auto member) {
-      return [=](const auto &row) { return std::invoke(member, std::invoke(part, row)); };
-    };
-  }
 
   /** A table whose columns take their entries from a @p Row. */
   template <typename Row>
@@ -111,12 +96,9 @@ namespace strait
       return *this;
     }
 
-    /**
-     * Add a column. @p value is a member of a row or a function of it, a number or a
-     * text.
-     * @p text is "name [unit]: definition" with a unit in terms of length, pressure and
-     * time, 1 for plain numbers, or "name: definition" of texts.
-     */
+    /** Add a column. @p value is a member of a row or a function of it, a number or a
+     *  text. @p text is "name [unit]: definition" with a unit in terms of length,
+     *  pressure and time, 1 for plain numbers, or "name: definition" of texts. */
     template <typename Value>
     Table &
     add(Value value, const std::string &text)
@@ -146,11 +128,11 @@ namespace strait
       write(entries);
     }
 
-    /** Write a whole table to the file @p path. */
+    /** Write a whole table to its file in @p folder, in the place of the one before. */
     void
-    write_rows(const std::string &path, const std::vector<Row> &rows)
+    write_rows(const std::string &folder, const std::vector<Row> &rows)
     {
-      open(path);
+      open(folder, true);
       for (const Row &row : rows)
         append(row);
     }

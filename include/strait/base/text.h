@@ -2,6 +2,8 @@
 #ifndef strait_base_text_h
 #define strait_base_text_h
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -16,23 +18,38 @@ namespace strait
   /** The parts, with @p separator between them. */
   std::string join(const std::vector<std::string> &parts, const std::string &separator);
 
+  /** The row of @p table that has this name; null if there is none. */
+  template <typename Table>
+  auto
+  find_row(const Table &table, const std::string &name)
+  {
+    const auto row =
+      std::find_if(std::begin(table), std::end(table), [&name](const auto &candidate) {
+        return candidate.name == name;
+      });
+    return row == std::end(table) ? nullptr : &*row;
+  }
+
+  /** The names of all rows of @p table, for messages and documentation. */
+  template <typename Table>
+  std::string
+  names_in(const Table &table)
+  {
+    std::vector<std::string> names;
+    for (const auto &row : table)
+      names.emplace_back(row.name);
+    return join(names, ", ");
+  }
+
   /** A text in the manner of printf. */
   [[gnu::format(printf, 1, 2)]] std::string format(const char *pattern, ...);
 
   /** The shortest decimal number that reads back as @p value. */
   std::string to_text(double value);
 
-  /**
-   * How many characters must be inserted, removed, replaced or swapped with
-   * their neighbour to turn @p from into @p to; case does not count.
-   */
-  int edit_distance(const std::string &from, const std::string &to);
-
-  /**
-   * The candidate that a user who wrote @p word most likely meant: the nearest
-   * in edit distance, provided it is nearer than half its length. Empty if none
-   * is.
-   */
+  /** The candidate that a user who wrote @p word most likely meant: the nearest in edit
+   *  distance, whatever the case, provided it is nearer than half its length. Empty if
+   *  none is. */
   std::string nearest_name(const std::string              &word,
                            const std::vector<std::string> &candidates);
 

@@ -10,11 +10,9 @@
 
 namespace strait
 {
-  /**
-   * Wall-clock time of nested parts of the program on this rank. A part is
-   * timed while what its scope() returned exists; scopes must end in the reverse
-   * order of their beginning. Entering a part again adds to its time.
-   */
+  /** Wall-clock time of nested parts of the program on this rank. A part is timed while
+   *  what its scope() returned exists; scopes must end in the reverse order of their
+   *  beginning. Entering a part again adds to its time. */
   class Timers
   {
   public:
@@ -42,10 +40,9 @@ namespace strait
       return std::chrono::duration<double>(Clock::now() - start).count();
     }
 
-    /**
-     * The whole since this object was made, and depth first the parts in the order in
-     * which they first appeared; what the parts of a part leave over is its part "other".
-     */
+    /** The whole since this object was made, and depth first the parts in the order in
+     *  which they first appeared; what the parts of a part leave over is its part
+     *  "other". */
     std::vector<Part> table() const;
 
     /** The table as text, one indented line a part. */

@@ -2,17 +2,16 @@
 #ifndef strait_base_units_h
 #define strait_base_units_h
 
+
 #include <optional>
 #include <string>
 
 namespace strait
 {
-  class ParameterSection;
+  struct ParameterSection;
 
-  /**
-   * What one of @p unit is in metres; nothing if the unit is
-   * not known. The micro sign may be UTF-8, Latin-1, a Greek mu or the letter u.
-   */
+  /** What one of @p unit is in metres; nothing if the unit is not known. The micro sign
+   *  may be UTF-8, Latin-1, a Greek mu or the letter u. */
   std::optional<double> metres_in(const std::string &unit);
 
   /** What one of @p unit is in pascals; nothing if the unit is not known. */
@@ -40,10 +39,8 @@ namespace strait
   /** What a file or a user wrote; not a length if its name is not known. */
   LengthUnit parse_length_unit(const std::string &text);
 
-  /**
-   * A unit of leak rate as it is quoted in the trade: volume per time, or for
-   * gases the throughput, pressure times volume per time.
-   */
+  /** A unit of leak rate as it is quoted in the trade: volume per time, or for gases the
+   *  throughput, pressure times volume per time. */
   struct LeakRateUnit
   {
     const char *name;
@@ -52,17 +49,22 @@ namespace strait
     double      in_si;
   };
 
-  /** The unit of this name; nothing if there is none. */
-  const LeakRateUnit *find_leak_rate_unit(const std::string &name);
+  inline constexpr double standard_atmosphere = 101325.; // Pa
 
-  /** The names of all of them, for messages and documentation. */
-  std::string leak_rate_unit_names();
+  /** All of them, the volumes first. */
+  inline constexpr LeakRateUnit leak_rate_units[] = {
+    {"ml/h", "leak_rate_ml_per_h", false, 1e-6 / 3600},
+    {"ml/min", "leak_rate_ml_per_min", false, 1e-6 / 60},
+    {"ul/min", "leak_rate_ul_per_min", false, 1e-9 / 60},
+    {"l/h", "leak_rate_l_per_h", false, 1e-3 / 3600},
+    {"l/min", "leak_rate_l_per_min", false, 1e-3 / 60},
+    {"Pa m3/s", "leak_rate_Pa_m3_per_s", true, 1.},
+    {"mbar l/s", "leak_rate_mbar_l_per_s", true, 0.1},
+    {"atm cm3/s", "leak_rate_atm_cm3_per_s", true, 1e-6 * standard_atmosphere},
+    {"sccm", "leak_rate_sccm", true, 1e-6 / 60. * standard_atmosphere}}; // at 0 °C
 
-  /**
-   * The section Units of a scene: in what its numbers are meant. Computations
-   * know no units; they serve to read files, to label results and to convert
-   * leak rates.
-   */
+  /** The section Units of a scene: in what its numbers are meant. Computations know no
+   *  units; they serve to read files, to label results and to convert leak rates. */
   struct UnitParameters
   {
     std::string length; // empty: not stated, as are the others

@@ -24,16 +24,13 @@ namespace strait
    *  program and its libraries. Collective. */
   double most_memory(MPI_Comm comm);
 
-  /**
-   * Throws InputError on all ranks if the grid of @p scene does not fit into the memory
-   * that is free on one of the machines that share it. Collective.
-   */
+  /** Throws InputError on all ranks if the grid of @p scene does not fit into the memory
+   *  that is free on one of the machines that share it. Collective. */
   void require_memory(const Scene &scene, MPI_Comm comm);
 
-  /**
-   * Numbers of a scene in stated units that are off by powers of ten from what seals are
-   * made of, one sentence each. Throws InputError where no result would have a meaning.
-   */
+  /** Numbers of a scene in stated units that are off by powers of ten from what seals are
+   *  made of, one sentence each. Throws InputError where no result would have a
+   *  meaning. */
   std::vector<std::string> implausible_numbers(const Scene &scene);
 
   /** The same of the rms slope of the surface; empty if there is nothing to say. */

@@ -5,7 +5,6 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
-#include <strait/run/coarser_seals.h>
 #include <strait/run/step.h>
 #include <strait/run/theory_prediction.h>
 #include <strait/seal/flow_stage.h>
@@ -34,33 +33,95 @@ namespace strait
     std::string branch = {};
   };
 
-  /**
-   * The steps of @p scene in their order: the Pressures, back again in a cycle, each
-   * with all slip lengths; and the Reduced loads of each of the @p thresholds.
-   */
+  /** The steps of @p scene in their order: the Pressures, back again in a cycle, each
+   *  with all slip lengths; and the Reduced loads of each of the @p thresholds. */
   std::vector<LoadStop> plan_stops(const Scene                   &scene,
                                    const std::vector<Transition> &thresholds);
 
-  /**
-   * The channel and the leak rate in the gap of @p state, to the accuracy that @p scene
-   * asks for. Collective.
-   */
+  /** The channel and the leak rate in the gap of @p state, to the accuracy that @p scene
+   *  asks for. Collective. */
   StepFlow leak_through(const SealState &state, const Scene &scene, FlowStage &flow);
 
-  /**
-   * The gap of two equal boxes, one behind the other in x. At its ends a box opens on
-   * reservoirs, which let the fluid in wherever there is a gap; in the middle of two it
-   * must find the way from one channel to the next. The difference of the resistances of
-   * two and one is that of one box in an endless row.
-   */
+  /** The gap of two equal boxes, one behind the other in x. At its ends a box opens on
+   *  reservoirs, which let the fluid in wherever there is a gap; in the middle of two it
+   *  must find the way from one channel to the next. The difference of the resistances of
+   *  two and one is that of one box in an endless row. */
   SlabField two_in_a_row(const SlabField &gap);
 
+  /** With how many coarser grids each step of @p scene is compared. */
+  int n_compared_grids(const Scene &scene);
+
+  /** The dry seal of a scene on every second point of its contact grid, on every fourth,
+   *  and so on. Two things are cheap there: a first idea of the critical load, which that
+   *  of the grid itself is close to, and what the grid changes of a leak rate. */
+  class CoarserSeals
+  {
+  public:
+    /** None where there is no fluid, or where the past of a contact, or a fluid on its
+     *  walls, matters: these are not those of a coarser grid at the same load. @p heights
+     *  on the grid of the contact, which @p contact describes. @p scene and @p log must
+     *  outlive this object. Collective. */
+    CoarserSeals(const Scene             &scene,
+                 const ContactParameters &contact,
+                 const SlabField         &heights,
+                 Log                     &log);
+
+    int
+    size() const
+    {
+      return static_cast<int>(seals.size());
+    }
+
+    /** Find the critical loads of all of them, of the coarsest from @p first on. Returns
+     *  where that of the grid itself is sought. Collective. */
+    SearchStart find_critical_loads(SearchStart first);
+
+    /** The gap on every 2^halvings-th point [length] at @p control or, with
+     *  @p reduced_load, which is 1 − L/L_c, as far from the critical load of those
+     * points. Collective. */
+    SlabField
+    gap(int halvings, Control control, const std::optional<double> &reduced_load);
+
+    /** Keep only those that steps are compared with. */
+    void end_searches();
+
+    /** What is known of them, critical loads and last states. Collective. */
+    void transfer(StateArchive &archive);
+
+  private:
+    struct CoarserSeal
+    {
+      SlabLayoutPtr              layout;
+      std::unique_ptr<SealModel> model;
+      std::vector<Transition>    thresholds; // once they were sought
+      std::optional<SealState>   state;      // that the next is reached from
+    };
+
+    const Scene             &scene;
+    Log                     &log;
+    Log                      silent;
+    std::vector<CoarserSeal> seals; // every second point first
+  };
+
   /**
-   * The method in one place: for each load of the programme, press the surface
-   * against the elastic half-space, ask whether a channel percolates through the
-   * gap, and solve for the flow through it. If the scene asks for the critical load or
-   * the blow-out pressure, that is found first.
+   * What each stage of the method adds to the uncertainty of the leak rate of a step that
+   * leaks, and the parameter that would reduce it, as doc/numerics.md lists them. Where
+   * its load was named by the distance from the critical load @p counted_from, or null,
+   * the leak rate at that distance is what is sought, and a coarser grid is compared at
+   * the same distance from its own: most of what a grid does is to shift both.
+   * @p rms_height is that of the surface. Collective.
    */
+  StepErrors assess_errors(const Step       &step,
+                           const Transition *counted_from,
+                           const Scene      &scene,
+                           double            rms_height,
+                           const FlowStage  &flow,
+                           CoarserSeals     &coarser);
+
+  /** The method in one place: for each load of the programme, press the surface against
+   *  the elastic half-space, ask whether a channel percolates through the gap, and solve
+   *  for the flow through it. If the scene asks for the critical load or the blow-out
+   *  pressure, that is found first. */
   class LoadSweep
   {
   public:
@@ -82,10 +143,8 @@ namespace strait
       return contact.adhesion.surface_energy;
     }
 
-    /**
-     * Enclose the critical load of every slip length. The steps that follow know
-     * their reduced load, and those at `Reduced loads` are added. Collective.
-     */
+    /** Enclose the critical load of every slip length. The steps that follow know their
+     *  reduced load, and those at `Reduced loads` are added. Collective. */
     const std::vector<Transition> &find_thresholds();
 
     /** Enclose the blow-out pressure of every load of the programme. Collective. */
@@ -111,10 +170,8 @@ namespace strait
      */
     bool run(const Consumer &consume);
 
-    /**
-     * Call @p action after every solve of a search, when the state may be saved; it may
-     * throw to stop. Only before the searches.
-     */
+    /** Call @p action after every solve of a search, when the state may be saved; it may
+     *  throw to stop. Only before the searches. */
     void after_probe(SealSearch::AfterProbe action);
 
     /** How many solves were made in searches that are not done; 0 if there is none. */

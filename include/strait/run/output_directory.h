@@ -6,9 +6,7 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
-#include <strait/run/folder_lock.h>
 #include <strait/run/result_tables.h>
-#include <strait/run/run_summary.h>
 #include <strait/run/scaling.h>
 #include <strait/run/step.h>
 
@@ -18,10 +16,33 @@
 
 namespace strait
 {
+  /** Keeps other runs out of a folder while what is returned lives. There is no file for
+   *  it, and the system takes the lock away with the process, however that ends. A folder
+   *  that does not exist, or whose file system has no locks, is not locked. Throws
+   *  InputError if another lock of it lives, in this process or in another. */
+  [[nodiscard]] std::shared_ptr<const void> lock_folder(const std::string &folder);
+
+  /** In what two resolved scenes differ, "Contact/Grid points = 512 where the scene now
+   *  has 64"; empty if in nothing that a number of the results depends on. */
+  std::string difference_of_scenes(const std::string &then, const std::string &now);
+
+  /** Throws InputError on all ranks if the output directory of @p scene holds results of
+   *  another scene, or of one that cannot be told. Collective. */
+  void refuse_results_of_another_scene(const Scene &scene, MPI_Comm comm);
+
   /**
-   * The folder of one run: tables, fields, pictures, log and record. While it lives no
-   * other run can write there.
+   * Make the output directory of @p scene, unless the run is @p resumed remove the
+   * results of an earlier one from it, and only those, so that a folder never mixes two
+   * runs, and begin with the log and parameters.prm. Returns on rank 0 the lock of the
+   * folder, to be held until the last result is written. Collective. Throws on all ranks:
+   * InputError, before anything is touched, if another run holds the lock, or if the
+   * folder cannot be made or written to; ComputationError if the disk is full.
    */
+  [[nodiscard]] std::shared_ptr<const void>
+  begin_results(const Scene &scene, MPI_Comm comm, Log &log, bool resumed);
+
+  /** The folder of one run: tables, fields, pictures, log and record. While it lives no
+   *  other run can write there. */
   class OutputDirectory
   {
   public:
@@ -39,21 +60,17 @@ namespace strait
     void
     write_table(Table<Row> whole, const std::vector<Row> &rows) const
     {
-      run_on_root(comm,
-                  [&]() { whole.write_rows(path + "/" + whole.info().file, rows); });
+      run_on_root(comm, [&]() { whole.write_rows(path, rows); });
     }
 
     /** Write a row, and fields and picture data as the scene asks. Collective. */
     void write(const Step &step, bool is_last);
 
-    /**
-     * Write run.json and draw the pictures. Collective. @p bytes_per_point is the most
-     * memory so far per grid point.
-     */
-    void finish(const Timers &timers, double bytes_per_point);
-
-    /** Complete @p summary with what @p thresholds and steps leave. */
-    void summarise(const std::vector<Transition> &thresholds, RunSummary &summary) const;
+    /** Write run.json and draw the pictures. Returns what @p thresholds and steps leave.
+     *  @p bytes_per_point is the most memory so far per grid point. Collective. */
+    RunSummary finish(const std::vector<Transition> &thresholds,
+                      const Timers                  &timers,
+                      double                         bytes_per_point);
 
   private:
     const Scene &scene;
@@ -61,7 +78,7 @@ namespace strait
     Log         &log;
     std::string  path;
 
-    std::unique_ptr<const FolderLock> lock; // on rank 0, until the tables are closed
+    std::shared_ptr<const void> lock; // on rank 0, until the tables are closed
 
     Table<Step> table, constrictions;
     Scaling     scaling;
@@ -69,7 +86,7 @@ namespace strait
     std::vector<std::string> error_budget; // JSON, of the steps so far
     std::vector<std::string> validity;     // likewise
 
-    std::string words_of_status = "ok", words_of_validity = "ok"; // of the steps so far
+    RunSummary summary; // of the steps so far
   };
 } // namespace strait
 

@@ -4,8 +4,7 @@
 
 #include <strait/base/scene.h>
 #include <strait/base/table.h>
-#include <strait/run/exponent_fit.h>
-#include <strait/run/run_summary.h>
+#include <strait/run/scaling.h>
 #include <strait/run/step.h>
 #include <strait/seal/path.h>
 #include <strait/seal/transition.h>
@@ -62,8 +61,9 @@ namespace strait
   /** jumps.csv: where an adhesive contact jumped. */
   Table<Jump> jump_table(const Scene &scene);
 
-  /** relaxation-STEP.csv: iterations of an adhesive contact. */
-  Table<RelaxationStep> relaxation_table(const Scene &scene);
+  /** relaxation-STEP.csv: iterations of an adhesive contact in a @p step. */
+  Table<RelaxationStep> relaxation_table(const Scene       &scene,
+                                         const std::string &step = "STEP");
 
   /** spectrum.csv: of the surface. */
   Table<SpectrumRow> spectrum_table(const Scene &scene);

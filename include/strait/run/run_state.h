@@ -15,27 +15,18 @@
 
 namespace strait
 {
-  /**
-   * The checkpoint of one run: saved after every step, and taken up by a later run of
-   * the same scene in the same folder. Without Output/Checkpoint nothing is saved.
-   */
+  /** The checkpoint of one run: saved after every step, and taken up by a later run of
+   *  the same scene in the same folder. Without Output/Checkpoint nothing is saved. */
   class RunState
   {
   public:
-    /**
-     * With @p resume the checkpoint in the output directory is opened. Collective.
-     * Throws InputError if there is none, or one of another scene or of other files
-     * that it reads, or if another run is at work there; nothing is written then. @p
-     * scene must outlive this object.
-     */
+    /** With @p resume the checkpoint in the output directory is opened. Collective.
+     *  Throws InputError if there is none, or one of another scene or of other files that
+     *  it reads, or if another run is at work there; nothing is written then. @p scene
+     *  must outlive this object. */
     RunState(const Scene &scene, MPI_Comm comm, bool resume);
 
-    /** What the run left, if it has come to its end. */
-    const std::optional<RunSummary> &
-    finished() const
-    {
-      return left;
-    }
+    std::optional<RunSummary> finished; // what the run left, if it has come to its end
 
     bool   has_begun      = false; // there is something that a resumed run goes on from
     bool   has_searched   = false; // the searches that precede the steps are done
@@ -58,14 +49,11 @@ namespace strait
     MPI_Comm                       comm;
     std::string                    path;
     std::unique_ptr<StateArchive>  archive; // of the run that is resumed
-    std::optional<RunSummary>      left;    // by a run that has come to its end
     const std::vector<std::string> files;   // the scene's, and what is in them
   };
 
-  /**
-   * Throws InputError on all ranks if the output directory of @p scene holds results of
-   * another scene, or a run of this one that can be resumed. Collective.
-   */
+  /** Throws InputError on all ranks if the output directory of @p scene holds results of
+   *  another scene, or a run of this one that can be resumed. Collective. */
   void refuse_to_replace_results(const Scene &scene, MPI_Comm comm);
 } // namespace strait
 

@@ -3,24 +3,138 @@
 #define strait_run_scaling_h
 
 #include <strait/base/log.h>
-#include <strait/run/exponent_fit.h>
 
 #include <array>
+#include <cmath>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace strait
 {
   class StateArchive;
-  struct RunSummary;
   struct Step;
   struct Transition;
 
-  /**
-   * Exponents of leak rate and throat against 1 − L/L_c. Collects the steps that
-   * converged; those in doubt (Step::doubts) are left out of the fits, and those whose
-   * throat has too few points for a leak rate (validity.h) out of the crossover.
-   */
+  /** A quantity at one distance from the threshold. */
+  struct ScalingPoint
+  {
+    double reduced_load = 0.; // ε = 1 − L/L_c > 0
+    double value        = 0.; // > 0
+
+    std::string status = "ok"; // of the step that it is from
+  };
+
+  /** Of the leak rate near the threshold, as the paper has it. */
+  inline constexpr double leak_rate_exponent = 69. / 20;
+
+  /** A range of reduced loads. */
+  struct LoadWindow
+  {
+    double from = 0.;
+    double to   = 0.;
+
+    /** Whether it holds @p reduced_load: that of a step is the one asked for but for
+     *  rounding. */
+    bool
+    contains(const double reduced_load) const
+    {
+      return reduced_load >= from - 1e-9 && reduced_load <= to + 1e-9;
+    }
+  };
+
+  /** Where the leak rate falls exponentially with the load. Half of its nearest end takes
+   *  loads in at which the power law has begun, a larger farthest one those at which
+   *  there is hardly any contact. */
+  inline constexpr LoadWindow exponential_decay{.3, .7};
+
+  /** The exponent β of value ∝ ε^β over a window of ε. */
+  struct ExponentFit
+  {
+    double from     = 0.; // smallest ε of the window
+    double to       = 0.; // largest
+    double exponent = 0.;
+    double error    = 0.; // standard error of the fit; 0 for two points
+    int    n_points = 0;
+
+    std::string status = "ok"; // all words of its points
+  };
+
+  /** A row of fit.csv. */
+  struct FitRow : ExponentFit
+  {
+    std::string quantity;
+    double      slip_length = 0.;
+    std::string kind;               // local or fit
+    double      law = std::nan(""); // what the law of closing says of a local one
+  };
+
+  /** log–log slopes between neighbouring points, in the order of falling ε. */
+  std::vector<ExponentFit> local_slopes(std::vector<ScalingPoint> points);
+
+  /** Least squares on log value against log ε over the points with ε <= @p largest. Fewer
+   *  than two points give a result with n_points < 2. */
+  ExponentFit fit_exponent(const std::vector<ScalingPoint> &points, double largest);
+
+  /** s of value ∝ exp(s ε) by least squares over exponential_decay. Not a number with
+   *  fewer than two points in that range. */
+  double decay_rate(const std::vector<ScalingPoint> &points);
+
+  /** The reduced load ε_x at which the exponential decay far from the threshold turns
+   *  into the power law ε^β near it: the local exponent s ε, with s of decay_rate(),
+   *  reaches leak_rate_exponent, β, at ε_x = β/s. Not a number if s is not known, or
+   *  below β, as no load has an ε above 1. */
+  double crossover_reduced_load(const std::vector<ScalingPoint> &points);
+
+  /** What a run leaves besides its files. What is not known is not a number. */
+  struct RunSummary
+  {
+    bool converged = true;  // all steps
+    bool stopped   = false; // by a signal, before the last step
+
+    // Of the threshold at the first slip length, if the scene looks for it.
+    double critical_load_lower = std::nan("");
+    double critical_load_upper = std::nan("");
+    double contact_area        = std::nan("");
+
+    // Of the leak rate at the smallest slip length.
+    double crossover             = std::nan(""); // see crossover_reduced_load()
+    double crossover_load        = std::nan(""); // the load of that
+    double theory_crossover_load = std::nan(""); // that of the theory's leak rate
+    double exponent              = std::nan("");
+    double exponent_error        = std::nan("");
+
+    std::string status   = "ok"; // words of all steps, and of what is not known for them
+    std::string validity = "ok"; // words of all steps
+
+    double
+    critical_load() const
+    {
+      return .5 * (critical_load_lower + critical_load_upper);
+    }
+
+    /** All members, for what is done with each of them. */
+    auto
+    members()
+    {
+      return std::tie(converged,
+                      stopped,
+                      critical_load_lower,
+                      critical_load_upper,
+                      contact_area,
+                      crossover,
+                      crossover_load,
+                      theory_crossover_load,
+                      exponent,
+                      exponent_error,
+                      status,
+                      validity);
+    }
+  };
+
+  /** Exponents of leak rate and throat against 1 − L/L_c. Collects the steps that
+   *  converged; those in doubt (Step::doubts) are left out of the fits, and those whose
+   *  throat has too few points for a leak rate (validity.h) out of the crossover. */
   class Scaling
   {
   public:

@@ -4,7 +4,7 @@
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
-#include <strait/run/run_summary.h>
+#include <strait/run/scaling.h>
 
 #include <mpi.h>
 
@@ -27,25 +27,36 @@ namespace strait
                       MPI_Comm     comm   = MPI_COMM_WORLD);
 
   /**
-   * Check @p scene as simulate() would and print sizes, memory, resolution
-   * warnings and active effects; compute nothing but the surface. Collective.
+   * Run the scene file @p path with @p overrides, which @p scene is made of, for each
+   * of its realisations, or once if it has no section Realisations. What they leave in
+   * the output directory and in folders of it doc/results.md tells. One whose threshold
+   * is not found says so in its row and does not stop the others; the rows of those that
+   * run at the same time come in the order of the scene. With @p resume, realisations
+   * that are done are not run again. Collective.
+   *
+   * @return whether all steps of all realisations converged. Throws Interruption if a
+   * signal stopped them.
    */
+  bool run_all_realisations(const std::string &path,
+                            const Overrides   &overrides,
+                            const Scene       &scene,
+                            Log               &log,
+                            bool               resume = false);
+
+  /** Check @p scene as simulate() would and print sizes, memory, resolution warnings and
+   *  active effects; compute nothing but the surface. Collective. */
   void describe(const Scene &scene, Log &log);
 
-  /**
-   * What a run is likely to cost and what will limit its accuracy, without computing
-   * anything, in lines for the screen: ranges of what comparable runs took
-   * (doc/accuracy.md, doc/adhesion.md, doc/feedback.md, doc/paper.md), in counts rather
-   * than seconds. @p rms_slope is that of the heights, which the threshold of a rough
-   * surface scales with.
-   */
+  /** What a run is likely to cost and what will limit its accuracy, without computing
+   *  anything, in lines for the screen: ranges of what comparable runs took
+   *  (doc/accuracy.md, doc/adhesion.md, doc/feedback.md, doc/paper.md), in counts rather
+   *  than seconds. @p rms_slope is that of the heights, which the threshold of a rough
+   *  surface scales with. */
   std::vector<std::string> predict_cost(const Scene &scene, double rms_slope);
 
-  /**
-   * What simulate() does where the scene asks for the theory alone: evaluate it at every
-   * load and slip length and write the results. Makes heights on a grid only to measure
-   * their spectrum, where the scene asks for that.
-   */
+  /** What simulate() does where the scene asks for the theory alone: evaluate it at every
+   *  load and slip length and write the results. Makes heights on a grid only to measure
+   *  their spectrum, where the scene asks for that. */
   RunSummary run_theory(const Scene &scene, Log &log, MPI_Comm comm);
 
   /** What describe() does there; computes nothing but the surface. Collective. */

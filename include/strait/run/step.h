@@ -2,6 +2,7 @@
 #ifndef strait_run_step_h
 #define strait_run_step_h
 
+#include <strait/base/log.h>
 #include <strait/base/text.h>
 #include <strait/percolation/bottleneck.h>
 #include <strait/run/theory_prediction.h>
@@ -38,7 +39,7 @@ namespace strait
     std::string parameter; // that would reduce it
   };
 
-  /** The errors of a step's leak rate, the largest first (error_budget.h). */
+  /** The errors of a step's leak rate, the largest first (load_sweep.h). */
   struct StepErrors
   {
     std::vector<ErrorItem> items;
@@ -137,6 +138,13 @@ namespace strait
       return words;
     }
   };
+
+  /** On the live line, the step that begins and how long it and those after it may take
+   *  if each takes @p seconds_each; 0: that is not known. */
+  void announce_step(int number, int n_steps, double seconds_each, Log &log);
+
+  /** A line on a step that is done. */
+  void report_step(const Step &step, int n_steps, Log &log);
 } // namespace strait
 
 #endif

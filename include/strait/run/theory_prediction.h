@@ -27,26 +27,20 @@ namespace strait
     std::optional<GapDistribution> simulated_gaps;
   };
 
-  /**
-   * Persson's theory and the effective medium for the surface, the fluid and the box of a
-   * scene, as its section Theory asks.
-   */
+  /** Persson's theory and the effective medium for the surface, the fluid and the box of
+   *  a scene, as its section Theory asks. */
   class TheoryPrediction
   {
   public:
-    /**
-     * @p heights are measured where the scene takes the spectrum of the surface, and may
-     * be null where it takes the model's. Throws InputError if the surface is flat.
-     * @p scene must outlive this object. Collective.
-     */
+    /** @p heights are measured where the scene takes the spectrum of the surface, and may
+     *  be null where it takes the model's. Throws InputError if the surface is flat.
+     *  @p scene must outlive this object. Collective. */
     TheoryPrediction(const Scene &scene, const SlabField *heights);
 
-    /**
-     * The theory at one nominal @p pressure and @p slip_length. @p gap is the simulated
-     * one, which may be null unless the scene asks for its distribution, @p threshold the
-     * critical load or null where it was not sought. A pressure that is not positive
-     * leaves contact area and mean gap not numbers. Collective.
-     */
+    /** The theory at one nominal @p pressure and @p slip_length. @p gap is the simulated
+     *  one, which may be null unless the scene asks for its distribution, @p threshold
+     *  the critical load or null where it was not sought. A pressure that is not positive
+     *  leaves contact area and mean gap not numbers. Collective. */
     TheoryResult predict(double            pressure,
                          double            slip_length,
                          const SlabField  *gap,
@@ -59,15 +53,6 @@ namespace strait
     }
 
   private:
-    TheoryResult evaluate(const PerssonTheory &with,
-                          double               pressure,
-                          double               slip_length,
-                          const SlabField     *gap,
-                          const Transition    *threshold) const;
-    double       dimension(const PerssonTheory &with,
-                           double               slip_length,
-                           const Transition    *threshold) const;
-
     const Scene  &scene;
     PerssonTheory persson;
     PerssonTheory coarse; // the difference to it estimates the error

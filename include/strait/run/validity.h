@@ -12,17 +12,13 @@
 
 namespace strait
 {
-  /**
-   * Compare @p step with every limit of the model for which @p scene gives what is
-   * needed, and warn of those that are passed. doc/validity.md lists the limits with
-   * their sources. @p rms_slope is that of the surface. Collective.
-   */
+  /** Compare @p step with every limit of the model for which @p scene gives what is
+   *  needed, and warn of those that are passed. doc/validity.md lists the limits with
+   *  their sources. @p rms_slope is that of the surface. Collective. */
   void judge_validity(Step &step, const Scene &scene, double rms_slope, Log &log);
 
-  /**
-   * Why the exponent of the leak rate cannot be told from a step that leaks below its
-   * @p threshold: words for the column `status`. Warns of each, with what would help.
-   */
+  /** Why the exponent of the leak rate cannot be told from a step that leaks below its
+   *  @p threshold: words for the column `status`. Warns of each, with what would help. */
   std::vector<std::string>
   doubts_near_threshold(const Step &step, const Transition &threshold, Log &log);
 
@@ -36,9 +32,6 @@ namespace strait
   /** Of a gas in viscous flow along @p path, where its squared pressure falls in
    *  proportion to ∫ ds/gap³. */
   KnudsenNumbers knudsen_numbers(const FlowPath &path, const Scene &scene);
-
-  /** All checks of a step, with their numbers, as a JSON object for run.json. */
-  std::string validity_record(const Step &step);
 } // namespace strait
 
 #endif

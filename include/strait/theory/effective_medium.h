@@ -13,11 +13,9 @@ namespace strait
     double conductivity; // >= 0
   };
 
-  /**
-   * The conductivity K_e at which ∫ dK P(K) (K − K_e)/(K + (n−1) K_e) = 0, to rounding;
-   * the sum of the shares may be one to rounding. Zero where the share with zero
-   * conductivity reaches 1 − 1/n. @p n > 1; two is Bruggeman's theory in the plane.
-   */
+  /** The conductivity K_e at which ∫ dK P(K) (K − K_e)/(K + (n−1) K_e) = 0, to rounding;
+   *  the sum of the shares may be one to rounding. Zero where the share with zero
+   *  conductivity reaches 1 − 1/n. @p n > 1; two is Bruggeman's theory in the plane. */
   double effective_conductivity(const std::vector<MediumPart> &medium, double n);
 
   /** 12 η K_e of a gap in which @p gaps are distributed at random [length³]. */

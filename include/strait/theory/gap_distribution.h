@@ -17,17 +17,13 @@ namespace strait
     std::vector<double> gaps;              // that stand for the bins
   };
 
-  /**
-   * Edges of bins from zero: 0, smallest, and so on in equal ratios, @p per_decade of
-   * them a decade, until @p largest is reached.
-   */
+  /** Edges of bins from zero: 0, smallest, and so on in equal ratios, @p per_decade of
+   *  them a decade, until @p largest is reached. */
   std::vector<double> gap_bins(double smallest, double largest, int per_decade);
 
-  /**
-   * The distribution of what simulated gaps exceed @p closed >= 0 by: where they do not,
-   * is contact. Bins reach from the largest gap down by @p n_decades, below which one bin
-   * holds the rest; the mean of what is in it stands for a bin. Collective.
-   */
+  /** The distribution of what simulated gaps exceed @p closed >= 0 by: where they do not,
+   *  is contact. Bins reach from the largest gap down by @p n_decades, below which one
+   *  bin holds the rest; the mean of what is in it stands for a bin. Collective. */
   GapDistribution
   gap_histogram(const SlabField &gap, int n_decades, int per_decade, double closed = 0.);
 

@@ -11,10 +11,9 @@
 
 namespace strait
 {
-  /**
-   * The part of the area that comes out of contact when waves between two magnifications
-   * are switched on. Its gaps are distributed as |separation + roughness z|, z normal.
-   */
+  /** The part of the area that comes out of contact when waves between two magnifications
+   *  are switched on. Its gaps are distributed as |separation + roughness z|, z
+   *  normal. */
   struct GapLayer
   {
     double share;      // of the nominal area
@@ -37,15 +36,8 @@ namespace strait
     double plastic; // under the hardness
   };
 
-  /**
-   * Persson's theory of rough contact, with the gaps of Almqvist, Campañá, Prodanov and
-   * Persson, J. Mech. Phys. Solids 59 (2011) 2355.
-   *
-   * At the magnification ζ, where waves up to ζ q0 are seen and ḡ²(ζ) is their mean
-   * square slope, the contact area is A(ζ) = erf(√2 p0/(E* ḡ(ζ))) and the mean gap in it
-   * ū(ζ) = √(2/π) ∫ dv W(√2 p(ζ)/(E* v))/q, v² = ḡ²(q) − ḡ²(ζ), p = p0/A, which is the
-   * usual integral over q with v in place of q.
-   */
+  /** Persson's theory of rough contact, with the gaps of Almqvist, Campañá, Prodanov and
+   *  Persson, J. Mech. Phys. Solids 59 (2011) 2355; doc/theory.md has its formulas. */
   class PerssonTheory
   {
   public:
@@ -73,33 +65,26 @@ namespace strait
     /** Share of the nominal area in contact at the nominal @p pressure > 0. */
     double contact_area(double pressure) const;
 
-    /**
-     * The same of a solid that flows at @p hardness > @p pressure: the distribution of
-     * pressures, which diffuses with the square of the slope, is absorbed at both ends
-     * (Persson, J. Chem. Phys. 115 (2001) 3840). To a relative 1e-12.
-     */
+    /** The same of a solid that flows at @p hardness > @p pressure: the distribution of
+     *  pressures, which diffuses with the square of the slope, is absorbed at both ends
+     *  (Persson, J. Chem. Phys. 115 (2001) 3840). To a relative 1e-12. */
     YieldingAreas contact_areas(double pressure, double hardness) const;
 
     /** All there is to know at the nominal @p pressure > 0. */
     PerssonState solve(double pressure) const;
 
-    /**
-     * P(u) of what the gaps exceed @p closed >= 0 by, in bins that reach from nearly
-     * nothing to a thousand times the rms height, @p merged times as broad as those of
-     * bins_per_decade(). Smaller gaps count as contact, and the sum over the bins is 1
-     * less the contact by construction.
-     */
+    /** P(u) of what the gaps exceed @p closed >= 0 by, in bins that reach from nearly
+     *  nothing to a thousand times the rms height, @p merged times as broad as those of
+     *  bins_per_decade(). Smaller gaps count as contact, and the sum over the bins is 1
+     *  less the contact by construction. */
     GapDistribution
     distribution(const PerssonState &state, double closed = 0., int merged = 1) const;
 
   private:
-    /**
-     * W(s) = ∫_s^∞ [γ + 3(1−γ) erf²(t)] exp(−t²) dt/t for s > 0, to a relative 1e-12, and
-     * zero where it is less than a rounding error of 1: the integral over the pressure,
-     * in units of the stress that flattens the waves in question. The part with γ is an
-     * exponential integral; the other has no closed form and is expanded in Chebyshev
-     * polynomials once, for it is needed a million times.
-     */
+    /** W(s) for s > 0, to a relative 1e-12, and zero where it is less than a rounding
+     *  error of 1. The part with γ is an exponential integral; the other has no closed
+     *  form and is expanded in Chebyshev polynomials once, for it is needed a million
+     *  times. */
     double compression(double s) const;
 
     /** ū where the waves up to mean square slope @p seen carry the pressure

@@ -9,12 +9,10 @@
 
 namespace strait
 {
-  /**
-   * An isotropic height spectrum C(q) as mean-field theories know it, with
-   * ∫d²q C = 2π ∫ q C dq the mean square height: a power of q in each of several
-   * sections between two wave numbers. Needs no grid, and no more memory for eight
-   * decades of q than for two.
-   */
+  /** An isotropic height spectrum C(q) as mean-field theories know it, with ∫d²q C = 2π ∫
+   *  q C dq the mean square height: a power of q in each of several sections between two
+   *  wave numbers. Needs no grid, and no more memory for eight decades of q than for
+   *  two. */
   class RadialSpectrum
   {
   public:
@@ -81,19 +79,15 @@ namespace strait
     std::vector<double>  height_above; // likewise
   };
 
-  /**
-   * The spectrum that a self-affine surface has on average: constant from 2π/L to the
-   * roll-off, ∝ q^(−2(1+H)) from there to the cut-off, in proportion to the scene's rms
-   * slope or height. L² is the area of the box. Throws InputError for another kind of
-   * surface, or a cut-off longer than the box.
-   */
+  /** The spectrum that a self-affine surface has on average: constant from 2π/L to the
+   *  roll-off, ∝ q^(−2(1+H)) from there to the cut-off, in proportion to the scene's rms
+   *  slope or height. L² is the area of the box. Throws InputError for a cut-off longer
+   *  than the box. */
   RadialSpectrum model_spectrum(const SurfaceParameters &parameters);
 
-  /**
-   * The spectrum of given @p heights, averaged over rings of wave vectors; its mean
-   * square height and slope are those of the surface. Throws InputError if the surface
-   * is flat. Collective.
-   */
+  /** The spectrum of given @p heights, averaged over rings of wave vectors; its mean
+   *  square height and slope are those of the surface. Throws InputError if the surface
+   *  is flat. Collective. */
   RadialSpectrum measured_spectrum(const SlabField &heights);
 } // namespace strait
 
