@@ -24,7 +24,9 @@ SHARED_HEADERS = ("base/scene.h",
                   "surface/readers/height_map.h", "surface/map_processing.h",
                   "contact/gap_optimisation.h", "contact/optimisers.h",
                   "contact/two_scale_operator.h", "spectral/state_archive.h",
-                  "flow/seal_mesh.h",
+                  "percolation/channel.h", "interface/gap_field.h",
+                  "flow/leakage.h", "flow/potential_problem.h", "flow/reynolds_solver.h",
+                  "flow/seal_mesh.h", "flow/solution_on_grid.h",
                   "run/field_output.h", "run/load_sweep.h", "run/result_tables.h",
                   "run/validity.h")
 LICENCE = "// SPDX-License-Identifier: GPL-2.0-or-later"
