@@ -9,7 +9,6 @@
 #include <strait/run/simulation.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/read_scene.h>
-#include <strait/surface/resolution.h>
 #include <strait/surface/statistics.h>
 
 #include <pybind11/iostream.h>

@@ -5,7 +5,7 @@
 #include <strait/run/load_sweep.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/map_processing.h>
-#include <strait/surface/resolution.h>
+#include <strait/surface/read_scene.h>
 #include <strait/surface/statistics.h>
 
 #include <pybind11/stl.h>

@@ -14,45 +14,42 @@ namespace strait
   {
     using Cell = dealii::CellAccessor<2>;
 
-    /** Tells cells on a path, or beside it by no more than their own size. */
-    class PathOnMesh
+    using Points = dealii::RTree<dealii::Point<2>>;
+
+    /** Those of the first path of @p channel, if it has one, on @p mesh. */
+    Points
+    points_of_path(const Channel &channel, const FlowMesh &mesh)
     {
-    public:
-      PathOnMesh(const Channel &channel, const FlowMesh &mesh)
-      {
-        if (channel.paths.empty())
-          return;
-        const SlabLayout    &layout = channel.gap.layout();
-        const PeriodicGrid  &grid   = layout.grid();
-        dealii::Tensor<1, 2> period;
-        period[1 - mesh.axis_along()] = mesh.axis_along() == 0 ? grid.ly : grid.lx;
-        // In a window the path may be one period away from the box, and beside it two.
-        const int                     reach = mesh.seal() == nullptr ? 2 : 0;
-        std::vector<dealii::Point<2>> on_mesh;
-        for (const GridPoint &on_path : channel.paths.front().points)
-          {
-            const auto [x, y] = layout.position(on_path.window, on_path.ix, on_path.iy);
-            for (int n = -reach; n <= reach; ++n)
-              on_mesh.push_back(dealii::Point<2>(x, y) + static_cast<double>(n) * period);
-          }
-        points = dealii::pack_rtree(on_mesh);
-      }
+      if (channel.paths.empty())
+        return Points();
+      const SlabLayout    &layout = channel.gap.layout();
+      const PeriodicGrid  &grid   = layout.grid();
+      dealii::Tensor<1, 2> period;
+      period[1 - mesh.axis_along()] = mesh.axis_along() == 0 ? grid.ly : grid.lx;
+      // In a window the path may be one period away from the box, and beside it two.
+      const int                     reach = mesh.seal() == nullptr ? 2 : 0;
+      std::vector<dealii::Point<2>> on_mesh;
+      for (const GridPoint &on_path : channel.paths.front().points)
+        {
+          const auto [x, y] = layout.position(on_path.window, on_path.ix, on_path.iy);
+          for (int n = -reach; n <= reach; ++n)
+            on_mesh.push_back(dealii::Point<2>(x, y) + static_cast<double>(n) * period);
+        }
+      return dealii::pack_rtree(on_mesh);
+    }
 
-      bool
-      touches(const Cell &cell) const
-      {
-        // Steps of the path that are longer than the cell must leave no gap, nor may
-        // cells touch at a corner alone: the box counts with one more on each side.
-        const auto                   box    = cell.bounding_box();
-        const auto                  &ends   = box.get_boundary_points();
-        const dealii::Tensor<1, 2>   margin = ends.second - ends.first;
-        const dealii::BoundingBox<2> around({ends.first - margin, ends.second + margin});
-        return points.qbegin(boost::geometry::index::intersects(around)) != points.qend();
-      }
-
-    private:
-      dealii::RTree<dealii::Point<2>> points;
-    };
+    /** Whether one of @p points is on @p cell, or beside it by no more than its size. */
+    bool
+    touches(const Points &points, const Cell &cell)
+    {
+      // Steps of the path that are longer than the cell must leave no gap, nor may
+      // cells touch at a corner alone: the box counts with one more on each side.
+      const auto                   box    = cell.bounding_box();
+      const auto                  &ends   = box.get_boundary_points();
+      const dealii::Tensor<1, 2>   margin = ends.second - ends.first;
+      const dealii::BoundingBox<2> around({ends.first - margin, ends.second + margin});
+      return points.qbegin(boost::geometry::index::intersects(around)) != points.qend();
+    }
 
     /** The flow through @p cell on which both disagree. */
     double
@@ -98,12 +95,12 @@ namespace strait
                  const PotentialProblem &stream_function,
                  const Channel          &channel)
     {
-      const PathOnMesh path(channel, mesh);
-      const double     width = 1. - bracket.lower / bracket.upper;
-      const double     through_path =
+      const Points path  = points_of_path(channel, mesh);
+      const double width = 1. - bracket.lower / bracket.upper;
+      const double through_path =
         channel.paths.empty()
-              ? 0.
-              : std::min(bracket.upper - bracket.lower,
+          ? 0.
+          : std::min(bracket.upper - bracket.lower,
                      gap.conductivity_of(channel.paths.front().bottleneck_gap));
       dealii::Vector<float> result(mesh.triangulation().n_active_cells());
       std::vector<double>   p, psi;
@@ -122,7 +119,7 @@ namespace strait
           // A cell without contact takes as much of the drop however small it is.
           const double excess  = resistivity - 1. / conductivity;
           const double on_path = width * std::min(through_path * excess, 1.);
-          if (on_path > hidden && path.touches(*cell))
+          if (on_path > hidden && touches(path, *cell))
             hidden = on_path;
           result(cell->active_cell_index()) = static_cast<float>(hidden);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/flow/cell_coefficient.h>
 #include <strait/flow/element_matrix.h>
+#include <strait/flow/potential_problem.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>

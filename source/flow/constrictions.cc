@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/flow/constrictions.h>
-#include <strait/flow/grid_points.h>
+#include <strait/flow/leakage.h>
 #include <strait/flow/reynolds_solver.h>
+#include <strait/flow/solution_on_grid.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -4,8 +4,6 @@
 #include <deal.II/base/polynomial.h>
 #include <deal.II/fe/fe_q.h>
 
-#include <map>
-
 namespace strait
 {
   namespace
@@ -60,31 +58,26 @@ namespace strait
                             integral(product(bx(i), bx(j).derivative())) *
                               integral(product(by(i).derivative(), by(j)));
 
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j <= i; ++j)
+    along_x.reinit(n * (n + 1) / 2, set.size());
+    along_y.reinit(along_x.m(), set.size());
+    const auto expand =
+      [&set](const Polynomial &of_x, const Polynomial &of_y, double *factors) {
+        const std::vector<double> in_x = coefficients_of(of_x),
+                                  in_y = coefficients_of(of_y);
+        for (std::size_t a = 0; a < in_x.size(); ++a)
+          for (std::size_t b = 0; b < in_y.size(); ++b)
+            if (const double c = in_x[a] * in_y[b]; c != 0)
+              factors[set.index(static_cast<int>(a), static_cast<int>(b))] += c;
+      };
+    for (unsigned int i = 0, entry = 0; i < n; ++i)
+      for (unsigned int j = 0; j <= i; ++j, ++entry)
         {
-          std::map<int, Term> sums;
-          const auto          collect =
-            [&](const Polynomial &of_x, const Polynomial &of_y, double Term::*part) {
-              const std::vector<double> in_x = coefficients_of(of_x),
-                                        in_y = coefficients_of(of_y);
-              for (std::size_t a = 0; a < in_x.size(); ++a)
-                for (std::size_t b = 0; b < in_y.size(); ++b)
-                  if (const double c = in_x[a] * in_y[b]; c != 0)
-                    {
-                      const int m = set.index(static_cast<int>(a), static_cast<int>(b));
-                      sums.try_emplace(m, Term{m, 0., 0.}).first->second.*part += c;
-                    }
-            };
-          collect(product(bx(i).derivative(), bx(j).derivative()),
-                  product(by(i), by(j)),
-                  &Term::along_x);
-          collect(product(bx(i), bx(j)),
-                  product(by(i).derivative(), by(j).derivative()),
-                  &Term::along_y);
-          terms.emplace_back();
-          for (const auto &[m, term] : sums)
-            terms.back().push_back(term);
+          expand(product(bx(i).derivative(), bx(j).derivative()),
+                 product(by(i), by(j)),
+                 &along_x(entry, 0));
+          expand(product(bx(i), bx(j)),
+                 product(by(i).derivative(), by(j).derivative()),
+                 &along_y(entry, 0));
         }
   }
 
@@ -94,18 +87,16 @@ namespace strait
                            const double                hy,
                            dealii::FullMatrix<double> &matrix) const
   {
-    const double scale_x = hy / hx, scale_y = hx / hy;
-    auto         entry = terms.begin();
-    for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int i = 0, entry = 0; i < n; ++i)
       for (unsigned int j = 0; j <= i; ++j, ++entry)
         {
           double sum_x = 0, sum_y = 0;
-          for (const Term &term : *entry)
+          for (unsigned int m = 0; m < along_x.n(); ++m)
             {
-              sum_x += term.along_x * moments[term.moment];
-              sum_y += term.along_y * moments[term.moment];
+              sum_x += along_x(entry, m) * moments[m];
+              sum_y += along_y(entry, m) * moments[m];
             }
-          matrix(i, j) = matrix(j, i) = scale_x * sum_x + scale_y * sum_y;
+          matrix(i, j) = matrix(j, i) = hy / hx * sum_x + hx / hy * sum_y;
         }
   }
 

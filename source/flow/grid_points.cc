@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/flow/grid_points.h>
+#include <strait/flow/solution_on_grid.h>
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/fe/mapping_q1.h>

@@ -2,12 +2,10 @@
 #include <strait/flow/element_matrix.h>
 #include <strait/flow/potential_problem.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
-#include <deal.II/numerics/vector_tools_rhs.h>
 
 namespace strait
 {
@@ -74,7 +72,7 @@ namespace strait
         set_boundary(FlowMesh::left_wall, 1.);
       }
     else if (mesh.seal() != nullptr)
-      angles = ring_background(mesh, dofs, constraints);
+      find_angles();
   }
 
   UnknownsMatrix
@@ -118,7 +116,7 @@ namespace strait
                                    std::vector<double> &values) const
   {
     if (angles.size() > 0)
-      add_background_values(angles, cell, values);
+      add_angles(cell, values);
     if (is_pressure() || mesh.seal() != nullptr)
       return;
     // The corner of the cell is as good an origin as any other, and keeps the
@@ -141,13 +139,8 @@ namespace strait
   }
 
   void
-  PotentialProblem::assemble(const Function<2> *source,
-                             UnknownsMatrix    &matrix,
-                             Vector            &right) const
+  PotentialProblem::assemble(UnknownsMatrix &matrix, Vector &right) const
   {
-    if (source != nullptr)
-      VectorTools::create_right_hand_side(
-        mesh.mapping(), dofs, QGauss<2>(fe.degree + 2), *source, right, constraints);
     const unsigned int                   n = fe.n_dofs_per_cell();
     FullMatrix<double>                   local_matrix(n, n);
     dealii::Vector<double>               local_rhs(n);
@@ -198,14 +191,14 @@ namespace strait
   }
 
   LinearSolve
-  PotentialProblem::solve(const LinearAccuracy &accuracy, const Function<2> *source)
+  PotentialProblem::solve(const LinearAccuracy &accuracy)
   {
     // With half as many, systems pass for unsolvable on which the multigrid is merely
     // slow; twice as many take longer to say that one cannot be solved.
     constexpr unsigned int max_iterations = 500;
     UnknownsMatrix         matrix         = empty_matrix();
     Vector right_hand_side(dofs.locally_owned_dofs(), dofs.get_communicator());
-    assemble(source, matrix, right_hand_side);
+    assemble(matrix, right_hand_side);
     if (is_free())
       pin_one_value(matrix);
     constraints.set_zero(distributed);

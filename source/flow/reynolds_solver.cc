@@ -13,11 +13,6 @@ namespace strait
     // neither.
     constexpr double linear_tolerance_factor = 1e-12;
 
-    // The same for what the last weights of a rarefied gas change of the leak rate, which
-    // is more than what they leave over. With a tenth of it a few more rounds change the
-    // leak rate by less than 10⁻⁵, ten times as much saves a round on the first mesh.
-    constexpr double nonlinear_tolerance_factor = 1e-1;
-
     // What rounding may do to bounds of the same quantity, relative. Both ends would be
     // wrong by far more if the solver failed, so that half and double find the same.
     constexpr double rounding = 1e-6;
@@ -52,12 +47,7 @@ namespace strait
     Leakage leakage =
       refine_to_target(channel, observer, tolerance_factor, most_unknowns);
     if (gap_field.gas() != nullptr)
-      bound_rarefied(flow_mesh,
-                     gap_field,
-                     channel.paths.front(),
-                     accuracy(),
-                     correction.get(),
-                     leakage);
+      bound_rarefied(channel.paths.front(), leakage);
     correction.reset(); // and what it keeps of the coefficients from mesh to mesh
     return leakage;
   }
@@ -123,10 +113,7 @@ namespace strait
   ReynoldsSolver::solve(PotentialProblem &problem)
   {
     if (gap_field.gas() != nullptr && &problem == &pressure_problem)
-      return solve_rarefied(problem,
-                            gap_field,
-                            accuracy(),
-                            nonlinear_tolerance_factor * parameters.target_accuracy);
+      return solve_rarefied();
     problem.take_coefficient(gap_field);
     problem.set_weights(pressure_problem.weights());
     return problem.solve(accuracy());

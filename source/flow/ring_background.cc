@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/flow/ring_background.h>
+#include <strait/flow/potential_problem.h>
 
 #include <deal.II/dofs/dof_tools.h>
 
@@ -20,17 +20,15 @@ namespace strait
     }
   } // namespace
 
-  UnknownsVector
-  ring_background(const FlowMesh            &mesh,
-                  const DoFHandler<2>       &dofs,
-                  AffineConstraints<double> &constraints)
+  void
+  PotentialProblem::find_angles()
   {
     const SealMesh                             &seal = *mesh.seal();
     std::map<types::global_dof_index, Point<2>> points;
     DoFTools::map_dofs_to_support_points(mesh.mapping(), dofs, points);
     const IndexSet &owned = dofs.locally_owned_dofs();
     MPI_Comm        comm  = dofs.get_communicator();
-    UnknownsVector  own(owned, comm);
+    Vector          own(owned, comm);
     const double    turn = (seal.flows_outwards ? .5 : -.5) / numbers::PI;
     for (const auto k : owned)
       {
@@ -38,7 +36,7 @@ namespace strait
         own(k)                 = turn * std::atan2(arm[1], arm[0]);
       }
     own.compress(VectorOperation::insert);
-    UnknownsVector angles(owned, constraints.get_local_lines(), comm);
+    angles.reinit(owned, constraints.get_local_lines(), comm);
     angles = own;
     for (const auto k : constraints.get_local_lines())
       if (const auto *line = constraints.get_constraint_entries(k))
@@ -48,16 +46,13 @@ namespace strait
             jump += weight * shorter_way(angles(dof) - angles(k));
           constraints.set_inhomogeneity(k, jump);
         }
-    return angles;
   }
 
   void
-  add_background_values(const UnknownsVector                      &background,
-                        const DoFHandler<2>::active_cell_iterator &cell,
-                        std::vector<double>                       &values)
+  PotentialProblem::add_angles(const Iterator &cell, std::vector<double> &values) const
   {
     dealii::Vector<double> turns(values.size());
-    cell->get_dof_values(background, turns);
+    cell->get_dof_values(angles, turns);
     for (unsigned int i = 0; i < values.size(); ++i)
       values[i] += shorter_way(turns(i) - turns(0));
   }

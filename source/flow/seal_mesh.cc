@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
-#include <sstream>
 #include <utility>
 
 namespace strait
@@ -164,9 +164,7 @@ namespace strait
       if (!in || std::filesystem::is_directory(path))
         throw InputError("Cannot read the mesh '" + path +
                          "'; check Fluid/Mesh, which counts from the scene's folder.");
-      std::ostringstream content;
-      content << in.rdbuf();
-      text = content.str();
+      text.assign(std::istreambuf_iterator<char>(in), {});
     });
     SealMesh mesh = make_seal_mesh(parse_mesh_file(broadcast(comm, text), path), path);
     const double slack = 1e-9 * std::max(grid.lx, grid.ly);

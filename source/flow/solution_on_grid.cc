@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/flow/grid_points.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/flow/solution_on_grid.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_tools.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <cmath>
 
@@ -34,19 +34,18 @@ namespace strait
      * |∇| of the potential at the vertices [1/length], the mean over the cells that meet
      * there, at the unknowns of the vertices, with ghost values. Collective.
      */
-    PotentialProblem::Vector
+    LinearAlgebra::distributed::Vector<double>
     vertex_slopes(const PotentialProblem &problem)
     {
-      const DoFHandler<2> &dofs  = problem.dof_handler();
-      const IndexSet      &owned = dofs.locally_owned_dofs();
-      MPI_Comm             comm  = dofs.get_communicator();
+      const DoFHandler<2> &dofs = problem.dof_handler();
       IndexSet             relevant;
       DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-      PotentialProblem::Vector sums, counts;
-      sums.reinit(owned, relevant, comm, true);
-      counts.reinit(owned, relevant, comm, true);
-      std::vector<double>                  values;
-      std::vector<types::global_dof_index> indices(dofs.get_fe().n_dofs_per_cell());
+      LinearAlgebra::distributed::Vector<double> slopes(dofs.locally_owned_dofs(),
+                                                        relevant,
+                                                        dofs.get_communicator());
+      auto                                       counts(slopes);
+      std::vector<double>                        values;
+      std::vector<types::global_dof_index>       indices(dofs.get_fe().n_dofs_per_cell());
       for (std::size_t c = 0; c < problem.cells().size(); ++c)
         {
           const auto &cell = problem.cells()[c];
@@ -54,20 +53,17 @@ namespace strait
           cell->get_dof_indices(indices);
           for (const unsigned int v : cell->vertex_indices())
             {
-              sums(indices[v]) += slope_at_vertex(cell, v, values);
+              slopes(indices[v]) += slope_at_vertex(cell, v, values);
               counts(indices[v]) += 1.;
             }
         }
-      sums.compress(VectorOperation::add);
+      slopes.compress(VectorOperation::add);
       counts.compress(VectorOperation::add);
-      PotentialProblem::Vector result(owned, comm);
-      for (const auto k : owned)
+      for (const auto k : dofs.locally_owned_dofs())
         if (counts(k) > 0)
-          result(k) = sums(k) / counts(k);
-      result.compress(VectorOperation::insert);
-      PotentialProblem::Vector with_ghosts(owned, relevant, comm);
-      with_ghosts = result;
-      return with_ghosts;
+          slopes(k) /= counts(k);
+      slopes.update_ghost_values();
+      return slopes;
     }
   } // namespace
 
@@ -118,17 +114,8 @@ namespace strait
             }
         }
     // Cells of a seal mesh share the points on their edges.
-    const MPI_Op operation = mesh.seal() != nullptr ? MPI_MAX : MPI_SUM;
-    MPI_Comm     comm      = mesh.triangulation().get_communicator();
-    const bool   is_root   = Utilities::MPI::this_mpi_process(comm) == 0;
     for (std::vector<float> *field : {&result.pressure, &result.current})
-      MPI_Reduce(is_root ? MPI_IN_PLACE : field->data(),
-                 field->data(),
-                 static_cast<int>(field->size()),
-                 MPI_FLOAT,
-                 operation,
-                 0,
-                 comm);
+      Utilities::MPI::max(*field, mesh.triangulation().get_communicator(), *field);
     return result;
   }
 } // namespace strait

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/interface/cell_quadrature.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -122,46 +120,49 @@ namespace strait
     }
 
   private:
-    using Values = std::array<double, max_points * max_points>;
+    using Values     = std::array<double, max_points * max_points>;
+    using Quadrature = dealii::Quadrature<2>;
 
     /** The coefficient at the points of @p rule. Returns its mean. */
     double
-    sample(const Part &part, const Rule &rule, Values &values) const
+    sample(const Part &part, const Quadrature &rule, Values &values) const
     {
-      const int n             = static_cast<int>(rule.points.size());
-      double    x[max_points] = {}, y[max_points] = {};
+      const auto &along         = rule.get_tensor_basis()[0];
+      const int   n             = static_cast<int>(along.size());
+      double      x[max_points] = {}, y[max_points] = {};
       for (int q = 0; q < n; ++q)
         {
-          x[q] = part.x0 + part.width * rule.points[q];
-          y[q] = part.y0 + part.height * rule.points[q];
+          x[q] = part.x0 + part.width * along.point(q)[0];
+          y[q] = part.y0 + part.height * along.point(q)[0];
         }
       gap.evaluate(n, x, y, values.data());
       double mean = 0.;
       for (int k = 0; k < n * n; ++k)
         {
           values[k] = law(values[k]);
-          mean += rule.weights[k] * values[k];
+          mean += rule.weight(k) * values[k];
         }
       return mean;
     }
 
     void
-    add_values(const Part   &part,
-               const Rule   &rule,
-               const Values &values,
-               const double  constant)
+    add_values(const Part       &part,
+               const Quadrature &rule,
+               const Values     &values,
+               const double      constant)
     {
-      const int    n    = static_cast<int>(rule.points.size());
-      const double size = 1. / square.edge; // of the unit cell, in the square's units
-      const double area = part.width * part.height * size * size;
+      const auto  &along = rule.get_tensor_basis()[0];
+      const int    n     = static_cast<int>(along.size());
+      const double size  = 1. / square.edge; // of the unit cell, in the square's units
+      const double area  = part.width * part.height * size * size;
       double       x[max_points], y[max_points], weighted[max_points * max_points];
       for (int q = 0; q < n; ++q)
         {
-          x[q] = (part.x0 + part.width * rule.points[q] - square.x0) * size;
-          y[q] = (part.y0 + part.height * rule.points[q] - square.y0) * size;
+          x[q] = (part.x0 + part.width * along.point(q)[0] - square.x0) * size;
+          y[q] = (part.y0 + part.height * along.point(q)[0] - square.y0) * size;
         }
       for (int k = 0; k < n * n; ++k)
-        weighted[k] = area * rule.weights[k] * (values[k] + constant);
+        weighted[k] = area * rule.weight(k) * (values[k] + constant);
       quadrature.set.add_points(moments, n, x, y, weighted);
     }
 
@@ -193,17 +194,9 @@ namespace strait
     : set(fluid.element_degree)
     , interpolant{fluid.interpolation, fluid.direction}
     , rigorous(fluid.rigorous_bounds)
+    , coarse(fluid.element_degree + 1)
+    , fine(fluid.element_degree + 2)
   {
-    for (Rule *rule : {&coarse, &fine})
-      {
-        const dealii::QGauss<1> gauss(fluid.element_degree + (rule == &fine ? 2 : 1));
-        for (unsigned int j = 0; j < gauss.size(); ++j)
-          {
-            rule->points.push_back(gauss.point(j)[0]);
-            for (unsigned int i = 0; i < gauss.size(); ++i)
-              rule->weights.push_back(gauss.weight(i) * gauss.weight(j));
-          }
-      }
   }
 
   bool

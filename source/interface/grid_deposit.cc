@@ -17,6 +17,43 @@ namespace strait
         return {1. - x, x};
       return {(1. - x) * (1. - 2. * x), 4. * x * (1. - x), x * (2. * x - 1.)};
     }
+
+    /**
+     * ∫ φ_k N_n dx over a cell along one axis, for its nodal polynomials φ_k and the
+     * hats of the grid points n that it touches, in units of the grid spacing.
+     */
+    struct Weights
+    {
+      int                 n = 0;  // number of grid points
+      std::vector<double> values; // [k·n + point]
+    };
+
+    Weights
+    weights(const unsigned int degree, const int exponent, const int index_in_grid_cell)
+    {
+      const double edge    = std::ldexp(1., exponent); // in grid spacings
+      const double origin  = exponent < 0 ? index_in_grid_cell * edge : 0.;
+      const int    n_spans = exponent < 0 ? 1 : 1 << exponent;
+
+      Weights result{n_spans + 1, std::vector<double>((degree + 1) * (n_spans + 1))};
+      const dealii::QGauss<1> gauss(2);
+      const double            length = std::min(edge, 1.);
+      for (int span = 0; span < n_spans; ++span)
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          {
+            const double              x      = origin + length * gauss.point(q)[0];
+            const double              weight = length * gauss.weight(q);
+            const std::vector<double> phi =
+              polynomials_at(degree, (span + x - origin) / edge);
+            for (unsigned int k = 0; k <= degree; ++k)
+              {
+                double *of_k = result.values.data() + k * result.n + span;
+                of_k[0] += weight * phi[k] * (1. - x);
+                of_k[1] += weight * phi[k] * x;
+              }
+          }
+      return result;
+    }
   } // namespace
 
   GridDeposit::GridDeposit(SlabLayoutPtr layout_, const unsigned int degree_)
@@ -25,46 +62,15 @@ namespace strait
   {
   }
 
-  const GridDeposit::Weights &
-  GridDeposit::weights(const int exponent, const int index_in_grid_cell)
-  {
-    Weights &result = known_weights[{exponent, index_in_grid_cell}];
-    if (result.n > 0)
-      return result;
-    const double edge    = std::ldexp(1., exponent); // in grid spacings
-    const double origin  = exponent < 0 ? index_in_grid_cell * edge : 0.;
-    const int    n_spans = exponent < 0 ? 1 : 1 << exponent;
-
-    result.n = n_spans + 1;
-    result.values.assign((degree + 1) * result.n, 0.);
-    const dealii::QGauss<1> gauss(2);
-    const double            length = std::min(edge, 1.);
-    for (int span = 0; span < n_spans; ++span)
-      for (unsigned int q = 0; q < gauss.size(); ++q)
-        {
-          const double              x      = origin + length * gauss.point(q)[0];
-          const double              weight = length * gauss.weight(q);
-          const std::vector<double> phi =
-            polynomials_at(degree, (span + x - origin) / edge);
-          for (unsigned int k = 0; k <= degree; ++k)
-            {
-              double *of_k = result.values.data() + k * result.n + span;
-              of_k[0] += weight * phi[k] * (1. - x);
-              of_k[1] += weight * phi[k] * x;
-            }
-        }
-    return result;
-  }
-
   void
   GridDeposit::add(const GridCell &cell, const std::vector<double> &values)
   {
-    const int      nx = layout->grid().nx, ny = layout->grid().ny;
-    const int      parts   = cell.exponent < 0 ? 1 << -cell.exponent : 1;
-    const int      first_x = cell.exponent < 0 ? cell.i / parts : cell.i << cell.exponent;
-    const int      first_y = cell.exponent < 0 ? cell.j / parts : cell.j << cell.exponent;
-    const Weights &across  = weights(cell.exponent, cell.i % parts);
-    const Weights &up      = weights(cell.exponent, cell.j % parts);
+    const int     nx = layout->grid().nx, ny = layout->grid().ny;
+    const int     parts   = cell.exponent < 0 ? 1 << -cell.exponent : 1;
+    const int     first_x = cell.exponent < 0 ? cell.i / parts : cell.i << cell.exponent;
+    const int     first_y = cell.exponent < 0 ? cell.j / parts : cell.j << cell.exponent;
+    const Weights across  = weights(degree, cell.exponent, cell.i % parts);
+    const Weights up      = weights(degree, cell.exponent, cell.j % parts);
 
     const unsigned int  n_nodes = degree + 1;
     std::vector<double> line(n_nodes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/interface/moment_pyramid.h>
+#include <strait/interface/gap_field.h>
 
 #include <deal.II/base/mpi.h>
 

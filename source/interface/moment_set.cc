@@ -1,55 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/interface/moment_set.h>
 
-#include <boost/math/special_functions/binomial.hpp>
-
 #include <algorithm>
-#include <cmath>
 
 namespace strait
 {
-  MomentSet::MomentSet(const unsigned int degree)
-    : element_degree(degree)
-  {
-    const int p = static_cast<int>(degree);
-    for (auto &row : positions)
-      row.fill(-1);
-    for (int a = 0; a <= 2 * p; ++a)
-      for (int b = 0; b <= 2 * p; ++b)
-        if (std::min(a, b) <= 2 * p - 2)
-          {
-            positions[a][b] = static_cast<int>(exponents.size());
-            exponents.push_back({a, b});
-          }
-
-    // The coordinate x of a part lies at x0 + edge·x of the cell: expand the power.
-    using boost::math::binomial_coefficient;
-    for (int to = 0; to < size(); ++to)
-      for (int from = 0; from < size(); ++from)
-        {
-          const auto [a, b] = exponents[to];
-          const auto [s, t] = exponents[from];
-          if (s <= a && t <= b)
-            shifts.push_back(
-              {to,
-               from,
-               a - s,
-               b - t,
-               s + t + 2,
-               binomial_coefficient<double>(a, s) * binomial_coefficient<double>(b, t)});
-        }
-    for (int upper = 0; upper < 2; ++upper)
-      for (int right = 0; right < 2; ++right)
-        for (const Shift &shift : shifts)
-          {
-            const double factor = shift.factor * std::pow(.5 * right, shift.power_of_x0) *
-                                  std::pow(.5 * upper, shift.power_of_y0) *
-                                  std::pow(.5, shift.power_of_edge);
-            if (factor != 0)
-              transfers[2 * upper + right].push_back({shift.to, shift.from, factor});
-          }
-  }
-
   namespace
   {
     /** Powers of x from 0 to 8, the highest that a moment of degree 2 needs. */
@@ -63,6 +18,47 @@ namespace strait
     }
   } // namespace
 
+  MomentSet::MomentSet(const unsigned int degree)
+    : element_degree(degree)
+  {
+    const int p = static_cast<int>(degree);
+    for (auto &row : positions)
+      row.fill(-1);
+    for (int a = 0; a <= 2 * p; ++a)
+      for (int b = 0; b <= 2 * p; ++b)
+        if (std::min(a, b) <= 2 * p - 2)
+          {
+            positions[a][b] = static_cast<int>(exponents.size());
+            exponents.push_back({a, b});
+          }
+    for (int upper = 0; upper < 2; ++upper)
+      for (int right = 0; right < 2; ++right)
+        of_children[2 * upper + right] = transfers(.5 * right, .5 * upper, .5);
+  }
+
+  std::vector<MomentSet::Transfer>
+  MomentSet::transfers(const double x0, const double y0, const double edge) const
+  {
+    // The coordinate x of a part lies at x0 + edge·x of the cell: expand the power.
+    constexpr double binomial[5][5] = {
+      {1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}};
+    const auto of_x0 = powers_of(x0), of_y0 = powers_of(y0), of_edge = powers_of(edge);
+    std::vector<Transfer> result;
+    for (int to = 0; to < size(); ++to)
+      for (int from = 0; from < size(); ++from)
+        {
+          const auto [a, b] = exponents[to];
+          const auto [s, t] = exponents[from];
+          if (s > a || t > b)
+            continue;
+          const double factor = binomial[a][s] * binomial[b][t] * of_x0[a - s] *
+                                of_y0[b - t] * of_edge[s + t + 2];
+          if (factor != 0)
+            result.push_back({to, from, factor});
+        }
+    return result;
+  }
+
   void
   MomentSet::add_part(double       *cell,
                       const double *part,
@@ -70,11 +66,8 @@ namespace strait
                       const double  y0,
                       const double  edge) const
   {
-    const auto of_x0 = powers_of(x0), of_y0 = powers_of(y0), of_edge = powers_of(edge);
-    for (const Shift &shift : shifts)
-      cell[shift.to] += shift.factor * of_x0[shift.power_of_x0] *
-                        of_y0[shift.power_of_y0] * of_edge[shift.power_of_edge] *
-                        part[shift.from];
+    for (const Transfer &t : transfers(x0, y0, edge))
+      cell[t.to] += t.factor * part[t.from];
   }
 
   void

@@ -20,10 +20,11 @@ namespace strait
     }
 
     /**
-     * The best potential Ψ for one of the bounds, as a factor of Ψ' for the reference gap
-     * that is linear in its Ψ between nodes: the factors there. Nodes are where the
-     * reference's Ψ is @p potentials, from 0 to 1, and the weights of the @p parts there
-     * are @p weights[part][node].
+     * The best potential Ψ for one of the bounds, found by what is the dual problem, to
+     * place the parts at pressures such that the most flows, or the least; as a factor of
+     * Ψ' for the reference gap that is linear in its Ψ between nodes: the factors there.
+     * Nodes are where the reference's Ψ is @p potentials, from 0 to 1, and the weights of
+     * the @p parts there are @p weights[part][node].
      */
     std::vector<double>
     best_factors(const std::vector<PathPart>            &parts,

@@ -58,7 +58,7 @@ namespace strait
     for (std::size_t k = 0; k < lattice.size(); ++k)
       if (lattice.is_own(k) && -lattice[k] == end.cost && search.cost(k) == end.cost)
         first = std::min(first, static_cast<double>(lattice.global_number(k)));
-    MPI_Comm          comm = lattice.communicator();
+    MPI_Comm          comm = lattice.communicator;
     const std::size_t k =
       lattice.own_number(static_cast<std::size_t>(minimum(comm, first)));
     std::vector<GridPoint> point; // on its owner

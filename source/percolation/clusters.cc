@@ -1,66 +1,62 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/percolation/clusters.h>
-#include <strait/percolation/flow_lattice.h>
+#include <strait/percolation/lattice_search.h>
 
 #include <algorithm>
-#include <array>
-#include <numeric>
-#include <unordered_map>
 
 namespace strait
 {
   namespace
   {
-    using Label              = std::int64_t;
-    constexpr Label no_label = -1;
-
     void
-    sort_unique(std::vector<Label> &labels)
+    sort_unique(std::vector<double> &labels)
     {
       std::sort(labels.begin(), labels.end());
       labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
     }
 
-    /** Visit the open points that a rank labels: its own of the grid and, as all ranks
-     *  know them, those of the windows. */
-    template <class Visit>
-    void
-    for_each_open_point(const FlowLattice &gap, const Visit &visit)
-    {
-      for (std::size_t k = 0; k < gap.size(); ++k)
-        if (gap[k] > 0 && (gap.is_own(k) || gap.in_window(k)))
-          visit(k);
-    }
-
-    /** Labels of the clusters at the points of a lattice. */
+    /** Labels of the clusters at the points of a lattice: the least of the numbers of a
+     *  cluster's points, which spreads over it from point to point. */
     class Labels
     {
     public:
       /** Collective. */
       explicit Labels(const FlowLattice &gap_)
         : gap(gap_)
-        , labels(gap.size(), no_label)
+        , search(gap, 4)
       {
-        label_here();
-        join_ranks();
-        find_reservoirs();
+        std::vector<std::size_t> starts;
+        for (std::size_t k = 0; k < gap.size(); ++k)
+          if (gap.is_own(k) && gap[k] > 0 && may_be_first(k))
+            starts.push_back(k);
+        search.run(
+          starts,
+          [this](const std::size_t k) {
+            return static_cast<double>(gap.global_number(k));
+          },
+          [this](const double label, const FlowLattice::Step &step) {
+            return joins(step) ? label : LatticeSearch::infinity;
+          },
+          [](std::size_t) { return false; });
+        inlet  = labels_at(OutlineKind::inlet);
+        outlet = labels_at(OutlineKind::outlet);
       }
 
-      /** What the first point of the cluster is called that point @p k is of; no_label if
-       * it is closed. */
-      Label
+      /** The number of the first point of the cluster that point @p k is of; infinite if
+       *  it is closed. */
+      double
       operator[](const std::size_t k) const
       {
-        return labels[k];
+        return search.cost(k);
       }
 
       /** What point @p k is to the fluid. */
       NodeState
       state(const std::size_t k) const
       {
-        const bool in  = std::binary_search(inlet.begin(), inlet.end(), labels[k]);
-        const bool out = std::binary_search(outlet.begin(), outlet.end(), labels[k]);
+        const bool in  = std::binary_search(inlet.begin(), inlet.end(), (*this)[k]);
+        const bool out = std::binary_search(outlet.begin(), outlet.end(), (*this)[k]);
         return !(gap[k] > 0) ? NodeState::closed
                : in && out   ? NodeState::percolating
                : in          ? NodeState::inlet_side
@@ -69,108 +65,44 @@ namespace strait
       }
 
     private:
-      void label_here();
-      void join_ranks();
-      void find_reservoirs();
+      /** Copies of the seam are joined to the points before them, not to each other. */
+      bool
+      joins(const FlowLattice::Step &step) const
+      {
+        return gap[step.point] > 0 && !gap.is_copy(step.from);
+      }
 
-      const FlowLattice                &gap;
-      std::vector<Label>                labels;
-      std::vector<std::array<Label, 2>> touching;      // are of one cluster
-      std::vector<Label>                inlet, outlet; // that touch them, sorted
-    };
-
-    /** Label by what this rank knows, grid and windows apart, so that the labels of the
-     *  latter are the same on all ranks. */
-    void
-    Labels::label_here()
-    {
-      // Union–find: the smallest point of a set is its root.
-      std::vector<std::size_t> parent(gap.size());
-      std::iota(parent.begin(), parent.end(), std::size_t(0));
-      const auto root_of = [&parent](std::size_t k) {
-        while (parent[k] != k)
-          k = parent[k] = parent[parent[k]];
-        return k;
-      };
-      std::vector<std::array<std::size_t, 2>> into_windows;
-      for_each_open_point(gap, [&](const std::size_t k) {
-        if (gap.is_copy(k))
-          return;
+      /** Whether none of this rank's points before @p k has a step to it. */
+      bool
+      may_be_first(const std::size_t k) const
+      {
+        bool result = true;
         gap.for_each_step(k, 4, [&](const FlowLattice::Step &step) {
-          // What joins two points is seen from the first of them.
-          if (step.point < k || !(gap[step.point] > 0))
-            return;
-          if (gap.in_window(step.point) != gap.in_window(k))
-            {
-              into_windows.push_back({{k, step.point}});
-              return;
-            }
-          const auto [low, high] = std::minmax({root_of(k), root_of(step.point)});
-          parent[high]           = low;
+          if (step.point < k && gap.is_own(step.point) && gap[step.point] > 0 &&
+              !gap.is_copy(step.point))
+            result = false;
         });
-      });
-      for_each_open_point(gap, [&](const std::size_t k) {
-        if (Label &label = labels[root_of(k)]; label == no_label)
-          label = static_cast<Label>(gap.place_in_field(k));
-      });
-      for (std::size_t k = 0; k < labels.size(); ++k)
-        labels[k] = labels[root_of(k)];
-      for (const auto &[from, to] : into_windows)
-        touching.push_back({{labels[from], labels[to]}});
-    }
+        return result;
+      }
 
-    /** Give labels that belong together, here and on other ranks, the least of their
-     *  names. Collective. */
-    void
-    Labels::join_ranks()
-    {
-      gap.grid_lines().for_each_ghost(labels,
-                                      [&](const std::size_t k, const Label label) {
-                                        if (labels[k] != no_label)
-                                          touching.push_back({{labels[k], label}});
-                                      });
-      touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
-      const auto                       pairs = gather_all(gap.communicator(), touching);
-      std::unordered_map<Label, Label> lesser; // names of the same cluster
-
-      // Halves the way for the next one that asks.
-      const auto least = [&lesser](Label name) {
-        auto found = lesser.find(name);
-        while (found != lesser.end())
-          {
-            if (const auto next = lesser.find(found->second); next != lesser.end())
-              found->second = next->second;
-            name  = found->second;
-            found = lesser.find(name);
-          }
-        return name;
-      };
-      for (const auto &[a, b] : pairs)
-        if (const auto [low, high] = std::minmax({least(a), least(b)}); low != high)
-          lesser[high] = low;
-      if (lesser.empty())
-        return;
-      for (Label &label : labels)
-        label = least(label);
-    }
-
-    /** Collective. */
-    void
-    Labels::find_reservoirs()
-    {
-      const auto labels_at = [this](const std::vector<std::size_t> &points) {
-        std::vector<Label> mine;
-        for (const std::size_t k : points)
+      /** The labels of all ranks there. Collective. */
+      std::vector<double>
+      labels_at(const OutlineKind kind) const
+      {
+        std::vector<double> mine;
+        for (const std::size_t k : gap.points_at(kind))
           if (gap[k] > 0)
-            mine.push_back(labels[k]);
+            mine.push_back((*this)[k]);
         sort_unique(mine);
-        std::vector<Label> all = gather_all(gap.communicator(), mine);
+        std::vector<double> all = gather_all(gap.communicator, mine);
         sort_unique(all);
         return all;
-      };
-      inlet  = labels_at(gap.points_at(OutlineKind::inlet));
-      outlet = labels_at(gap.points_at(OutlineKind::outlet));
-    }
+      }
+
+      const FlowLattice  &gap;
+      LatticeSearch       search;
+      std::vector<double> inlet, outlet; // labels that touch them, sorted
+    };
 
     /** The states at the points of a region, of copies across the seam that which carries
      *  more. Collective. */
@@ -240,7 +172,7 @@ namespace strait
     for (const std::size_t k : lattice.points_at(OutlineKind::outlet))
       if (labels.state(k) == NodeState::percolating)
         leaks.push_back(lattice.point(k));
-    clusters.leaks      = gather_all(lattice.communicator(), leaks);
+    clusters.leaks      = gather_all(lattice.communicator, leaks);
     clusters.percolates = !clusters.leaks.empty();
     if (domain.region != nullptr)
       {
@@ -253,8 +185,9 @@ namespace strait
       const bool is_open = open_gap[clusters.states.size()] > 0;
       clusters.states.push_back(is_open ? labels.state(k) : NodeState::closed);
       if (tells_trapped)
-        clusters.trapped.push_back(
-          clusters.states.back() == NodeState::trapped ? labels[k] : no_label);
+        clusters.trapped.push_back(clusters.states.back() == NodeState::trapped
+                                     ? static_cast<std::int64_t>(labels[k])
+                                     : -1);
     });
     return clusters;
   }

@@ -8,9 +8,10 @@ namespace strait
 {
   FlowLattice::FlowLattice(const SlabField &field, const FlowDomain &domain)
     : layout(field.layout_pointer())
-    , region(domain.region)
     , lines(layout, domain)
     , levels(*layout, domain, lines)
+    , communicator(layout->communicator())
+    , region(domain.region)
     , values(lines.values(field))
   {
     values.reserve(levels.end());

@@ -12,22 +12,6 @@ namespace strait
 {
   namespace
   {
-    /** The outline in units of half a grid spacing, so that grid points and the middles
-     *  between them have integer coordinates. */
-    std::vector<OutlineEdge>
-    in_half_spacings(const PeriodicGrid &grid, std::vector<OutlineEdge> outline)
-    {
-      const double sx = 2. / grid.dx(), sy = 2. / grid.dy();
-      for (OutlineEdge &edge : outline)
-        {
-          edge.x0 *= sx;
-          edge.x1 *= sx;
-          edge.y0 *= sy;
-          edge.y1 *= sy;
-        }
-      return outline;
-    }
-
     /** Call @p visit(line, where) for each integer line from @p a0 to @p a1, half open
      *  so that a chain of segments meets a line as often as it crosses it. */
     template <class Visit>
@@ -180,8 +164,12 @@ namespace strait
     flags.assign(static_cast<std::size_t>(width) * (grid.ny + 1), 0);
     static_assert(bit_of(OutlineKind::inlet) == at_inlet &&
                   bit_of(OutlineKind::outlet) == at_outlet);
-    const std::vector<OutlineEdge> scaled = in_half_spacings(grid, outline);
-    const FineLattice              fine(grid, scaled);
+    // In units of half a spacing points and the middles between them are whole numbers.
+    const double             sx = 2. / grid.dx(), sy = 2. / grid.dy();
+    std::vector<OutlineEdge> scaled;
+    for (const auto &[x0, y0, x1, y1, kind] : outline)
+      scaled.push_back({sx * x0, sy * y0, sx * x1, sy * y1, kind});
+    const FineLattice fine(grid, scaled);
     for (int iy = 0; iy <= grid.ny; ++iy)
       for (int ix = 0; ix <= grid.nx; ++ix)
         if (const std::uint8_t bits = fine(2 * ix, 2 * iy); bits != 0)

@@ -12,25 +12,25 @@ namespace strait
   {
     const int  nx = layout->grid().nx, ny = layout->grid().ny;
     const bool along_x = region != nullptr || domain.direction == FlowDirection::x;
-    n_along_line       = nx + (along_x ? 1 : 0);
+    length             = nx + (along_x ? 1 : 0);
     if (region != nullptr)
       {
-        n_lines = layout->rank() == 0 ? ny + 1 : 0;
-        own     = {{0, size()}};
+        end = layout->rank() == 0 ? ny + 1 : 0;
+        own = {{0, size()}};
         return;
       }
-    const int first = layout->first_row(), n_rows = layout->n_rows();
+    const int first_row = layout->first_row(), n_rows = layout->n_rows();
     if (n_rows == 0)
       return;
     // Of a flow along y the outlet's copy of the first line follows the last one.
-    const bool has_copy   = !along_x && first + n_rows == ny;
-    const bool has_before = along_x || first > 0;
-    const bool has_after  = along_x || first + n_rows < ny;
+    const bool has_copy   = !along_x && first_row + n_rows == ny;
+    const bool has_before = along_x || first_row > 0;
+    const bool has_after  = along_x || first_row + n_rows < ny;
     const int  n_own      = n_rows + (has_copy ? 1 : 0);
-    first_line            = first - (has_before ? 1 : 0);
-    n_lines               = n_own + (has_before ? 1 : 0) + (has_after ? 1 : 0);
-    own[0]                = has_before ? n_along_line : 0;
-    own[1]                = own[0] + static_cast<std::size_t>(n_own) * n_along_line;
+    first                 = first_row - (has_before ? 1 : 0);
+    end                   = first_row + n_own + (has_after ? 1 : 0);
+    own[0]                = has_before ? length : 0;
+    own[1]                = own[0] + static_cast<std::size_t>(n_own) * length;
   }
 
   std::vector<double>
@@ -43,17 +43,17 @@ namespace strait
         const std::vector<double> whole = gather_on_root(field);
         for (std::size_t k = 0; k < result.size(); ++k)
           if (region->is_point(k))
-            result[k] = whole[k / n_along_line % ny * nx + k % n_along_line % nx];
+            result[k] = whole[k / length % ny * nx + k % length % nx];
         return result;
       }
     const int n_rows = layout->n_rows();
     for (int row = 0; row < n_rows; ++row)
       {
-        double *line = &result[own[0] + static_cast<std::size_t>(row) * n_along_line];
+        double *line = &result[own[0] + static_cast<std::size_t>(row) * length];
         std::copy_n(field.data() + static_cast<std::size_t>(row) * nx, nx, line);
-        line[n_along_line - 1] = field((n_along_line - 1) % nx, row);
+        line[length - 1] = field((length - 1) % nx, row);
       }
-    const bool has_copy  = n_rows > 0 && end() > ny && n_along_line == nx;
+    const bool has_copy  = n_rows > 0 && end > ny && length == nx;
     const auto first_row = fetch_rows(field, std::vector<int>(has_copy ? 1 : 0, 0));
     std::copy(first_row.rbegin(), first_row.rend(), result.rbegin());
     for_each_ghost(result, [&result](const std::size_t k, const double value) {
@@ -71,7 +71,7 @@ namespace strait
   {
     const PeriodicGrid  &grid = layout.grid();
     const double         dx = grid.dx(), dy = grid.dy();
-    const std::ptrdiff_t line = lines.length();
+    const std::ptrdiff_t line = lines.length;
     levels.push_back({(along_x ? grid.nx : grid.ny) + 1,
                       (along_x ? grid.ny : grid.nx) + (is_periodic ? 0 : 1),
                       {{along_x ? dx : dy, along_x ? dy : dx, std::hypot(dx, dy)}},

@@ -19,14 +19,14 @@ namespace strait
     std::size_t
     blocks_of(const GridLines &lines)
     {
-      return blocks_along(lines.end() - lines.first()) * blocks_along(lines.length());
+      return blocks_along(lines.end - lines.first) * blocks_along(lines.length);
     }
   } // namespace
 
   LatticeSearch::LatticeSearch(const FlowLattice &lattice, const int n_directions)
     : lattice(lattice)
     , n_directions(n_directions)
-    , pending(blocks_of(lattice.grid_lines()) + lattice.all_levels().size() - 1)
+    , pending(blocks_of(lattice.lines) + lattice.levels.size() - 1)
     , least_pending(pending.size(), infinity)
   {
   }
@@ -34,10 +34,10 @@ namespace strait
   std::size_t
   LatticeSearch::block_of(const std::size_t k) const
   {
-    const GridLines &lines = lattice.grid_lines();
+    const GridLines &lines = lattice.lines;
     if (lattice.in_window(k))
-      return blocks_of(lines) + lattice.all_levels().level_of(k) - 1;
-    const std::size_t n = lines.length();
+      return blocks_of(lines) + lattice.levels.level_of(k) - 1;
+    const std::size_t n = lines.length;
     return k / n / block_size * blocks_along(n) + k % n / block_size;
   }
 
@@ -66,34 +66,26 @@ namespace strait
   bool
   LatticeSearch::exchange()
   {
-    const GridLines &lines = lattice.grid_lines();
-    lines.for_each_ghost(costs, [this](const std::size_t k, const double cost) {
-      if (cost < costs[k])
-        improve(k, cost, start_of_way);
-    });
-    if (lattice.size() > lines.size())
-      exchange_in_windows();
-    limit = minimum(lattice.communicator(), limit);
-    return sum(lattice.communicator(), static_cast<long long>(blocks.size())) > 0;
-  }
-
-  void
-  LatticeSearch::exchange_in_windows()
-  {
     struct Finding
     {
       std::size_t   point; // in the windows
       double        cost;
       std::uint64_t step;
     };
-    MPI_Comm             comm = lattice.communicator();
+    MPI_Comm         comm  = lattice.communicator;
+    const GridLines &lines = lattice.lines;
+    lines.for_each_ghost(costs, [this](const std::size_t k, const double cost) {
+      if (cost < costs[k])
+        improve(k, cost, start_of_way);
+    });
     std::vector<Finding> mine;
     for (const std::size_t k : found_in_windows)
-      mine.push_back({k - lattice.grid_lines().size(), costs[k], last_steps[k]});
+      mine.push_back({k - lines.size(), costs[k], last_steps[k]});
     for (const Finding &found : gather_all(comm, mine))
-      if (const std::size_t k = lattice.grid_lines().size() + found.point;
-          found.cost < costs[k])
+      if (const std::size_t k = lines.size() + found.point; found.cost < costs[k])
         improve(k, found.cost, static_cast<std::uint8_t>(found.step));
     found_in_windows.clear();
+    limit = minimum(comm, limit);
+    return sum(comm, static_cast<long long>(blocks.size())) > 0;
   }
 } // namespace strait

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/percolation/clusters.h>
-#include <strait/percolation/throat.h>
+#include <strait/percolation/channel.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -15,8 +15,7 @@ namespace strait
   {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-    /** The open gap at any position, on all levels, on the grid in this rank's rows and
-     *  some others alone. */
+    /** The open gap at any position, on all levels, on the grid in some rows alone. */
     struct GapAround
     {
       const SlabField    &gap; // of the contact
@@ -35,14 +34,11 @@ namespace strait
             gap[layout.start_of_window(window) +
                 static_cast<std::size_t>(iy) * layout.windows()[window].n_columns() + ix],
             slip_length);
-        const int nx = layout.grid().nx, ny = layout.grid().ny;
-        const int column = ((ix % nx) + nx) % nx;
-        const int own    = ((iy % ny) + ny) % ny - layout.first_row();
-        if (own >= 0 && own < layout.n_rows())
-          return open_gap(gap(column, own), slip_length);
+        const int         nx    = layout.grid().nx;
         const std::size_t place = static_cast<std::size_t>(iy - first_row) * nx;
         is_complete             = is_complete && iy >= first_row && place < rows.size();
-        return is_complete ? open_gap(rows[place + column], slip_length) : unknown;
+        return is_complete ? open_gap(rows[place + ((ix % nx) + nx) % nx], slip_length)
+                           : unknown;
       }
 
       /** The window of finest points around a position, −1 if there is none. */
@@ -210,29 +206,17 @@ namespace strait
   measure_throat(const SlabField &gap, const double slip_length, const GridPoint &point)
   {
     const SlabLayout &layout = gap.layout();
-    const int         ny     = gap.grid().ny;
-    const auto [dx, dy]      = layout.spacing(-1);
-    const int row =
-      static_cast<int>(std::floor(layout.position(point.window, 0, point.iy)[1] / dy));
-    Throat throat;
-    // Rank 0 asks the others for more rows until those suffice.
-    int is_complete = 0;
-    for (int reach = 16; is_complete == 0; reach *= 2)
+    const double      y      = layout.position(point.window, 0, point.iy)[1];
+    const int         row    = static_cast<int>(std::floor(y / gap.grid().dy()));
+    // Until the rows suffice.
+    for (int reach = 16;; reach *= 2)
       {
-        std::vector<int> rows;
-        if (layout.rank() == 0 && layout.n_ranks() > 1)
-          for (int k = row - reach; k <= row + reach; ++k)
-            rows.push_back(k);
-        GapAround around{gap, layout, slip_length, row - reach, fetch_rows(gap, rows)};
-        if (layout.rank() == 0)
-          {
-            throat      = measure(around, point);
-            is_complete = around.is_complete || reach > ny ? 1 : 0;
-          }
-        MPI_Bcast(&is_complete, 1, MPI_INT, 0, layout.communicator());
+        std::vector<int> rows(2 * reach + 1);
+        std::iota(rows.begin(), rows.end(), row - reach);
+        GapAround    around{gap, layout, slip_length, row - reach, fetch_rows(gap, rows)};
+        const Throat throat = measure(around, point);
+        if (around.is_complete || reach > gap.grid().ny)
+          return throat;
       }
-    static_assert(sizeof(Throat) == 6 * sizeof(double));
-    MPI_Bcast(&throat, 6, MPI_DOUBLE, 0, layout.communicator());
-    return throat;
   }
 } // namespace strait

@@ -14,7 +14,8 @@
 #include <strait/run/simulation.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/map_processing.h>
-#include <strait/surface/resolution.h>
+#include <strait/surface/read_scene.h>
+#include <strait/surface/self_affine_surface.h>
 #include <strait/surface/statistics.h>
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 #include <strait/run/guards.h>
 #include <strait/run/result_tables.h>
 #include <strait/surface/map_writer.h>
-#include <strait/surface/spectrum.h>
 #include <strait/surface/statistics.h>
 
 #include <algorithm>

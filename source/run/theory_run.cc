@@ -7,7 +7,8 @@
 #include <strait/run/theory_prediction.h>
 #include <strait/run/validity.h>
 #include <strait/surface/make_surface.h>
-#include <strait/surface/resolution.h>
+#include <strait/surface/read_scene.h>
+#include <strait/surface/self_affine_surface.h>
 
 #include <cmath>
 

@@ -9,10 +9,7 @@
 #include <muParser.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <memory>
 #include <regex>
 #include <string>
 #include <utility>
@@ -21,86 +18,100 @@ namespace strait
 {
   namespace
   {
-    const double sqrt_3 = std::sqrt(3.);
-
-    /** The height at (x, y), in the scene's unit of length. */
-    using HeightFunction = std::function<double(double x, double y)>;
-
-    HeightFunction
-    lattice_peaks(const SurfaceParameters &parameters)
+    /** The height as a formula of x and y, in which A is the amplitude. */
+    std::string
+    formula_of(const SurfaceParameters &parameters)
     {
-      const double amplitude = parameters.amplitude;
-      const double lx = parameters.size[0], ly = parameters.size[1];
-      const bool   honeycomb  = parameters.kind == SurfaceKind::honeycomb_peaks;
-      const bool   long_in_x  = lx > ly; // the side of √3 lattice spacings
-      const double short_side = long_in_x ? ly : lx;
-      const double long_side  = long_in_x ? lx : ly;
-      require(!(std::abs(long_side / (sqrt_3 * short_side) - 1) > 1e-6),
-              "Triangular and honeycomb peaks repeat in a box whose sides are as 1 to "
-              "sqrt(3): set Surface/Size = " +
-                (long_in_x ? scene_pair(parameters, sqrt_3 * ly, ly)
-                           : scene_pair(parameters, lx, sqrt_3 * lx)) +
-                ".");
-      return [=](const double x, const double y) {
-        const double along_short = 2 * M_PI * (long_in_x ? y / ly : x / lx);
-        const double along_long  = 2 * M_PI * (long_in_x ? x / lx : y / ly);
-        const double waves       = std::cos(2 * along_long) +
-                             std::cos(along_short + along_long) +
-                             std::cos(along_short - along_long);
-        return amplitude * (honeycomb ? 3 - waves : 1.5 + waves);
-      };
-    }
-
-    /** An expression and the variables that it is bound to. */
-    struct Expression
-    {
-      double     x = 0.;
-      double     y = 0.;
-      mu::Parser parser;
-    };
-
-    HeightFunction
-    parsed(const std::string &text, const std::array<double, 2> &size)
-    {
+      const double      sqrt_3 = std::sqrt(3.);
+      const double      lx = parameters.size[0], ly = parameters.size[1];
+      const bool        long_in_x = lx > ly; // the side of √3 lattice spacings
+      const std::string s         = long_in_x ? "2*pi*y/ly" : "2*pi*x/lx";
+      const std::string t         = long_in_x ? "2*pi*x/lx" : "2*pi*y/ly";
+      const std::string waves =
+        "(cos(2*" + t + ") + cos(" + s + " + " + t + ") + cos(" + s + " - " + t + "))";
+      switch (parameters.kind)
+        {
+          case SurfaceKind::flat:
+            return "0";
+          case SurfaceKind::sine:
+            return "A*cos(2*pi*x/lx)";
+          case SurfaceKind::square_saddle:
+            return "A*(2 + cos(2*pi*x/lx) + cos(2*pi*y/ly))";
+          case SurfaceKind::sphere:
+            return "-((x - lx/2)^2 + (y - ly/2)^2)/(2*A)";
+          case SurfaceKind::triangular_peaks:
+          case SurfaceKind::honeycomb_peaks:
+            require(!(std::abs(std::max(lx, ly) / (sqrt_3 * std::min(lx, ly)) - 1) >
+                      1e-6),
+                    "Triangular and honeycomb peaks repeat in a box whose sides are as 1 "
+                    "to sqrt(3): set Surface/Size = " +
+                      (long_in_x ? scene_pair(parameters, sqrt_3 * ly, ly)
+                                 : scene_pair(parameters, lx, sqrt_3 * lx)) +
+                      ".");
+            return parameters.kind == SurfaceKind::honeycomb_peaks
+                     ? "A*(3 - " + waves + ")"
+                     : "A*(1.5 + " + waves + ")";
+          default:
+            break;
+        }
+      const std::string      &text = parameters.expression;
+      static const std::regex assignment("(^|[^=<>!])=([^=]|$)");
       require(text.find_first_not_of(" \t") != std::string::npos,
               "Surface/Expression is empty: give the height as a function of x "
               "and y, or choose another Surface/Kind.");
-      static const std::regex assignment("(^|[^=<>!])=([^=]|$)");
       require(!std::regex_search(text, assignment),
               "Surface/Expression \"" + text +
                 "\" gives x or y another value with =: compare with ==.");
-      try
-        {
-          const auto  expression = std::make_shared<Expression>();
-          mu::Parser &parser     = expression->parser;
-          parser.DefineVar("x", &expression->x);
-          parser.DefineVar("y", &expression->y);
-          parser.DefineConst("lx", size[0]);
-          parser.DefineConst("ly", size[1]);
-          parser.DefineConst("pi", std::acos(-1.));
-          parser.SetExpr(text);
-          parser.Eval(); // muParser compiles at the first evaluation
-          require(parser.GetNumResults() == 1,
-                  "Surface/Expression \"" + text +
-                    "\" has several values, separated by commas: give one height.");
-          return [expression](const double x, const double y) {
-            expression->x = x;
-            expression->y = y;
-            return expression->parser.Eval();
-          };
-        }
-      catch (const mu::Parser::exception_type &error)
-        {
-          throw InputError("Surface/Expression \"" + text +
-                           "\" cannot be read: " + error.GetMsg());
-        }
+      return text;
     }
+
+    /** The height at (x, y), in the scene's unit of length. */
+    class Formula
+    {
+    public:
+      explicit Formula(const SurfaceParameters &parameters)
+      {
+        const std::string text = formula_of(parameters);
+        try
+          {
+            parser.DefineVar("x", &x);
+            parser.DefineVar("y", &y);
+            parser.DefineConst("lx", parameters.size[0]);
+            parser.DefineConst("ly", parameters.size[1]);
+            parser.DefineConst("pi", std::acos(-1.));
+            if (parameters.kind != SurfaceKind::expression)
+              parser.DefineConst("A", parameters.amplitude);
+            parser.SetExpr(text);
+            parser.Eval(); // muParser compiles at the first evaluation
+            require(parser.GetNumResults() == 1,
+                    "Surface/Expression \"" + text +
+                      "\" has several values, separated by commas: give one height.");
+          }
+        catch (const mu::Parser::exception_type &error)
+          {
+            throw InputError("Surface/Expression \"" + text +
+                             "\" cannot be read: " + error.GetMsg());
+          }
+      }
+
+      double
+      operator()(const double at_x, const double at_y) const
+      {
+        x = at_x;
+        y = at_y;
+        return parser.Eval();
+      }
+
+    private:
+      mutable double x = 0., y = 0.; // to which the parser is bound
+      mu::Parser     parser;
+    };
 
     /** Note in @p remarks if the formula @p height of an expression does not repeat with
      *  the box, which is a step at the seam larger than any between the points of
      *  @p field. Collective. */
     void
-    check_period(const HeightFunction &height, const SlabField &field, Remarks &remarks)
+    check_period(const Formula &height, const SlabField &field, Remarks &remarks)
     {
       const PeriodicGrid &grid    = field.grid();
       const int           n_rows  = field.layout().n_rows();
@@ -137,11 +148,12 @@ namespace strait
     /** A surface that is given by a formula. */
     SlabField
     heights_of_formula(const SurfaceParameters &parameters,
-                       const HeightFunction    &height,
-                       const SlabLayoutPtr     &layout)
+                       const SlabLayoutPtr     &layout,
+                       Remarks                 &remarks)
     {
-      std::string error;
-      SlabField   field = sample(layout, [&](const double x, const double y) {
+      const Formula height(parameters);
+      std::string   error;
+      SlabField     field = sample(layout, [&](const double x, const double y) {
         const double value = height(x, y);
         if (!std::isfinite(value) && error.empty())
           error = "Surface/Expression \"" + parameters.expression +
@@ -151,6 +163,8 @@ namespace strait
         return value;
       });
       throw_if_any(layout->communicator(), error);
+      if (parameters.kind == SurfaceKind::expression)
+        check_period(height, field, remarks);
       return field;
     }
 
@@ -182,48 +196,15 @@ namespace strait
                      const SlabLayoutPtr     &layout,
                      Remarks                 &remarks)
     {
-      const double   amplitude = parameters.amplitude;
-      const double   lx = parameters.size[0], ly = parameters.size[1];
-      HeightFunction formula;
       switch (parameters.kind)
         {
           case SurfaceKind::self_affine:
             return SelfAffineSurface(parameters, layout->communicator()).heights(layout);
           case SurfaceKind::file:
             return measured_heights(parameters, layout, remarks);
-          case SurfaceKind::flat:
-            formula = [](double, double) { return 0.; };
-            break;
-          case SurfaceKind::sine:
-            formula = [=](const double x, double) {
-              return amplitude * std::cos(2 * M_PI * x / lx);
-            };
-            break;
-          case SurfaceKind::square_saddle:
-            formula = [=](const double x, const double y) {
-              return amplitude *
-                     (2 + std::cos(2 * M_PI * x / lx) + std::cos(2 * M_PI * y / ly));
-            };
-            break;
-          case SurfaceKind::triangular_peaks:
-          case SurfaceKind::honeycomb_peaks:
-            formula = lattice_peaks(parameters);
-            break;
-          case SurfaceKind::sphere:
-            formula = [=](double x, double y) {
-              x -= lx / 2;
-              y -= ly / 2;
-              return -(x * x + y * y) / (2 * amplitude);
-            };
-            break;
-          case SurfaceKind::expression:
-            formula = parsed(parameters.expression, parameters.size);
-            break;
+          default:
+            return heights_of_formula(parameters, layout, remarks);
         }
-      SlabField heights = heights_of_formula(parameters, formula, layout);
-      if (parameters.kind == SurfaceKind::expression)
-        check_period(formula, heights, remarks);
-      return heights;
     }
 
     /**

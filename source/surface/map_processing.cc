@@ -148,6 +148,54 @@ namespace strait
   }
 
   void
+  detrend(HeightMap &map, const Detrend what)
+  {
+    if (what == Detrend::none)
+      return;
+    // The first of 1, x, y, x², xy, y², in coordinates from −1 to 1.
+    const int  n_terms  = what == Detrend::mean ? 1 : what == Detrend::tilt ? 3 : 6;
+    const auto terms_at = [&map](const std::size_t k) {
+      const double x = (2. * static_cast<double>(k % map.nx) + 1) / map.nx - 1;
+      const double y = (2. * static_cast<double>(k / map.nx) + 1) / map.ny - 1;
+      return std::array<double, 6>{{1., x, y, x * x, x * y, y * y}};
+    };
+    std::array<std::array<double, 7>, 6> rows{}; // matrix and right-hand side
+    for (std::size_t k = 0; k < map.values.size(); ++k)
+      if (!std::isnan(map.values[k]))
+        {
+          const auto terms = terms_at(k);
+          for (int i = 0; i < n_terms; ++i)
+            {
+              for (int j = 0; j < n_terms; ++j)
+                rows[i][j] += terms[i] * terms[j];
+              rows[i][n_terms] += terms[i] * map.values[k];
+            }
+        }
+    // Gauss–Jordan, which needs no pivots for a matrix of products; a term that the
+    // points do not determine is zero.
+    std::array<double, 6> coefficients{};
+    for (int i = 0; i < n_terms; ++i)
+      if (rows[i][i] > 1e-12 * rows[0][0])
+        for (int row = 0; row < n_terms; ++row)
+          {
+            const double factor = row == i ? 0. : rows[row][i] / rows[i][i];
+            for (int j = 0; j <= n_terms; ++j)
+              rows[row][j] -= factor * rows[i][j];
+          }
+      else
+        rows[i] = {};
+    for (int i = 0; i < n_terms; ++i)
+      if (rows[i][i] > 0)
+        coefficients[i] = rows[i][n_terms] / rows[i][i];
+    for (std::size_t k = 0; k < map.values.size(); ++k)
+      {
+        const auto terms = terms_at(k);
+        for (int i = 0; i < n_terms; ++i)
+          map.values[k] -= coefficients[i] * terms[i];
+      }
+  }
+
+  void
   make_periodic(HeightMap           &map,
                 const MapParameters &parameters,
                 const std::string   &file,

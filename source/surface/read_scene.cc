@@ -78,4 +78,13 @@ namespace strait
       }
     return make_scene(completed);
   }
+
+  PeriodicGrid
+  grid_of(const Scene &scene)
+  {
+    return {scene.contact.grid_points[0],
+            scene.contact.grid_points[1],
+            scene.surface.size[0],
+            scene.surface.size[1]};
+  }
 } // namespace strait

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/surface/map_writer.h>
 #include <strait/surface/readers/height_map.h>
-#include <strait/surface/spectrum.h>
 #include <strait/surface/statistics.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/surface/resolution.h>
+#include <strait/surface/self_affine_surface.h>
 #include <strait/surface/statistics.h>
 
 #include <gtest/gtest.h>

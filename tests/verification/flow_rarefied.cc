@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rarefied gases in gaps where the flow is one-dimensional, which a quadrature solves,
 // and in rough ones.
-#include <strait/flow/constrictions.h>
 #include <strait/flow/leakage.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Leak rates of gaps that are known more finely in nested windows.
-#include <strait/flow/constrictions.h>
+#include <strait/flow/leakage.h>
 #include <strait/flow/solution_on_grid.h>
 
 #include <deal.II/base/timer.h>

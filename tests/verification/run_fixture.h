@@ -5,7 +5,7 @@
 #include <strait/run/load_sweep.h>
 #include <strait/run/simulation.h>
 #include <strait/surface/make_surface.h>
-#include <strait/surface/resolution.h>
+#include <strait/surface/read_scene.h>
 
 #include <gtest/gtest.h>
 

@@ -47,16 +47,11 @@ namespace strait
                                const std::vector<double> &v) const;
 
   private:
-    struct Term
-    {
-      int    moment;
-      double along_x; // from ∂x∂x, to be scaled with hy/hx
-      double along_y; // from ∂y∂y, to be scaled with hx/hy
-    };
-
-    unsigned int                   n;
-    std::vector<std::vector<Term>> terms; // per (i, j <= i), row by row
-    dealii::FullMatrix<double>     curl_matrix;
+    unsigned int n;
+    // The factors of the moments in A_ij, j <= i, row by row: from ∂x∂x, to be scaled
+    // with hy/hx, and from ∂y∂y, to be scaled with hx/hy.
+    dealii::FullMatrix<double> along_x, along_y;
+    dealii::FullMatrix<double> curl_matrix;
   };
 } // namespace strait
 

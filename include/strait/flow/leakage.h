@@ -9,6 +9,9 @@
 
 namespace strait
 {
+  struct Channel;
+  class ReynoldsSolver;
+
   /** What leaks through one gap, how well that is known, and what it took to find out. */
   struct Leakage
   {
@@ -49,6 +52,19 @@ namespace strait
   /** The uniform gap that would leak as much [length]: (12 η Q · aspect/Δp)^(1/3), unless
    *  the gas is rarefied. */
   double effective_gap(const Leakage &leakage, const FluidParameters &fluid);
+
+  /** Where the pressure drops, along the path of least resistance. */
+  struct ConstrictionReport
+  {
+    double points_along      = 0.; // points of its level on one length of the throat
+    double fraction_at_worst = 0.; // of the pressure drop, at one constriction
+    int    n_for_90_percent  = 0;  // constrictions that carry 90 % of the drop
+    int    n_constrictions   = 0;
+  };
+
+  /** @p solver has solved for the flow in @p channel. Collective. */
+  ConstrictionReport report_constrictions(const Channel        &channel,
+                                          const ReynoldsSolver &solver);
 } // namespace strait
 
 #endif

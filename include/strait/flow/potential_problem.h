@@ -2,22 +2,50 @@
 #ifndef strait_flow_potential_problem_h
 #define strait_flow_potential_problem_h
 
-#include <strait/flow/cell_coefficient.h>
 #include <strait/flow/flow_mesh.h>
 #include <strait/flow/multigrid.h>
-#include <strait/flow/ring_background.h>
 
-#include <deal.II/base/function.h>
 #include <deal.II/distributed/solution_transfer.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/full_matrix.h>
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
 namespace strait
 {
+  /** The coefficient of a potential problem on the owned cells of a mesh, in the order of
+   *  iteration: what the element matrices need to know of the gap. */
+  class CellCoefficient
+  {
+  public:
+    virtual ~CellCoefficient() = default;
+
+    /** Take it from @p gap, on the grid of the mesh or one with half, a quarter … of its
+     * points each way, on all cells of the current mesh. Collective. */
+    virtual void update(const GapField &gap) = 0;
+
+    /** Its mean over a cell; zero where nothing flows. */
+    virtual double mean(std::size_t cell) const = 0;
+
+    /** A_ij = ∫ c ∇φ_i·∇φ_j of a cell. */
+    virtual void stiffness(std::size_t                 cell,
+                           dealii::FullMatrix<double> &matrix) const = 0;
+  };
+
+  /**
+   * The coefficient on the cells of @p mesh: of the box, exactly; of a seal mesh, by
+   * quadrature. The potentials are those of @p fe: FE_Q of the degree of @p set, or
+   * FE_Q_iso_Q1(2) with the set of degree 1, bilinear on the four children of a cell.
+   */
+  std::unique_ptr<CellCoefficient> make_coefficient(const FlowMesh                 &mesh,
+                                                    const MomentSet                &set,
+                                                    const dealii::FiniteElement<2> &fe,
+                                                    GapField::Coefficient coefficient);
+
   /** How a linear system is to be solved. */
   struct LinearAccuracy
   {
@@ -71,11 +99,9 @@ namespace strait
 
     /**
      * Solve from the solution that is there, until the energy is known to @p accuracy.
-     * @p source, if given, is the right-hand side f of −∇·(K∇p) = f (for verification).
      * Collective.
      */
-    LinearSolve solve(const LinearAccuracy      &accuracy,
-                      const dealii::Function<2> *source = nullptr);
+    LinearSolve solve(const LinearAccuracy &accuracy);
 
     /** ∫ coefficient |∇·|². Collective. */
     double energy() const;
@@ -174,9 +200,7 @@ namespace strait
     void           complete_solution();
     void           constrain_boundary();
     UnknownsMatrix empty_matrix() const;
-    void           assemble(const dealii::Function<2> *source,
-                            UnknownsMatrix            &matrix,
-                            Vector                    &right) const;
+    void           assemble(UnknownsMatrix &matrix, Vector &right) const;
 
     /** Whether a constant may be added to the potential. */
     bool
@@ -191,6 +215,17 @@ namespace strait
     /** Add what the potential has besides the solution. */
     void add_background(const Iterator &cell, std::vector<double> &values) const;
 
+    /**
+     * Find the part of a ring's stream function that has many values: the angle around
+     * the pole in turns, of the sign that lets its curl flow from inlet to outlet.
+     * Completes the constraints of the other part: where a node hangs, the sum of both
+     * must be continuous, not the other one alone. Collective.
+     */
+    void find_angles();
+
+    /** Add the angles on a cell, less that at its first unknown. */
+    void add_angles(const Iterator &cell, std::vector<double> &values) const;
+
     GapField::Coefficient              kind_of_coefficient;
     FlowMesh                          &mesh;
     dealii::FE_Q<2>                    fe;
@@ -201,7 +236,7 @@ namespace strait
     std::unique_ptr<CellCoefficient>   coefficient;
     mutable dealii::FullMatrix<double> cell_matrix;          // for cell_energy()
     std::vector<double>                conductivity_weights; // empty: all one
-    Vector                             angles; // of the stream function of a ring
+    Vector                             angles; // of a ring, with ghost values
     dealii::types::global_dof_index    n_active_unknowns = 0;
 
     using Transfer = dealii::parallel::distributed::SolutionTransfer<2, Vector>;

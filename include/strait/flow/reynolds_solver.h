@@ -5,8 +5,6 @@
 #include <strait/flow/bracket.h>
 #include <strait/flow/hierarchical_correction.h>
 #include <strait/flow/leakage.h>
-#include <strait/flow/potential_problem.h>
-#include <strait/flow/rarefied_problem.h>
 
 #include <functional>
 #include <limits>
@@ -105,6 +103,15 @@ namespace strait
     LinearAccuracy accuracy() const;
     LinearSolve    solve(PotentialProblem &problem);
     double         drive() const;
+
+    /** Solve for the pressure of the gas, and for the weights of its conductivity, in
+     * turn, until the weights hardly change the energy. */
+    LinearSolve solve_rarefied();
+
+    /** Replace the bounds of @p leakage, which are for the weights that were found, by
+     *  those of the nonlinear problem of the gas (RarefiedFlow), from linear problems on
+     *  the last mesh, and tell the Knudsen number in the throat of @p path. */
+    void bound_rarefied(const FlowPath &path, Leakage &leakage);
 
     /** @return whether the linear solver converged; the bounds hold either way. */
     bool solve_on_mesh(Leakage &leakage);

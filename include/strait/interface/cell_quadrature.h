@@ -7,8 +7,9 @@
 #include <strait/interface/moment_set.h>
 #include <strait/interface/rarefied_flow.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
-#include <vector>
 
 namespace strait
 {
@@ -90,16 +91,10 @@ namespace strait
 
     static constexpr int max_points = 4; // of a rule for degree 2
 
-    struct Rule
-    {
-      std::vector<double> points;  // along each axis
-      std::vector<double> weights; // of their pairs
-    };
-
-    MomentSet      set;
-    GapInterpolant interpolant;
-    bool           rigorous;
-    Rule           coarse, fine; // of p + 1 and p + 2 Gauss points
+    MomentSet         set;
+    GapInterpolant    interpolant;
+    bool              rigorous;
+    dealii::QGauss<2> coarse, fine; // of p + 1 and p + 2 points along each axis
   };
 } // namespace strait
 

@@ -4,12 +4,12 @@
 
 #include <strait/interface/cell_quadrature.h>
 #include <strait/interface/gap_interpolant.h>
-#include <strait/interface/moment_pyramid.h>
 #include <strait/percolation/flow_region.h>
-#include <strait/spectral/periodic_grid.h>
+#include <strait/spectral/slab_field.h>
 
 #include <deal.II/base/table.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,6 +18,47 @@
 
 namespace strait
 {
+  /**
+   * Moments of a coefficient on every quadtree cell of four grid spacings or more,
+   * summed bottom-up, so that any coarse cell is looked up in O(1). A rank holds
+   * the cells whose first grid row it owns. 5/12 · 8 B a grid point at degree 1; with
+   * those of two spacings it would be four times as much, for few that are asked for.
+   */
+  class MomentPyramid
+  {
+  public:
+    /** The exponent of the smallest cells. */
+    static constexpr int finest = 2;
+
+    /** Writes the moments of the grid cell (ix, iy), which are zero so far, and returns
+     *  whether they no longer are. */
+    using Leaf = std::function<bool(int ix, int iy, double *moments)>;
+
+    /** Sum up all levels from the grid cells of this rank. Collective. */
+    MomentPyramid(SlabLayoutPtr layout, MomentSet set, int n_halvings, const Leaf &leaf);
+
+    /** Moments of a cell of this rank with finest <= exponent <= n_halvings. */
+    const double *moments(const GridCell &cell) const;
+
+  private:
+    // Rows of cells that this rank's grid rows touch; the first may belong to the
+    // rank before, which is sent this rank's share of it.
+    struct Level
+    {
+      int                 n_columns = 0;
+      int                 first_row = 0;
+      int                 n_rows    = 0;
+      std::vector<double> moments;
+    };
+
+    void sum_grid_cells(const Leaf &leaf);
+    void sum_children(const Level &fine, Level &coarse) const;
+    void complete_first_rows();
+
+    SlabLayoutPtr      layout;
+    MomentSet          set;
+    std::vector<Level> levels; // levels[k] has cells of exponent finest + k
+  };
   /** The moments of a list of cells in its order, each in that of the MomentSet. */
   using CellAnswers = dealii::Table<2, double>;
 
@@ -35,13 +76,10 @@ namespace strait
    * spacings are looked up in a pyramid of moments, where K was integrated on each cell
    * of the grid (CellQuadrature); smaller ones are integrated directly.
    *
-   * Where the gap has windows of finer points K is that of the finest level present. The
-   * cells of a level lie between its points, and one of which a window covers all four
-   * corners is replaced by the 3 × 3 cells of the window that lie in it: the outermost
-   * rows and columns of a window lie outside of all its cells, and the interpolant needs
-   * them. A cell of the grid that a window replaces is the sum over the window's cells,
-   * of which each is integrated once, and a smaller cell that over the parts of the
-   * levels' cells that lie in it.
+   * Where the gap has windows of finer points a cell between points of which a window
+   * covers all four is replaced by the 3 × 3 cells of the window that lie in it: the
+   * outermost rows and columns of a window lie outside of all its cells, and the
+   * interpolant needs them. Each cell of a window is integrated once.
    *
    * Where the fluid flows on a mesh of its own there are no such cells and no pyramid;
    * the mesh's ranks take the rows of the grid that they touch, as GapRows.

@@ -6,7 +6,6 @@
 #include <strait/spectral/slab_field.h>
 
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace strait
@@ -41,27 +40,15 @@ namespace strait
     Sums collect();
 
   private:
-    /**
-     * ∫ φ_k N_n dx over a cell along one axis, for its nodal polynomials φ_k and the
-     * hats of the grid points n that it touches, in units of the grid spacing.
-     */
-    struct Weights
-    {
-      int                 n = 0;  // number of grid points
-      std::vector<double> values; // [k·n + point]
-    };
     /** Sums at the points of one row. */
     struct Row
     {
       std::vector<double> integral, area;
     };
 
-    const Weights &weights(int exponent, int index_in_grid_cell);
-
-    SlabLayoutPtr                          layout;
-    unsigned int                           degree;
-    std::map<std::pair<int, int>, Weights> known_weights;
-    std::map<int, Row>                     rows; // that this rank's cells touch
+    SlabLayoutPtr      layout;
+    unsigned int       degree;
+    std::map<int, Row> rows; // that this rank's cells touch
   };
 } // namespace strait
 

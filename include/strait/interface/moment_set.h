@@ -54,7 +54,7 @@ namespace strait
     void
     add_child(double *parent, const double *child, int right, int upper) const
     {
-      for (const Transfer &t : transfers[2 * upper + right])
+      for (const Transfer &t : of_children[2 * upper + right])
         parent[t.to] += t.factor * child[t.from];
     }
 
@@ -71,17 +71,7 @@ namespace strait
       int a;
       int b;
     };
-    // In the moment x^a y^b of a cell, what those x^s y^t of its part contribute:
-    // binomial coefficients times x0^(a − s) y0^(b − t).
-    struct Shift
-    {
-      int    to;
-      int    from;
-      int    power_of_x0;
-      int    power_of_y0;
-      int    power_of_edge;
-      double factor;
-    };
+    // What a moment of a part contributes to one of its cell.
     struct Transfer
     {
       int    to;
@@ -89,11 +79,12 @@ namespace strait
       double factor;
     };
 
+    std::vector<Transfer> transfers(double x0, double y0, double edge) const;
+
     unsigned int                         element_degree;
     std::vector<Exponents>               exponents;
     std::array<std::array<int, 5>, 5>    positions;
-    std::vector<Shift>                   shifts;
-    std::array<std::vector<Transfer>, 4> transfers;
+    std::array<std::vector<Transfer>, 4> of_children;
   };
 } // namespace strait
 

@@ -60,21 +60,8 @@ namespace strait
    * p) that differs from one only where the gap differs from the reference ḡ and the flow
    * is neither viscous nor molecular. The throughput is the conductance of K w times ΔΨ.
    *
-   * The throughput times ΔΨ is ∫ a/Ψ' |∇Ψ|² as well, whatever positive function of the
-   * pressure Ψ' is. It thus lies between ΔΨ times the conductances of K min m/Ψ' and
-   * K max m/Ψ', the extremes over all pressures between the reservoirs', and Ψ' is free
-   * to be chosen for either bound. The bounds cannot know which gap lies at which
-   * pressure: the best choice makes them the least and the most that would flow if the
-   * parts of the path lay in a row in any order. It is found by what is the dual problem,
-   * to place the parts at pressures such that the most flows, or the least.
-   *
-   * With slip there is another lower bound, which knows nothing of the path: m = p + r(g)
-   * is that of a viscous gas and of a molecular one side by side. Whatever Ψ' is,
-   * ∫ K p Ψ' |∇p|² is at least the square of ∫ √(p Ψ') dp times the conductance of K, and
-   * ∫ K r Ψ' |∇p|² that of ∫ √Ψ' dp times the conductance of K r. The best Ψ' makes of
-   * this the larger eigenvalue of
-   *   ( J_v  √(θ J_v J_m) ; √(θ J_v J_m)  J_m ),   θ = (∫ √p dp)²/(Δp ∫ p dp),
-   * with the throughputs J_v and J_m of each of the two gases alone.
+   * doc/gas_and_metals.md derives the bounds of the nonlinear problem, for which Ψ' is
+   * chosen otherwise.
    */
   class RarefiedFlow
   {

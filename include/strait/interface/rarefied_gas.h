@@ -8,10 +8,8 @@ namespace strait
 {
   /**
    * What an ideal gas at one temperature carries between parallel walls, from viscous to
-   * molecular flow. Its throughput per width is −a ∇p [pressure length²/time] with
-   *   a(g, p) = g² v0/2 · Q_P(δ),   δ = p g/(η v0),   v0 = √(2RT/M).
-   * Viscous flow has Q_P = δ/6, so that a = p g³/(12 η); with slip at the walls
-   * Q_P = δ/6 + σ √π/2 with σ = 1.1466 (2 − α)/α of accommodation α.
+   * molecular flow. Its throughput per width is −a ∇p [pressure length²/time], of which
+   * doc/gas_and_metals.md has the formulas; viscous flow has a = p g³/(12 η).
    */
   class RarefiedGas
   {

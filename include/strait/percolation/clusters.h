@@ -61,8 +61,7 @@ namespace strait
    * of the cluster of the point inside of them.
    *
    * This function is the one place that decides what is open. Those of trapped fluid are
-   * told apart if @p tells_trapped, which needs a box. Distributed union–find;
-   * collective.
+   * told apart if @p tells_trapped, which needs a box. Collective.
    */
   Clusters find_clusters(const SlabField  &open_gap,
                          const FlowDomain &domain,

@@ -28,11 +28,10 @@ namespace strait
     /** The values of @p field, with its windows. Collective. */
     FlowLattice(const SlabField &field, const FlowDomain &domain);
 
-    MPI_Comm
-    communicator() const
-    {
-      return layout->communicator();
-    }
+    const SlabLayoutPtr layout;
+    const GridLines     lines;  // whose points come before those of windows
+    const LatticeLevels levels; // of all points
+    const MPI_Comm      communicator;
 
     /** Number of points that this rank knows, on all levels. */
     std::size_t
@@ -45,13 +44,6 @@ namespace strait
     operator[](const std::size_t k) const
     {
       return values[k];
-    }
-
-    /** The points of the grid, which come before those of windows. */
-    const GridLines &
-    grid_lines() const
-    {
-      return lines;
     }
 
     /** Whether point @p k is one of a window. */
@@ -119,15 +111,6 @@ namespace strait
       return global_number(place_of(k));
     }
 
-    /** The same in the order of a field: row by row, and those of windows last. */
-    std::size_t
-    place_in_field(const std::size_t k) const
-    {
-      return in_window(k)
-               ? global_number(k)
-               : k + static_cast<std::ptrdiff_t>(lines.first()) * lines.length();
-    }
-
     /** The inverse of global_number(); none if this rank does not own the point. */
     std::size_t own_number(std::size_t global) const;
 
@@ -150,12 +133,6 @@ namespace strait
      *  none if this rank does not know it. */
     std::size_t number_at(const GridPoint &p) const;
 
-    const LatticeLevels &
-    all_levels() const
-    {
-      return levels;
-    }
-
   private:
     using Level = LatticeLevels::Level;
     using Place = LatticeLevels::Place;
@@ -172,8 +149,8 @@ namespace strait
       const int level = levels.level_of(k);
       if (level == 0)
         {
-          const int line = lines.first() + static_cast<int>(k / lines.length());
-          const int i    = static_cast<int>(k % lines.length());
+          const int line = lines.first + static_cast<int>(k / lines.length);
+          const int i    = static_cast<int>(k % lines.length);
           return levels.along_x ? Place{0, i, line} : Place{0, line, i};
         }
       const std::size_t i = k - levels[level].begin;
@@ -220,10 +197,7 @@ namespace strait
                      int           n_directions,
                      const Action &action) const;
 
-    SlabLayoutPtr                     layout;
     std::shared_ptr<const FlowRegion> region; // null: the box
-    GridLines                         lines;
-    LatticeLevels                     levels;
     std::vector<double>               values;
     std::vector<bool>                 is_covered; // empty without windows
   };
@@ -240,10 +214,10 @@ namespace strait
     const bool   from_is_finest = is_covered.empty() || !is_covered[from];
     // Across the flow the lines wrap around by their ghosts, points of a line here.
     const bool wraps       = p.level == 0 && !levels.along_x;
-    const int  first       = p.level > 0 ? rim : lines.first();
-    const int  end         = p.level > 0 ? level.n_across - rim : lines.end();
-    const int  first_along = wraps ? lines.first() : rim;
-    const int  end_along   = wraps ? lines.end() : level.n_along - rim;
+    const int  first       = p.level > 0 ? rim : lines.first;
+    const int  end         = p.level > 0 ? level.n_across - rim : lines.end;
+    const int  first_along = wraps ? lines.first : rim;
+    const int  end_along   = wraps ? lines.end : level.n_along - rim;
     for (int d = 0; d < n_directions; ++d)
       {
         const auto [da, db] = directions[d];

@@ -23,32 +23,15 @@ namespace strait
   public:
     GridLines(SlabLayoutPtr layout, const FlowDomain &domain);
 
-    /** Number of points of a line. */
-    int
-    length() const
-    {
-      return n_along_line;
-    }
-
-    /** The first line that this rank knows, −1 for that before line 0. */
-    int
-    first() const
-    {
-      return first_line;
-    }
-
-    /** The one after the last. */
-    int
-    end() const
-    {
-      return first_line + n_lines;
-    }
+    int length;    // number of points of a line
+    int first = 0; // line that this rank knows, −1 for that before line 0
+    int end   = 0; // the one after the last
 
     /** Number of points that this rank knows. */
     std::size_t
     size() const
     {
-      return static_cast<std::size_t>(n_lines) * n_along_line;
+      return static_cast<std::size_t>(end - first) * length;
     }
 
     /** Whether point @p k is on a line of this rank's own. */
@@ -65,9 +48,9 @@ namespace strait
     std::size_t
     number_of(const int line, const int i) const
     {
-      return line < first_line || line >= end() || i < 0 || i >= n_along_line
+      return line < first || line >= end || i < 0 || i >= length
                ? none
-               : static_cast<std::size_t>(line - first_line) * n_along_line + i;
+               : static_cast<std::size_t>(line - first) * length + i;
     }
 
     /** The values of @p field at the points; zero at what does not belong to the region.
@@ -82,7 +65,6 @@ namespace strait
   private:
     SlabLayoutPtr                     layout;
     std::shared_ptr<const FlowRegion> region; // null: the box
-    int                               n_along_line, n_lines = 0, first_line = 0;
     // From the first of this rank's own points to before the second.
     std::array<std::size_t, 2> own = {{0, 0}};
   };
@@ -223,11 +205,11 @@ namespace strait
       return;
     std::vector<int> wanted;
     if (own[0] > 0)
-      wanted.push_back(first_line);
+      wanted.push_back(first);
     if (own[1] < size())
-      wanted.push_back(end() - 1);
+      wanted.push_back(end - 1);
     const std::vector<Number> lines =
-      fetch_rows(*layout, numbers.data() + own[0], n_along_line, wanted);
+      fetch_rows(*layout, numbers.data() + own[0], length, wanted);
     for (std::size_t i = 0; i < lines.size(); ++i)
       visit(i < own[0] ? i : i - own[0] + own[1], lines[i]);
   }

@@ -86,9 +86,6 @@ namespace strait
      *  then. Collective. */
     bool exchange();
 
-    /** The same for points of windows. */
-    void exchange_in_windows();
-
     const FlowLattice        &lattice;
     int                       n_directions;
     std::vector<double>       costs;
@@ -182,7 +179,7 @@ namespace strait
         }
     while (exchange());
     End result;
-    for (const End &end : gather_all(lattice.communicator(), std::vector<End>{best}))
+    for (const End &end : gather_all(lattice.communicator, std::vector<End>{best}))
       if (end.cost < result.cost)
         result = end;
     return result;

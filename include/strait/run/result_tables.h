@@ -8,7 +8,7 @@
 #include <strait/run/step.h>
 #include <strait/seal/path.h>
 #include <strait/seal/transition.h>
-#include <strait/surface/spectrum.h>
+#include <strait/surface/statistics.h>
 
 #include <iosfwd>
 #include <string>

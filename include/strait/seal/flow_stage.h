@@ -5,7 +5,6 @@
 #include <strait/base/fluid_parameters.h>
 #include <strait/base/log.h>
 #include <strait/base/timers.h>
-#include <strait/flow/constrictions.h>
 #include <strait/flow/leakage.h>
 #include <strait/interface/gap_field.h>
 #include <strait/percolation/channel.h>

@@ -17,20 +17,16 @@ namespace strait
    * all ranks) for a bad file or expression, a box or a grid that does not fit the kind,
    * a spectrum without a single wave, or an expression that is not finite.
    *
-   * Some surfaces are given by a formula; Δ is the parameter Amplitude, the box
-   * lx × ly:
-   *  - flat: h = 0.
-   *  - sine: h = Δ cos(2πx/lx), Westergaard's wave.
-   *  - square saddle: h = Δ [2 + cos(2πx/lx) + cos(2πy/ly)], from 0 to 4Δ: peaks on a
-   *    square lattice; near closing, a saddle between them is an isolated constriction.
+   * Some surfaces are given by a formula, in which Δ is the parameter Amplitude:
+   *  - sine: Westergaard's wave.
+   *  - square saddle: heights from 0 to 4Δ, peaks on a square lattice; near closing, a
+   *    saddle between them is an isolated constriction.
    *  - triangular and honeycomb peaks: three cosine waves c1 + c2 + c3 of equal length
    *    at 120° to each other, in their rectangular periodic cell of 1 × √3 or √3 × 1
-   *    lattice spacings (two peaks or four). Heights run from 0 to 4.5 Δ.
-   *    Triangular: h = Δ (3/2 + c1 + c2 + c3), peaks on a triangular lattice;
-   *    honeycomb: h = Δ (3 − c1 − c2 − c3), the inversion of the former.
+   *    lattice spacings (two peaks or four). Heights run from 0 to 4.5 Δ; one is the
+   *    inversion of the other.
    *  - sphere: one of radius R = Δ that touches h = 0 at the centre of the box, in the
-   *    approximation of small slopes, which the theory of Hertz makes as well: the
-   *    paraboloid h = −r²/(2R).
+   *    approximation of small slopes, which the theory of Hertz makes as well.
    *  - expression: a muParser expression of x and y, in which lx, ly (sides of the box,
    *    before a rotation) and pi may be used.
    */

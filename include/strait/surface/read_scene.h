@@ -3,6 +3,7 @@
 #define strait_surface_read_scene_h
 
 #include <strait/base/scene.h>
+#include <strait/spectral/periodic_grid.h>
 
 namespace strait
 {
@@ -13,6 +14,9 @@ namespace strait
    * all ranks, for a bad scene or a bad map, or if neither of them states a size.
    */
   Scene read_scene(const std::string &path, const Overrides &overrides = {});
+
+  /** The grid that @p scene asks for. */
+  PeriodicGrid grid_of(const Scene &scene);
 } // namespace strait
 
 #endif

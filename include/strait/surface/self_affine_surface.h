@@ -6,6 +6,8 @@
 #include <strait/spectral/slab_field.h>
 
 #include <complex>
+#include <string>
+#include <vector>
 
 namespace strait
 {
@@ -51,6 +53,15 @@ namespace strait
     double            cut_off;  // of q/2π
     double            scale = 1.;
   };
+
+  /**
+   * Whether @p grid carries the shortest waves of a self-affine surface; other
+   * kinds pass. Fewer than two grid points a short cut-off wavelength throw an
+   * InputError, fewer than four give a warning.
+   * @return warnings for the user, one sentence each.
+   */
+  std::vector<std::string> check_resolution(const SurfaceParameters &parameters,
+                                            const PeriodicGrid      &grid);
 } // namespace strait
 
 #endif
