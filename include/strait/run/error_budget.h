@@ -45,7 +45,6 @@ namespace strait
                            const Transition *counted_from,
                            const Scene      &scene,
                            double            rms_height,
-                           const FlowStage  &flow,
                            CoarserSeals     &coarser);
 } // namespace strait
 
