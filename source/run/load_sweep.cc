@@ -37,7 +37,7 @@ namespace strait
       theory = std::make_unique<TheoryPrediction>(scene, &heights);
     seal = make_seal(scene, contact, std::move(heights), flow.get(), log);
     if (scene.programme.find_threshold || scene.programme.find_blow_out)
-      search = std::make_unique<SealSearch>(scene, *seal, layout, flow->domain(), log);
+      search = std::make_unique<SealSearch>(scene, seal, layout, flow->domain(), log);
   }
 
   void
@@ -163,7 +163,7 @@ namespace strait
     step.flow.reset(); // its mesh was made for another gap
     if (flow)
       flow->release();
-    Arrival arrival = follow(*seal,
+    Arrival arrival = follow(seal,
                              control,
                              is_first && !start    ? nullptr
                              : is_first || returns ? &*start

@@ -59,10 +59,10 @@ namespace strait
   private:
     struct CoarserSeal
     {
-      SlabLayoutPtr              layout;
-      std::unique_ptr<SealModel> model;
-      std::vector<Transition>    thresholds; // once they were sought
-      std::optional<SealState>   state;      // that the next is reached from
+      SlabLayoutPtr            layout;
+      SealModel                model;
+      std::vector<Transition>  thresholds; // once they were sought
+      std::optional<SealState> state;      // that the next is reached from
     };
 
     const Scene             &scene;

@@ -165,7 +165,7 @@ namespace strait
     std::unique_ptr<FlowStage>        flow; // unless the fluid is off
     std::unique_ptr<FlowStage>        row;  // of two boxes, if the scene asks for it
     std::unique_ptr<TheoryPrediction> theory;
-    std::unique_ptr<SealModel>        seal;
+    SealModel                         seal;
     std::unique_ptr<SealSearch>       search; // as long as there is one to make
     std::optional<SealState>          start;  // of a path where a fluid presses
     std::vector<Transition>           thresholds;

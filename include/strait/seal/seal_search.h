@@ -5,7 +5,7 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/percolation/flow_region.h>
-#include <strait/seal/seal_model.h>
+#include <strait/seal/seal_state.h>
 #include <strait/seal/transition.h>
 #include <strait/seal/transition_search.h>
 
@@ -34,7 +34,7 @@ namespace strait
     /** @p scene, @p model and @p log must outlive this object; @p layout is the grid's,
      *  and @p domain where the fluid flows. */
     SealSearch(const Scene         &scene,
-               SealModel           &model,
+               const SealModel     &model,
                const SlabLayoutPtr &layout,
                FlowDomain           domain,
                Log                 &log);
@@ -101,7 +101,7 @@ namespace strait
     bool                      report(const SealState &state, bool leaks) const;
 
     const Scene        &scene;
-    SealModel          &model;
+    const SealModel    &model;
     const SlabLayoutPtr layout;
     const FlowDomain    domain;
     Log                &log;
