@@ -209,9 +209,9 @@ namespace strait::python
             "A critical load needs Contact/Enabled and Contact/Control = load.");
     const Use  use(*this);
     SealSearch search(scene, open(), layout, stage->domain(), log);
-    search.after_probe(check_signals);
-    SearchStart start = search_start(scene, contact, slope);
-    start.value       = first.value_or(start.value);
+    search.after_probe = check_signals;
+    SearchStart start  = search_start(scene, contact, slope);
+    start.value        = first.value_or(start.value);
     return search.find_critical_loads(start);
   }
 
@@ -228,7 +228,7 @@ namespace strait::python
     Scene     of_loads           = scene;
     of_loads.programme.pressures = loads;
     SealSearch search(of_loads, open(), layout, stage->domain(), log);
-    search.after_probe(check_signals);
+    search.after_probe = check_signals;
     return search.find_blow_outs();
   }
 

@@ -41,10 +41,10 @@ namespace strait
   }
 
   void
-  LoadSweep::after_probe(SealSearch::AfterProbe action)
+  LoadSweep::after_probe(std::function<void()> action)
   {
     if (search)
-      search->after_probe(std::move(action));
+      search->after_probe = std::move(action);
   }
 
   std::size_t

@@ -74,9 +74,7 @@ namespace strait
       {
         if (differences.size() == static_cast<std::size_t>(history))
           differences.erase(differences.begin());
-        Difference newest;
-        newest.x.resize(n);
-        newest.residual.resize(n);
+        Difference newest = {std::vector<float>(n), std::vector<float>(n)};
         for (std::size_t i = 0; i < n; ++i)
           {
             newest.x[i]        = static_cast<float>(x[i] - last_x[i]);

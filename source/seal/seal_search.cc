@@ -204,7 +204,7 @@ namespace strait
     if (!repeats())
       {
         answers.push_back(probe(control, path_comes_from));
-        look_up();
+        after_probe();
       }
     return answers[next++];
   }

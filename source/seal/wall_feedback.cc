@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace strait
@@ -74,9 +75,9 @@ namespace strait
                       const double        largest_pressure,
                       const FeedbackGoal &goal)
   {
-    FeedbackResult result;
-    int            changes_of_verdict = 0;
-    bool           may_flip = false, percolated = false; // of the round before
+    FeedbackResult      result;
+    int                 changes_of_verdict = 0;
+    std::optional<bool> percolated; // in the round before
     if (goal.goes_on && !last_image.empty())
       {
         propose(last_image, 0, goal);
@@ -98,7 +99,7 @@ namespace strait
         result.change = size(difference(now.fluid_pressure, assumed));
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
-        const bool flips = may_flip && percolated != now.percolates;
+        const bool flips = percolated && *percolated != now.percolates;
         const bool agrees =
           result.agrees_within(goal) ||
           (now.percolates && std::max(result.change, result.leak_change) <=
@@ -115,7 +116,6 @@ namespace strait
             walk = Walk();
             ++changes_of_verdict;
           }
-        may_flip                                   = true;
         percolated                                 = now.percolates;
         last_leak_rate                             = now.leak_rate;
         (now.percolates ? open_side : closed_side) = assumed;
@@ -126,8 +126,8 @@ namespace strait
         else
           {
             changes_of_verdict = 0;
-            may_flip           = false;
-            walk               = Walk();
+            percolated.reset();
+            walk = Walk();
             fixed_point.restart(parameters.relaxation);
           }
       }

@@ -115,7 +115,7 @@ namespace strait
      * Call @p action after every solve of a search, when the state may be saved; it may
      * throw to stop. Only before the searches.
      */
-    void after_probe(SealSearch::AfterProbe action);
+    void after_probe(std::function<void()> action);
 
     /** How many solves were made in searches that are not done; 0 if there is none. */
     std::size_t n_probes() const;
