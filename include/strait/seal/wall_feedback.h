@@ -97,12 +97,9 @@ namespace strait
     // What the rounds of relaxation did since one of them.
     struct Walk
     {
-      SlabField start;   // assumed then
-      SlabField mixture; // of the changes, the smallest
-      double    leak_rate   = 0;
-      int       n_rounds    = 0; // 0: it has not begun
-      double    distance    = 0; // the largest from the start
-      double    leak_change = 0; // likewise, relative
+      SlabField start;         // assumed then; empty: it has not begun
+      SlabField mixture;       // of the changes, the smallest
+      double    leak_rate = 0; // then
     };
 
     void   propose(const SlabField &image, int round, const FeedbackGoal &goal);
