@@ -59,6 +59,7 @@ namespace strait
       int    region = -1;
     };
 
+    /** A trapped cluster. */
     struct Cluster
     {
       std::map<int, Part> parts;       // by owner
