@@ -61,16 +61,16 @@ namespace strait::python
   void
   Seal::free()
   {
-    model.reset();
+    model = nullptr;
     stage.reset();
   }
 
-  SealModel &
-  Seal::open()
+  const SealModel &
+  Seal::open() const
   {
     if (!model)
       throw std::runtime_error("MPI has ended, and with it this seal.");
-    return *model;
+    return model;
   }
 
   void
@@ -135,11 +135,11 @@ namespace strait::python
   {
     State state;
     {
-      SealModel &seal = open();
-      const Use  use(*this);
+      const SealModel &seal = open();
+      const Use        use(*this);
       if (from)
         require_own(*from);
-      state = std::make_shared<SealState>(seal.solve(control_of(at), from.get(), aim()));
+      state = std::make_shared<SealState>(seal(control_of(at), from.get(), aim()));
     }
     pass_warnings_on();
     return state;
@@ -151,8 +151,8 @@ namespace strait::python
     Followed path;
     auto &[states, jumps, parted] = path;
     {
-      SealModel &seal = open();
-      const Use  use(*this);
+      const SealModel &seal = open();
+      const Use        use(*this);
       if (from)
         require_own(*from);
       Scene of_path = scene;
@@ -209,9 +209,9 @@ namespace strait::python
             "A critical load needs Contact/Enabled and Contact/Control = load.");
     const Use  use(*this);
     SealSearch search(scene, open(), layout, stage->domain(), log);
-    search.after_probe(check_signals);
-    SearchStart start = search_start(scene, contact, slope);
-    start.value       = first.value_or(start.value);
+    search.after_probe = check_signals;
+    SearchStart start  = search_start(scene, contact, slope);
+    start.value        = first.value_or(start.value);
     return search.find_critical_loads(start);
   }
 
@@ -228,7 +228,7 @@ namespace strait::python
     Scene     of_loads           = scene;
     of_loads.programme.pressures = loads;
     SealSearch search(of_loads, open(), layout, stage->domain(), log);
-    search.after_probe(check_signals);
+    search.after_probe = check_signals;
     return search.find_blow_outs();
   }
 

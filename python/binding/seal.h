@@ -80,13 +80,13 @@ namespace strait::python
       bool           &is_used;
     };
 
-    Control    control_of(const LoadOrControl &at) const;
-    Aim        aim() const;
-    SealModel &open();
-    void       require_fluid();
-    void       require_own(const SealState &state) const;
-    void       free();
-    void       pass_warnings_on();
+    Control          control_of(const LoadOrControl &at) const;
+    Aim              aim() const;
+    const SealModel &open() const;
+    void             require_fluid();
+    void             require_own(const SealState &state) const;
+    void             free();
+    void             pass_warnings_on();
 
     Scene                      scene;
     MPI_Comm                   communicator;
@@ -97,7 +97,7 @@ namespace strait::python
     double                     slope = 0.; // of the surface, rms
     ContactParameters          contact;
     std::unique_ptr<FlowStage> stage;          // unless the fluid is off
-    std::unique_ptr<SealModel> model;          // null once MPI has ended
+    SealModel                  model;          // empty once MPI has ended
     std::size_t                n_warnings = 0; // that were passed on
     bool                       is_used    = false;
   };

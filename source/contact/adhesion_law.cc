@@ -72,13 +72,8 @@ namespace strait
                         double           *traction,
                         double           *curvature) const
   {
-    switch (shape)
-      {
-        case AdhesionShape::exponential:
-          return values_of<exponential>(*this, n, gap, traction, curvature);
-        case AdhesionShape::van_der_waals:
-          break;
-      }
-    return values_of<van_der_waals>(*this, n, gap, traction, curvature);
+    const auto values = shape == AdhesionShape::exponential ? values_of<exponential>
+                                                            : values_of<van_der_waals>;
+    return values(*this, n, gap, traction, curvature);
   }
 } // namespace strait

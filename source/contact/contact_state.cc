@@ -61,6 +61,63 @@ namespace strait
       constexpr double almost = 1e-3;
       return pressure > (1. - almost) * hardness;
     }
+
+    /**
+     * The length of the contact line on the lattice times the spacing of the points, over
+     * the area of the box, S a: by the pairs of neighbours of which one touches. Where
+     * the pressure ends at @p limit the lattice does not count too much. Collective.
+     */
+    double
+    line_times_spacing(const SlabField &pressure, const double limit)
+    {
+      const SlabLayout &layout = pressure.layout();
+      const int         nx = layout.grid().nx, ny = layout.grid().ny;
+      const double      aspect     = layout.grid().dy() / layout.grid().dx();
+      double            total      = 0; // in areas of a grid point
+      const auto        is_covered = [&](const GridPoint &point) {
+        return layout.covered_by(point.window, point.ix, point.iy) >= 0;
+      };
+      const auto add_pair = [&](const double     pressure_here,
+                                const double     pressure_there,
+                                const GridPoint &here,
+                                const GridPoint &there) {
+        // Of two points that finer ones cover nothing is known here.
+        if ((pressure_here > 0) == (pressure_there > 0) ||
+            flows(std::max(pressure_here, pressure_there), limit) ||
+            (is_covered(here) && is_covered(there)))
+          return;
+        const int    level = here.window < 0 ? 0 : layout.windows()[here.window].level;
+        const double side  = std::sqrt(here.iy == there.iy ? aspect : 1. / aspect);
+        total += side * std::pow(9., -level);
+      };
+      const RowsAround rows(pressure);
+      for (int row = 0; row < layout.n_rows(); ++row)
+        for (int ix = 0; ix < nx; ++ix)
+          {
+            const int    next = ix + 1 < nx ? ix + 1 : 0, iy = layout.first_row() + row;
+            const double here = rows[row][ix];
+            add_pair(here, rows[row][next], {ix, iy}, {next, iy});
+            add_pair(here, rows[row + 1][ix], {ix, iy}, {ix, (iy + 1) % ny});
+          }
+      // All ranks hold the windows.
+      const auto n_windows = static_cast<int>(layout.windows().size());
+      for (int w = 0; layout.rank() == 0 && w < n_windows; ++w)
+        {
+          const int     n_columns = layout.windows()[w].n_columns();
+          const int     n_rows    = layout.windows()[w].n_rows();
+          const double *here      = pressure.data() + layout.start_of_window(w);
+          for (int iy = 0; iy < n_rows; ++iy)
+            for (int ix = 0; ix < n_columns; ++ix, ++here)
+              {
+                if (ix + 1 < n_columns)
+                  add_pair(here[0], here[1], {ix, iy, w}, {ix + 1, iy, w});
+                if (iy + 1 < n_rows)
+                  add_pair(here[0], here[n_columns], {ix, iy, w}, {ix, iy + 1, w});
+              }
+        }
+      return sum(layout.communicator(), total) /
+             static_cast<double>(layout.grid().n_points());
+    }
   } // namespace
 
   PlasticState
@@ -84,104 +141,6 @@ namespace strait
     return state;
   }
 
-  namespace
-  {
-    /** The contact line on a lattice, by the pairs of neighbours of which one touches. */
-    class LatticeLine
-    {
-    public:
-      /** Where the pressure ends at @p limit the lattice does not count too much. */
-      LatticeLine(const SlabField &pressure_, const double limit_)
-        : pressure(pressure_)
-        , limit(limit_)
-        , layout(pressure.layout())
-        , aspect(layout.grid().dy() / layout.grid().dx())
-      {
-      }
-
-      /** Its length times the spacing of the points, over the area of the box, S a.
-       *  Collective. */
-      double
-      times_spacing()
-      {
-        add_grid();
-        // All ranks hold the windows.
-        if (layout.rank() == 0)
-          for (std::size_t w = 0; w < layout.windows().size(); ++w)
-            add_window(static_cast<int>(w));
-        return sum(layout.communicator(), total) /
-               static_cast<double>(layout.grid().n_points());
-      }
-
-    private:
-      void
-      add_grid()
-      {
-        const int        nx = layout.grid().nx, ny = layout.grid().ny;
-        const RowsAround rows(pressure);
-        for (int row = 0; row < layout.n_rows(); ++row)
-          for (int ix = 0; ix < nx; ++ix)
-            {
-              const int    next = ix + 1 < nx ? ix + 1 : 0, iy = layout.first_row() + row;
-              const double here = rows[row][ix];
-              add_pair(here, rows[row][next], {-1, ix, iy}, {-1, next, iy});
-              add_pair(here, rows[row + 1][ix], {-1, ix, iy}, {-1, ix, (iy + 1) % ny});
-            }
-      }
-
-      void
-      add_window(const int w)
-      {
-        const int     n_columns = layout.windows()[w].n_columns();
-        const int     n_rows    = layout.windows()[w].n_rows();
-        const double *values    = pressure.data() + layout.start_of_window(w);
-        for (int iy = 0; iy < n_rows; ++iy)
-          for (int ix = 0; ix < n_columns; ++ix)
-            {
-              const double *here = values + static_cast<std::size_t>(iy) * n_columns + ix;
-              if (ix + 1 < n_columns)
-                add_pair(here[0], here[1], {w, ix, iy}, {w, ix + 1, iy});
-              if (iy + 1 < n_rows)
-                add_pair(here[0], here[n_columns], {w, ix, iy}, {w, ix, iy + 1});
-            }
-      }
-
-      /** A point of a window, −1 for the grid. */
-      struct Place
-      {
-        int window, ix, iy;
-      };
-
-      /** Of two points that finer ones cover nothing is known here. */
-      void
-      add_pair(const double pressure_here,
-               const double pressure_there,
-               const Place &here,
-               const Place &there)
-      {
-        if ((pressure_here > 0) == (pressure_there > 0) ||
-            flows(std::max(pressure_here, pressure_there), limit) ||
-            (is_covered(here) && is_covered(there)))
-          return;
-        const int    level = here.window < 0 ? 0 : layout.windows()[here.window].level;
-        const double side  = std::sqrt(here.iy == there.iy ? aspect : 1. / aspect);
-        total += side * std::pow(9., -level);
-      }
-
-      bool
-      is_covered(const Place &place) const
-      {
-        return layout.covered_by(place.window, place.ix, place.iy) >= 0;
-      }
-
-      const SlabField  &pressure;
-      const double      limit;
-      const SlabLayout &layout;
-      const double      aspect;
-      double            total = 0; // in areas of a grid point
-    };
-  } // namespace
-
   ContactState::ContactState(SlabField pressure_, SlabField gap_, const double limit)
     : pressure(std::move(pressure_))
     , gap(std::move(gap_))
@@ -196,8 +155,7 @@ namespace strait
     contact_area =
       sum(layout.communicator(), touches) / static_cast<double>(layout.grid().n_points());
     contact_area_corrected =
-      contact_area -
-      (M_PI - 1 + std::log(2.)) / 24 * LatticeLine(pressure, limit).times_spacing();
+      contact_area - (M_PI - 1 + std::log(2.)) / 24 * line_times_spacing(pressure, limit);
   }
 
   void

@@ -78,7 +78,7 @@ namespace strait
         if (seal->thresholds.empty())
           {
             SealSearch search(
-              scene, *seal->model, seal->layout, scene.fluid.direction, silent);
+              scene, seal->model, seal->layout, scene.fluid.direction, silent);
             seal->thresholds = search.find_critical_loads(first);
             seal->state      = search.take_state();
           }
@@ -114,7 +114,7 @@ namespace strait
         own != nullptr && reduced_load)
       control.target = (1. - *reduced_load) * own->middle();
     SealState state =
-      seal.model->solve(control, seal.state ? &*seal.state : nullptr, Aim::leak_rate);
+      seal.model(control, seal.state ? &*seal.state : nullptr, Aim::leak_rate);
     // What is counted from a critical load begins in the windows that it was found with.
     if (!seal.thresholds.empty())
       return state.gap();

@@ -69,7 +69,6 @@ namespace strait
                 const Transition *counted_from,
                 const Scene      &scene,
                 const double      rms_height,
-                const FlowStage  &flow,
                 CoarserSeals     &coarser)
   {
     StepErrors     errors;
@@ -100,8 +99,12 @@ namespace strait
     if (n_compared_grids(scene) > 0)
       {
         add_contact_grid(step, counted_from != nullptr, scene, coarser, errors);
+        FluidParameters other = scene.fluid;
+        other.interpolation   = other.interpolation == GapInterpolation::monotone_cubic
+                                  ? GapInterpolation::bilinear
+                                  : GapInterpolation::monotone_cubic;
         errors.items.push_back({"gap interpolation",
-                                std::abs(flow.change_by_interpolation(*step.flow)),
+                                std::abs(change_to(step.state.gap(), step, other)),
                                 "Contact/Grid points"});
       }
     std::stable_sort(errors.items.begin(),

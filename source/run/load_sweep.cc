@@ -35,14 +35,14 @@ namespace strait
       theory = std::make_unique<TheoryPrediction>(scene, &heights);
     seal = make_seal(scene, contact, std::move(heights), flow.get(), log);
     if (scene.programme.find_threshold || scene.programme.find_blow_out)
-      search = std::make_unique<SealSearch>(scene, *seal, layout, flow->domain(), log);
+      search = std::make_unique<SealSearch>(scene, seal, layout, flow->domain(), log);
   }
 
   void
-  LoadSweep::after_probe(SealSearch::AfterProbe action)
+  LoadSweep::after_probe(std::function<void()> action)
   {
     if (search)
-      search->after_probe(std::move(action));
+      search->after_probe = std::move(action);
   }
 
   std::size_t
@@ -161,7 +161,7 @@ namespace strait
     step.flow.reset(); // its mesh was made for another gap
     if (flow)
       flow->release();
-    Arrival arrival = follow(*seal,
+    Arrival arrival = follow(seal,
                              control,
                              is_first && !start    ? nullptr
                              : is_first || returns ? &*start
@@ -240,7 +240,6 @@ namespace strait
                                     stop.is_reduced ? threshold : nullptr,
                                     scene,
                                     surface.rms_height,
-                                    *flow,
                                     coarser);
       }
     if (scene.contact.zoom.enabled && step.errors.sum() > scene.fluid.target_accuracy)

@@ -19,80 +19,91 @@ namespace strait
     struct LiftedOff
     {
     };
+
+    /** The way to one state. */
+    class Coupling
+    {
+    public:
+      Coupling(const Scene         &scene,
+               ContactModel        &contact,
+               const SlabLayoutPtr &layout,
+               FlowStage           &flow,
+               Log                 &log,
+               const Control       &control,
+               const SealState     *from);
+
+      /** Contact and flow that agree to the accuracy of a verdict; roughly if the channel
+       * is open and @p open_is_enough. */
+      void settle(bool open_is_enough);
+
+      /** The same to that of a leak rate. */
+      void find_mesh();
+
+      SealState state;
+
+    private:
+      void          agree(FeedbackGoal goal);
+      FeedbackRound round(const SlabField &assumed);
+      void          lift_off();
+
+      const Scene        &scene;
+      ContactModel       &contact;
+      const SlabLayoutPtr layout;
+      FlowStage          &flow;
+      Log                &log;
+      const Control       control;
+      const ContactState *near; // that the next contact starts from, if there is one
+      StepFlow            fluid_flow;
+      WallFeedback        feedback;
+      FluidOnWall         on_wall;
+      FeedbackResult      last_result;
+    };
   } // namespace
 
-  /** The way to one state. */
-  class CoupledSeal::Iteration
+  SealModel
+  coupled_seal(const Scene                  &scene,
+               std::shared_ptr<ContactModel> contact,
+               const SlabLayoutPtr          &layout,
+               FlowStage                    &flow,
+               Log                          &log)
   {
-  public:
-    Iteration(CoupledSeal &seal, const Control &control, const SealState *from);
+    return
+      [&scene, contact = std::move(contact), layout, &flow, &log](const Control &control,
+                                                                  const SealState *from,
+                                                                  const Aim        aim) {
+        flow.set_inlet_pressure(control.inlet_pressure);
+        Coupling coupling(scene, *contact, layout, flow, log, control, from);
+        if (aim == Aim::leak_rate)
+          coupling.find_mesh();
+        else
+          coupling.settle(aim == Aim::seal);
+        return std::move(coupling.state);
+      };
+  }
 
-    /** Contact and flow that agree to the accuracy of a verdict; roughly if the channel
-     * is open and @p open_is_enough. */
-    void settle(bool open_is_enough);
-
-    /** The same to that of a leak rate. */
-    void find_mesh();
-
-    SealState state;
-
-  private:
-    void          agree(FeedbackGoal goal);
-    FeedbackRound round(const SlabField &assumed);
-    void          lift_off();
-
-    CoupledSeal        &seal;
-    const Control       control;
-    const ContactState *near; // that the next contact starts from, if there is one
-    FlowStage          &flow;
-    StepFlow            fluid_flow;
-    WallFeedback        feedback;
-    FluidOnWall         on_wall;
-    FeedbackResult      last_result;
-  };
-
-  CoupledSeal::CoupledSeal(const Scene                  &scene_,
-                           std::unique_ptr<ContactModel> contact_,
-                           const SlabLayoutPtr          &layout_,
-                           FlowStage                    &flow_,
-                           Log                          &log_)
+  Coupling::Coupling(const Scene         &scene_,
+                     ContactModel        &contact_,
+                     const SlabLayoutPtr &layout_,
+                     FlowStage           &flow_,
+                     Log                 &log_,
+                     const Control       &control_,
+                     const SealState     *from)
     : scene(scene_)
-    , contact(std::move(contact_))
+    , contact(contact_)
     , layout(layout_)
     , flow(flow_)
     , log(log_)
-  {
-  }
-
-  SealState
-  CoupledSeal::solve(const Control &control, const SealState *from, const Aim aim)
-  {
-    flow.set_inlet_pressure(control.inlet_pressure);
-    Iteration iteration(*this, control, from);
-    if (aim == Aim::leak_rate)
-      iteration.find_mesh();
-    else
-      iteration.settle(aim == Aim::seal);
-    return std::move(iteration.state);
-  }
-
-  CoupledSeal::Iteration::Iteration(CoupledSeal     &seal_,
-                                    const Control   &control_,
-                                    const SealState *from_)
-    : seal(seal_)
     , control(control_)
-    , near(from_ != nullptr && !(from_->fluid && from_->fluid->lifted_off)
-             ? &*from_->contact
-             : nullptr)
-    , flow(seal.flow)
-    , feedback(seal.scene.fluid.feedback, seal.layout)
-    , on_wall(seal.scene, control, from_)
+    , near(from != nullptr && !(from->fluid && from->fluid->lifted_off) ? &*from->contact
+                                                                        : nullptr)
+    , feedback(scene.fluid.feedback, layout)
+    , on_wall(scene, control, from)
   {
     state.control = control;
     state.fluid.emplace();
-    if (from_ == nullptr || !from_->fluid)
+    if (from == nullptr || !from->fluid)
       return;
-    feedback.pressure() = from_->fluid->pressure;
+    feedback.pressure() = from->fluid->pressure;
     // What carried another load is not to lift this one off before it was tried.
     const double fluid_load = mean(feedback.pressure());
     if (on_wall.is_limited_by_load() && fluid_load >= control.target)
@@ -101,15 +112,14 @@ namespace strait
   }
 
   void
-  CoupledSeal::Iteration::settle(const bool open_is_enough)
+  Coupling::settle(const bool open_is_enough)
   {
     // The verdict should not depend on what the iteration leaves over, but below that it
     // is what contact and flow leave over that counts. Half of it takes a few rounds
     // more, double of it blurs the tightest thresholds that can be asked for.
     constexpr double least = 1e-5;
-    const double     share = looseness * seal.scene.programme.threshold_tolerance;
-    FeedbackGoal     goal{std::min(seal.scene.fluid.feedback.tolerance,
-                               std::max(share, least)),
+    const double     share = looseness * scene.programme.threshold_tolerance;
+    FeedbackGoal goal{std::min(scene.fluid.feedback.tolerance, std::max(share, least)),
                       std::numeric_limits<double>::infinity()};
     goal.once_open = open_is_enough ? looseness : 0.;
     agree(goal);
@@ -121,7 +131,7 @@ namespace strait
    * and then agree.
    */
   void
-  CoupledSeal::Iteration::find_mesh()
+  Coupling::find_mesh()
   {
     // If the leak rate changes by more than that, contact and flow went to another
     // state, for which another mesh of this share is wanted. Half of it discards meshes
@@ -133,7 +143,7 @@ namespace strait
     constexpr int max_finer = 2, max_states = 4;
 
     const double target_accuracy = flow.fluid().target_accuracy;
-    const double tolerance       = seal.scene.fluid.feedback.tolerance;
+    const double tolerance       = scene.fluid.feedback.tolerance;
     FluidState  &fluid           = *state.fluid;
     const double loosely         = std::max(tolerance, looseness * target_accuracy);
     FeedbackGoal goal{loosely, loosely};
@@ -187,7 +197,7 @@ namespace strait
   }
 
   void
-  CoupledSeal::Iteration::agree(FeedbackGoal goal)
+  Coupling::agree(FeedbackGoal goal)
   {
     // Half as many give long steps up on which pools meet one after the other, twice as
     // many go on where pools meet and part without end.
@@ -198,9 +208,9 @@ namespace strait
                                        std::abs(flow.fluid().outlet_pressure));
     // Reservoirs without pressure give none to compare that of trapped fluid with.
     if (largest_pressure == 0.)
-      largest_pressure = seal.scene.contact.loads() ? std::abs(control.target)
-                         : near != nullptr          ? std::abs(near->nominal_pressure)
-                                                    : 0.;
+      largest_pressure = scene.contact.loads() ? std::abs(control.target)
+                         : near != nullptr     ? std::abs(near->nominal_pressure)
+                                               : 0.;
     FluidState &fluid = *state.fluid;
     try
       {
@@ -230,12 +240,12 @@ namespace strait
   }
 
   FeedbackRound
-  CoupledSeal::Iteration::round(const SlabField &assumed)
+  Coupling::round(const SlabField &assumed)
   {
     if (on_wall.is_limited_by_load() && mean(assumed) >= control.target)
       throw LiftedOff();
     const auto start = Timers::Clock::now();
-    state.contact    = seal.contact->solve(control.target, near, &assumed);
+    state.contact    = contact.solve(control.target, near, &assumed);
     near             = &*state.contact;
     if (near->adhesion && near->adhesion->detached)
       throw LiftedOff();
@@ -251,24 +261,24 @@ namespace strait
     result.percolates     = fluid_flow.channel.percolates();
     result.leak_rate      = fluid_flow.leakage.upper;
     result.fluid_pressure = on_wall.pressure(*state.contact, fluid_flow, assumed);
-    seal.log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",
-                             mean(result.fluid_pressure),
-                             result.leak_rate));
+    log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",
+                        mean(result.fluid_pressure),
+                        result.leak_rate));
     return result;
   }
 
   void
-  CoupledSeal::Iteration::lift_off()
+  Coupling::lift_off()
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    ContactState    &contact  = state.contact.emplace();
-    contact.pressure          = SlabField(seal.layout);
-    contact.gap               = SlabField(seal.layout, infinite);
-    contact.nominal_pressure  = control.target;
-    contact.converged         = true;
-    if (seal.scene.contact.adhesion.enabled)
-      contact.adhesion.emplace().detached = true; // where a path ends
-    contact.mean_gap = state.mean_gap = infinite;
+    ContactState    &parted   = state.contact.emplace();
+    parted.pressure           = SlabField(layout);
+    parted.gap                = SlabField(layout, infinite);
+    parted.nominal_pressure   = control.target;
+    parted.converged          = true;
+    if (scene.contact.adhesion.enabled)
+      parted.adhesion.emplace().detached = true; // where a path ends
+    parted.mean_gap = state.mean_gap = infinite;
     // The contact that was sought until then is none of this state.
     state.costs.iterations  = 0;
     state.costs.fft_pairs   = 0;
@@ -276,8 +286,8 @@ namespace strait
     state.fluid->trapped.reset();
     state.fluid->converged = false;
     state.fluid->load      = control.target;
-    if (!contact.adhesion)
-      seal.log.warn(
+    if (!parted.adhesion)
+      log.warn(
         format("the fluid alone carries a load of %.6g: the walls part and nothing "
                "limits the leak",
                control.target));

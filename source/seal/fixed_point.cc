@@ -10,14 +10,6 @@
 
 namespace strait
 {
-  namespace
-  {
-    // Of the residual in relaxation, in units of the largest allowed. Maps whose slope is
-    // more than twice the inverse oscillate on: half of it tames steeper ones, and makes
-    // slower what recovers from it; double of it the other way round.
-    constexpr double least_damping = 1. / 16;
-  } // namespace
-
   FixedPoint::FixedPoint(MPI_Comm comm_, const int history_, const double relaxation)
     : comm(comm_)
     , history(history_)
@@ -45,18 +37,18 @@ namespace strait
   void
   FixedPoint::relax_towards(double *x, const double *image, const std::size_t n)
   {
-    const bool has_before = has_last; // never without history
+    // Slower than it falls: doubled, the share would stay as it is where the residual
+    // turns round in every other round. With half of the growth it recovers later from
+    // turns on the way, with double of it takes longer to settle in circles.
+    constexpr double growth     = 1.25;
+    const bool       has_before = has_last; // never without history
     remember(x, image, n);
     if (has_before)
       {
         const double now    = product(comm, last_residual, last_residual);
         const double change = product(comm, last_residual, differences.back().residual);
-        damping = now < change ? std::max(.5 * damping, least_damping * most_damping)
-                               : 2. * damping;
+        damping = now < change ? .5 * damping : std::min(growth * damping, 1.);
       }
-    else
-      damping = most_damping;
-    damping           = std::min(damping, most_damping);
     const double part = damping * share;
     for (std::size_t i = 0; i < n; ++i)
       x[i] += part * (image[i] - x[i]);
@@ -74,9 +66,7 @@ namespace strait
       {
         if (differences.size() == static_cast<std::size_t>(history))
           differences.erase(differences.begin());
-        Difference newest;
-        newest.x.resize(n);
-        newest.residual.resize(n);
+        Difference newest = {std::vector<float>(n), std::vector<float>(n)};
         for (std::size_t i = 0; i < n; ++i)
           {
             newest.x[i]        = static_cast<float>(x[i] - last_x[i]);
@@ -128,6 +118,6 @@ namespace strait
     last_residual.clear();
     last_x.clear();
     has_last = false;
-    damping = most_damping = 1.;
+    damping  = 1.;
   }
 } // namespace strait

@@ -12,18 +12,12 @@ namespace strait
   void
   UnsettledPools::note(const std::vector<NodeState> &now)
   {
-    before.resize(now.size(), NodeState::closed);
-    is_pool.resize(now.size());
-    has_ceased.resize(now.size());
+    points.resize(now.size());
     for (std::size_t k = 0; k < now.size(); ++k)
-      if (now[k] == NodeState::trapped)
-        is_pool[k] = true;
+      if (Point &point = points[k]; now[k] == NodeState::trapped)
+        point.is_pool = true;
       else
-        {
-          has_ceased[k] = has_ceased[k] || is_pool[k];
-          is_pool[k]    = false;
-          before[k]     = now[k];
-        }
+        point = {now[k], false, point.has_ceased || point.is_pool};
   }
 
   FluidOnWall::FluidOnWall(const Scene     &scene_,
@@ -110,7 +104,7 @@ namespace strait
         : GridDeposit::Sums();
     for (std::size_t k = 0; k < pressure.size(); ++k)
       {
-        if (pools != nullptr && pools->region(k) >= 0)
+        if (pools != nullptr && pools->regions[k] >= 0)
           continue;
         std::optional<NodeState> before;
         if (pools == nullptr)
@@ -164,13 +158,13 @@ namespace strait
           // What is pressed shut opens once its fluid has taken the contact over.
           const Pool  &pool = known.pools[r];
           const double volume =
-            pools.volume(r) > 0. ? pools.volume(r) : -pool.compliance * on_shut[r];
+            pools.volumes[r] > 0. ? pools.volumes[r] : -pool.compliance * on_shut[r];
           next[r] = pressure_to_hold(parameters, pool, volume, now[r]);
         }
       else if (!has_extended)
         next[r] = parameters.pool_pressure;
     for (std::size_t k = 0; k < pressure.size(); ++k)
-      if (const int r = pools.region(k); r >= 0)
+      if (const int r = pools.regions[k]; r >= 0)
         {
           pressure[k] = next[r];
           // Any gap will do for a pool that is shut: its points count as open.

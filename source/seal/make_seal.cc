@@ -17,47 +17,29 @@ namespace strait
 {
   namespace
   {
-    /** The gap is given, and nothing changes it. */
-    class GivenGap : public SealModel
+    /** The gap is given, below zero where closed, and nothing changes it. */
+    SealModel
+    given_gap(SlabField gap)
     {
-    public:
-      /** @p gap is below zero where closed [length]. Collective. */
-      explicit GivenGap(SlabField gap_)
-        : gap(std::move(gap_))
-      {
-        SlabField open = gap;
-        for (double &value : open)
-          value = std::max(value, 0.);
-        mean_gap = mean(open);
-      }
-
-      SealState
-      solve(const Control &control, const SealState *, Aim) override
-      {
+      SlabField open = gap;
+      for (double &value : open)
+        value = std::max(value, 0.);
+      return [gap      = std::move(gap),
+              mean_gap = mean(open)](const Control &control, const SealState *, Aim) {
         SealState state;
         state.control   = control;
         state.given_gap = gap;
         state.mean_gap  = mean_gap;
         return state;
-      }
-
-    private:
-      SlabField gap;
-      double    mean_gap;
-    };
+      };
+    }
 
     /** A contact, with or without adhesion, on whose walls no fluid presses. */
-    class DrySeal : public SealModel
+    SealModel
+    dry_seal(std::shared_ptr<ContactModel> contact)
     {
-    public:
-      explicit DrySeal(std::unique_ptr<ContactModel> contact_)
-        : contact(std::move(contact_))
-      {
-      }
-
-      SealState
-      solve(const Control &control, const SealState *from, const Aim aim) override
-      {
+      return [contact = std::move(
+                contact)](const Control &control, const SealState *from, const Aim aim) {
         const auto start = Timers::Clock::now();
         SealState  state;
         state.control  = control;
@@ -71,11 +53,8 @@ namespace strait
                           0,
                           Timers::seconds_since(start)};
         return state;
-      }
-
-    private:
-      std::unique_ptr<ContactModel> contact;
-    };
+      };
+    }
 
     /** Find the law and tell of it. Returns its surface energy. */
     double
@@ -146,7 +125,7 @@ namespace strait
     return parameters;
   }
 
-  std::unique_ptr<SealModel>
+  SealModel
   make_seal(const Scene             &scene,
             const ContactParameters &contact,
             SlabField                heights,
@@ -154,21 +133,16 @@ namespace strait
             Log                     &log)
   {
     if (!scene.contact.enabled)
-      return std::make_unique<GivenGap>(std::move(heights));
+      return given_gap(std::move(heights));
     const SlabLayoutPtr           layout = heights.layout_pointer();
-    std::unique_ptr<ContactModel> model =
+    std::shared_ptr<ContactModel> model =
       make_contact(scene, contact, std::move(heights));
-    if (!scene.fluid.feedback.enabled)
-      {
-        auto dry = std::make_unique<DrySeal>(std::move(model));
-        if (!contact.zoom.enabled)
-          return dry;
-        return std::make_unique<ZoomedSeal>(std::move(dry),
-                                            contact.zoom,
-                                            scene.fluid.direction,
-                                            log);
-      }
-    return std::make_unique<CoupledSeal>(scene, std::move(model), layout, *flow, log);
+    if (scene.fluid.feedback.enabled)
+      return coupled_seal(scene, std::move(model), layout, *flow, log);
+    const SealModel dry = dry_seal(std::move(model));
+    return contact.zoom.enabled
+             ? zoomed_seal(dry, contact.zoom, scene.fluid.direction, log)
+             : dry;
   }
 
   SearchStart

@@ -203,7 +203,7 @@ namespace strait
   }
 
   Arrival
-  follow(SealModel       &model,
+  follow(const SealModel &model,
          const Control   &to,
          const SealState *from,
          const Aim        aim,
@@ -221,7 +221,7 @@ namespace strait
             is_open(*here, ahead.back(), rule))
           ahead.push_back({halfway(ahead.back().control, here->control)});
         Stop     &next  = ahead.back();
-        SealState state = model.solve(next.control, here, aim);
+        SealState state = model(next.control, here, aim);
         ++n_solves;
         state.costs += spent;
         spent = state.costs;

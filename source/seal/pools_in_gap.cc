@@ -15,6 +15,187 @@ namespace strait
     // that meet may differ, without another solution. Half of it asks for more of them,
     // double of it leaves pressures that are as much off.
     constexpr double negligible = .01;
+
+    /** What each cluster of trapped fluid has of each owner. Collective. */
+    std::map<std::int64_t, PoolsInGap::Cluster>
+    find_parts(const PoolsInGap &in)
+    {
+      struct Share
+      {
+        std::int64_t label;
+        int          owner;
+        double       volume;
+      };
+      const double cell = in.gap.grid().dx() * in.gap.grid().dy();
+      std::map<std::pair<std::int64_t, int>, double> mine; // by label and owner
+      for (std::size_t k = 0; k < in.labels.size(); ++k)
+        if (in.labels[k] >= 0)
+          mine[{in.labels[k], static_cast<int>(in.known.owner[k])}] += cell * in.gap[k];
+      std::vector<Share> list;
+      list.reserve(mine.size());
+      for (const auto &[whose, volume] : mine)
+        list.push_back({whose.first, whose.second, volume});
+      std::map<std::int64_t, PoolsInGap::Cluster> trapped;
+      for (const Share &share : gather_all(in.gap.layout().communicator(), list))
+        trapped[share.label].parts[share.owner].volume += share.volume;
+      return trapped;
+    }
+
+    /** Give all parts of @p trapped a region. Returns how many there are with those of
+     *  the @p pools. */
+    int
+    number_regions(std::map<std::int64_t, PoolsInGap::Cluster> &trapped,
+                   const std::vector<Pool>                     &pools)
+    {
+      auto n = static_cast<int>(pools.size());
+      for (auto &[label, cluster] : trapped)
+        {
+          // The largest by what it held before: its volume now would change places with
+          // that of a pool beside it from round to round.
+          for (auto &[owner, part] : cluster.parts)
+            if (owner >= 0)
+              {
+                part.region = owner;
+                if (cluster.region < 0 ||
+                    pools[owner].volume > pools[cluster.region].volume)
+                  cluster.region = owner;
+              }
+            else if (owner == TrappedFluid::reservoirs)
+              part.region = n++;
+          if (cluster.region < 0) // no pool has any of it
+            cluster.region =
+              cluster.parts.count(TrappedFluid::reservoirs) > 0 ? n - 1 : n++;
+          if (const auto opened = cluster.parts.find(TrappedFluid::no_fluid);
+              opened != cluster.parts.end())
+            opened->second.region = cluster.region;
+        }
+      return n;
+    }
+
+    /** The pool that @p cluster has become. */
+    Pool
+    heir(const PoolsInGap          &in,
+         const FeedbackParameters  &parameters,
+         const std::vector<double> &pressures,
+         const PoolsInGap::Cluster &cluster,
+         const bool                 is_guess)
+    {
+      const auto pool_of = [&](const std::size_t region) {
+        return region < in.known.pools.size()
+                 ? in.known.pools[region]
+                 : Pool{in.volumes[region], pressures[region], 0., is_guess};
+      };
+      Pool result = pool_of(cluster.region);
+      for (const auto &[owner, part] : cluster.parts)
+        result.pressure = std::max(result.pressure, pool_of(part.region).pressure);
+      result.volume = 0.;
+      for (const auto &[owner, part] : cluster.parts)
+        {
+          const Pool pool = pool_of(part.region);
+          result.volume += part.volume / in.volumes[part.region] *
+                           volume_at(parameters, pool, result.pressure);
+          result.is_guess = result.is_guess || pool.is_guess;
+        }
+      return result;
+    }
+
+    /** Whether pools of other pressures have become one in @p cluster. */
+    bool
+    meets_another(const PoolsInGap::Cluster &cluster,
+                  const std::vector<double> &pressures)
+    {
+      const double here = pressures[cluster.region];
+      for (const auto &[owner, part] : cluster.parts)
+        if (const double there = pressures[part.region];
+            std::abs(here - there) >
+            negligible * std::max(std::abs(here), std::abs(there)))
+          return true;
+      return false;
+    }
+
+    /**
+     * The change of the mean pressure, had all that was cut off kept the volume that it
+     * had in @p gap_before. Collective.
+     */
+    double
+    uncertainty(const PoolsInGap         &in,
+                const FeedbackParameters &parameters,
+                const TrappedFluid       &fluid,
+                const SlabField          &gap_before)
+    {
+      const std::size_t   n    = fluid.pools.size();
+      const PeriodicGrid &grid = in.gap.grid();
+      std::vector<double> sums(2 * n); // what each lost before it was cut off; points
+      for (std::size_t k = 0; k < in.gap.size(); ++k)
+        if (fluid.owner[k] >= 0)
+          {
+            const auto pool = static_cast<std::size_t>(fluid.owner[k]);
+            if (static_cast<std::size_t>(in.regions[k]) >= in.known.pools.size())
+              sums[pool] +=
+                grid.dx() * grid.dy() * (std::max(gap_before[k], 0.) - in.gap[k]);
+            ++sums[n + pool];
+          }
+      sum_in_place(in.gap.layout().communicator(), sums.data(), static_cast<int>(2 * n));
+      double result = 0.;
+      for (std::size_t p = 0; p < n; ++p)
+        {
+          Pool         fuller = fluid.pools[p];
+          const double volume = fuller.volume;
+          fuller.volume += std::abs(sums[p]);
+          result += sums[n + p] / static_cast<double>(grid.n_points()) *
+                    (pressure_to_hold(parameters, fuller, volume, fuller.pressure) -
+                     fuller.pressure);
+        }
+      return result;
+    }
+
+    /** Area, mean pressure and compliance. Collective. */
+    void
+    measure_pools(const PoolsInGap          &in,
+                  TrappedFluid              &fluid,
+                  const std::vector<double> &pressures,
+                  const double               contact_modulus)
+    {
+      // A slit or disc of area A and circumference S that is pressed open between walls
+      // in contact all around has dV/dp = 1.6 to 1.7 A²/(S E*), and more where they are
+      // not. Half of it makes rounds overshoot, double of it makes each reach half as
+      // far.
+      constexpr double    compliance = 2.5;
+      const PeriodicGrid &grid       = in.gap.grid();
+      const int           nx         = grid.nx;
+      const auto          n          = fluid.pools.size();
+      SlabField           owner(in.gap.layout_pointer());
+      std::copy(fluid.owner.begin(), fluid.owner.end(), owner.begin());
+      const RowsAround    rows(owner);
+      std::vector<double> sums(2 * n + 1); // areas, circumferences, ∫p
+      for (int row = 0, k = 0; row < in.gap.layout().n_rows(); ++row)
+        for (int ix = 0; ix < nx; ++ix, ++k)
+          if (const double mine = owner[k]; mine >= 0)
+            {
+              const auto pool = static_cast<std::size_t>(mine);
+              sums[pool] += grid.dx() * grid.dy();
+              for (const int step : {nx - 1, 1})
+                sums[n + pool] += rows[row][(ix + step) % nx] != mine ? grid.dy() : 0.;
+              for (const int step : {-1, 1})
+                sums[n + pool] += rows[row + step][ix] != mine ? grid.dx() : 0.;
+              sums[2 * n] += grid.dx() * grid.dy() * pressures[in.regions[k]];
+            }
+      sum_in_place(in.gap.layout().communicator(),
+                   sums.data(),
+                   static_cast<int>(sums.size()));
+      for (std::size_t p = 0; p < n; ++p)
+        {
+          Pool &pool = fluid.pools[p];
+          pool.compliance =
+            compliance * sums[p] * sums[p] /
+            (contact_modulus * std::max(sums[n + p], std::min(grid.dx(), grid.dy())));
+          fluid.area += sums[p];
+          fluid.guessed_area += pool.is_guess ? sums[p] : 0.;
+        }
+      fluid.pressure = fluid.area > 0 ? sums[2 * n] / fluid.area : 0.;
+      fluid.area /= grid.lx * grid.ly;
+      fluid.guessed_area /= grid.lx * grid.ly;
+    }
   } // namespace
 
   PoolsInGap::PoolsInGap(const TrappedFluid &known_,
@@ -23,96 +204,40 @@ namespace strait
     : known(known_)
     , gap(open_gap)
     , labels(clusters.trapped)
-  {
-    find_parts();
-    number_regions();
-    measure();
-  }
-
-  /** What each cluster of trapped fluid has of each owner. */
-  void
-  PoolsInGap::find_parts()
-  {
-    struct Share
-    {
-      std::int64_t label;
-      int          owner;
-      double       volume;
-    };
-    const double cell = gap.grid().dx() * gap.grid().dy();
-    std::map<std::pair<std::int64_t, int>, double> mine; // by label and owner
-    for (std::size_t k = 0; k < labels.size(); ++k)
-      if (labels[k] >= 0)
-        mine[{labels[k], static_cast<int>(known.owner[k])}] += cell * gap[k];
-    std::vector<Share> list;
-    list.reserve(mine.size());
-    for (const auto &[whose, volume] : mine)
-      list.push_back({whose.first, whose.second, volume});
-    for (const Share &share : gather_all(gap.layout().communicator(), list))
-      trapped[share.label].parts[share.owner].volume += share.volume;
-  }
-
-  void
-  PoolsInGap::number_regions()
-  {
-    auto n = static_cast<int>(known.pools.size());
-    for (auto &[label, cluster] : trapped)
-      {
-        // The largest by what it held before: its volume now would change places with
-        // that of a pool beside it from round to round.
-        for (auto &[owner, part] : cluster.parts)
-          if (owner >= 0)
-            {
-              part.region = owner;
-              if (cluster.region < 0 ||
-                  known.pools[owner].volume > known.pools[cluster.region].volume)
-                cluster.region = owner;
-            }
-          else if (owner == TrappedFluid::reservoirs)
-            part.region = n++;
-        if (cluster.region < 0) // no pool has any of it
-          cluster.region =
-            cluster.parts.count(TrappedFluid::reservoirs) > 0 ? n - 1 : n++;
-        if (const auto opened = cluster.parts.find(TrappedFluid::no_fluid);
-            opened != cluster.parts.end())
-          opened->second.region = cluster.region;
-      }
-    volumes.resize(n);
-    regions.resize(gap.size());
-    for (std::size_t k = 0; k < gap.size(); ++k)
-      {
-        const auto owner = static_cast<int>(known.owner[k]);
-        regions[k]       = !(gap[k] > 0)    ? -1
-                           : owner >= 0     ? owner
-                           : labels[k] >= 0 ? trapped.at(labels[k]).parts.at(owner).region
-                                            : -1;
-      }
-  }
-
-  void
-  PoolsInGap::measure()
+    , trapped(find_parts(*this))
+    , regions(gap.size(), -1)
+    , volumes(number_regions(trapped, known.pools))
+    , widest(volumes.size())
   {
     const MPI_Comm comm = gap.layout().communicator();
     const auto     n    = static_cast<int>(volumes.size());
     const double   cell = gap.grid().dx() * gap.grid().dy();
     for (std::size_t k = 0; k < gap.size(); ++k)
-      if (regions[k] >= 0)
-        volumes[regions[k]] += cell * gap[k];
+      {
+        const auto owner = static_cast<int>(known.owner[k]);
+        if (gap[k] > 0 && owner >= 0)
+          regions[k] = owner;
+        else if (gap[k] > 0 && labels[k] >= 0)
+          regions[k] = trapped.at(labels[k]).parts.at(owner).region;
+        if (regions[k] >= 0)
+          volumes[regions[k]] += cell * gap[k];
+      }
     sum_in_place(comm, volumes.data(), n);
     for (std::size_t k = 0; k < gap.size(); ++k)
-      if (known.owner[k] >= 0 && volumes[static_cast<int>(known.owner[k])] == 0)
-        regions[k] = static_cast<int>(known.owner[k]);
-    widest.resize(n);
-    for (std::size_t k = 0; k < gap.size(); ++k)
-      if (const int r = regions[k]; r >= 0)
-        widest[r] = std::max(widest[r], gap[k]);
+      {
+        const auto owner = static_cast<int>(known.owner[k]);
+        if (owner >= 0 && volumes[owner] == 0)
+          regions[k] = owner;
+        if (const int r = regions[k]; r >= 0)
+          widest[r] = std::max(widest[r], gap[k]);
+      }
     MPI_Allreduce(MPI_IN_PLACE, widest.data(), n, MPI_DOUBLE, MPI_MAX, comm);
   }
 
   std::vector<double>
   PoolsInGap::in_the_wide(const SlabField &field) const
   {
-    const std::size_t   n = n_regions();
+    const std::size_t   n = volumes.size();
     std::vector<double> sums(2 * n);
     for (std::size_t k = 0; k < regions.size(); ++k)
       if (const int r = regions[k]; r >= 0 && 2. * std::max(gap[k], 0.) >= widest[r])
@@ -140,7 +265,7 @@ namespace strait
       {
         number.emplace(label, static_cast<int>(number.size()));
         settled.fluid.pools.push_back(
-          heir(parameters, pressures, cluster, gap_before == nullptr));
+          heir(*this, parameters, pressures, cluster, gap_before == nullptr));
         settled.has_changed = settled.has_changed || meets_another(cluster, pressures);
         for (const auto &[owner, part] : cluster.parts)
           if (static_cast<std::size_t>(part.region) < left.size())
@@ -165,126 +290,10 @@ namespace strait
           owner = shut->second;
         settled.fluid.owner[k] = static_cast<float>(owner);
       }
-    measure_pools(settled.fluid, pressures, contact_modulus);
+    measure_pools(*this, settled.fluid, pressures, contact_modulus);
     if (gap_before != nullptr)
-      settled.fluid.uncertainty = uncertainty(parameters, settled.fluid, *gap_before);
+      settled.fluid.uncertainty =
+        uncertainty(*this, parameters, settled.fluid, *gap_before);
     return settled;
-  }
-
-  /** The pool that @p cluster has become. */
-  Pool
-  PoolsInGap::heir(const FeedbackParameters  &parameters,
-                   const std::vector<double> &pressures,
-                   const Cluster             &cluster,
-                   const bool                 is_guess) const
-  {
-    const auto pool_of = [&](const std::size_t region) {
-      return region < known.pools.size()
-               ? known.pools[region]
-               : Pool{volumes[region], pressures[region], 0., is_guess};
-    };
-    Pool result = pool_of(cluster.region);
-    for (const auto &[owner, part] : cluster.parts)
-      result.pressure = std::max(result.pressure, pool_of(part.region).pressure);
-    result.volume = 0.;
-    for (const auto &[owner, part] : cluster.parts)
-      {
-        const Pool pool = pool_of(part.region);
-        result.volume += part.volume / volumes[part.region] *
-                         volume_at(parameters, pool, result.pressure);
-        result.is_guess = result.is_guess || pool.is_guess;
-      }
-    return result;
-  }
-
-  /** Whether pools of other pressures have become one in @p cluster. */
-  bool
-  PoolsInGap::meets_another(const Cluster             &cluster,
-                            const std::vector<double> &pressures) const
-  {
-    const double here = pressures[cluster.region];
-    for (const auto &[owner, part] : cluster.parts)
-      if (const double there = pressures[part.region];
-          std::abs(here - there) > negligible * std::max(std::abs(here), std::abs(there)))
-        return true;
-    return false;
-  }
-
-  /**
-   * The change of the mean pressure, had all that was cut off kept the volume that it had
-   * in @p gap_before. Collective.
-   */
-  double
-  PoolsInGap::uncertainty(const FeedbackParameters &parameters,
-                          const TrappedFluid       &fluid,
-                          const SlabField          &gap_before) const
-  {
-    const std::size_t   n    = fluid.pools.size();
-    const PeriodicGrid &grid = gap.grid();
-    std::vector<double> sums(2 * n); // what each lost before it was cut off; points
-    for (std::size_t k = 0; k < gap.size(); ++k)
-      if (fluid.owner[k] >= 0)
-        {
-          const auto pool = static_cast<std::size_t>(fluid.owner[k]);
-          if (static_cast<std::size_t>(regions[k]) >= known.pools.size())
-            sums[pool] += grid.dx() * grid.dy() * (std::max(gap_before[k], 0.) - gap[k]);
-          ++sums[n + pool];
-        }
-    sum_in_place(gap.layout().communicator(), sums.data(), static_cast<int>(2 * n));
-    double result = 0.;
-    for (std::size_t p = 0; p < n; ++p)
-      {
-        Pool         fuller = fluid.pools[p];
-        const double volume = fuller.volume;
-        fuller.volume += std::abs(sums[p]);
-        result += sums[n + p] / static_cast<double>(grid.n_points()) *
-                  (pressure_to_hold(parameters, fuller, volume, fuller.pressure) -
-                   fuller.pressure);
-      }
-    return result;
-  }
-
-  /** Area, mean pressure and compliance. Collective. */
-  void
-  PoolsInGap::measure_pools(TrappedFluid              &fluid,
-                            const std::vector<double> &pressures,
-                            const double               contact_modulus) const
-  {
-    // A slit or disc of area A and circumference S that is pressed open between walls in
-    // contact all around has dV/dp = 1.6 to 1.7 A²/(S E*), and more where they are not.
-    // Half of it makes rounds overshoot, double of it makes each reach half as far.
-    constexpr double    compliance = 2.5;
-    const PeriodicGrid &grid       = gap.grid();
-    const int           nx         = grid.nx;
-    const auto          n          = fluid.pools.size();
-    SlabField           owner(gap.layout_pointer());
-    std::copy(fluid.owner.begin(), fluid.owner.end(), owner.begin());
-    const RowsAround    rows(owner);
-    std::vector<double> sums(2 * n + 1); // areas, circumferences, ∫p
-    for (int row = 0, k = 0; row < gap.layout().n_rows(); ++row)
-      for (int ix = 0; ix < nx; ++ix, ++k)
-        if (const double mine = owner[k]; mine >= 0)
-          {
-            const auto pool = static_cast<std::size_t>(mine);
-            sums[pool] += grid.dx() * grid.dy();
-            for (const int step : {nx - 1, 1})
-              sums[n + pool] += rows[row][(ix + step) % nx] != mine ? grid.dy() : 0.;
-            for (const int step : {-1, 1})
-              sums[n + pool] += rows[row + step][ix] != mine ? grid.dx() : 0.;
-            sums[2 * n] += grid.dx() * grid.dy() * pressures[regions[k]];
-          }
-    sum_in_place(gap.layout().communicator(), sums.data(), static_cast<int>(sums.size()));
-    for (std::size_t p = 0; p < n; ++p)
-      {
-        Pool &pool = fluid.pools[p];
-        pool.compliance =
-          compliance * sums[p] * sums[p] /
-          (contact_modulus * std::max(sums[n + p], std::min(grid.dx(), grid.dy())));
-        fluid.area += sums[p];
-        fluid.guessed_area += pool.is_guess ? sums[p] : 0.;
-      }
-    fluid.pressure = fluid.area > 0 ? sums[2 * n] / fluid.area : 0.;
-    fluid.area /= grid.lx * grid.ly;
-    fluid.guessed_area /= grid.lx * grid.ly;
   }
 } // namespace strait

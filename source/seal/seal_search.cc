@@ -11,7 +11,7 @@
 namespace strait
 {
   SealSearch::SealSearch(const Scene         &scene_,
-                         SealModel           &model_,
+                         const SealModel     &model_,
                          const SlabLayoutPtr &layout_,
                          FlowDomain           domain_,
                          Log                 &log_)
@@ -204,7 +204,7 @@ namespace strait
     if (!repeats())
       {
         answers.push_back(probe(control, path_comes_from));
-        look_up();
+        after_probe();
       }
     return answers[next++];
   }
@@ -229,7 +229,7 @@ namespace strait
     const Aim aim   = scene.depends_on_path() && path_comes_from == Side::sealed
                         ? Aim::seal
                         : Aim::verdict;
-    SealState state = model.solve(control, is_ahead ? &*near : nullptr, aim);
+    SealState state = model(control, is_ahead ? &*near : nullptr, aim);
     if (!scene.depends_on_path())
       open_state.reset(); // this one takes its place
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace strait
@@ -74,9 +75,9 @@ namespace strait
                       const double        largest_pressure,
                       const FeedbackGoal &goal)
   {
-    FeedbackResult result;
-    int            changes_of_verdict = 0;
-    bool           may_flip = false, percolated = false; // of the round before
+    FeedbackResult      result;
+    int                 changes_of_verdict = 0;
+    std::optional<bool> percolated; // in the round before
     if (goal.goes_on && !last_image.empty())
       {
         propose(last_image, 0, goal);
@@ -98,7 +99,7 @@ namespace strait
         result.change = size(difference(now.fluid_pressure, assumed));
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
-        const bool flips = may_flip && percolated != now.percolates;
+        const bool flips = percolated && *percolated != now.percolates;
         const bool agrees =
           result.agrees_within(goal) ||
           (now.percolates && std::max(result.change, result.leak_change) <=
@@ -115,7 +116,6 @@ namespace strait
             walk = Walk();
             ++changes_of_verdict;
           }
-        may_flip                                   = true;
         percolated                                 = now.percolates;
         last_leak_rate                             = now.leak_rate;
         (now.percolates ? open_side : closed_side) = assumed;
@@ -126,8 +126,8 @@ namespace strait
         else
           {
             changes_of_verdict = 0;
-            may_flip           = false;
-            walk               = Walk();
+            percolated.reset();
+            walk = Walk();
             fixed_point.restart(parameters.relaxation);
           }
       }
@@ -150,47 +150,31 @@ namespace strait
       }
   }
 
-  /**
-   * Whether the rounds of relaxation stay within the tolerance of one place, where a
-   * mixture of their changes is none. Where they walk in larger circles the steps to come
-   * are made smaller.
-   */
+  /** Whether the rounds of relaxation stay within the tolerance of one place, where a
+   *  mixture of their changes is none. */
   bool
   WallFeedback::stays_in_place(const FeedbackRound &now,
                                const FeedbackGoal  &goal,
                                FeedbackResult      &result)
   {
-    // Half as many are too few for a circle to close, twice as many take as much longer
-    // to see that it did.
-    constexpr int rounds_of_a_walk = 16;
-    // Half of it makes steps needlessly small, double of it takes more walks to come
-    // there.
-    constexpr double smaller = .25;
     if (result.iterations < last_combined)
       return false;
-    SlabField change = difference(now.fluid_pressure, assumed);
-    if (walk.n_rounds == 0)
+    SlabField    change = difference(now.fluid_pressure, assumed);
+    const double leak_change =
+      walk.leak_rate > 0 ? std::abs(now.leak_rate / walk.leak_rate - 1.) : 0.;
+    if (walk.start.empty() || leak_change > goal.leak_tolerance ||
+        size(difference(assumed, walk.start)) > goal.tolerance)
       {
-        walk = {assumed, std::move(change), now.leak_rate, 1};
+        walk = {assumed, std::move(change), now.leak_rate};
         return false;
       }
     mix_towards_zero(walk.mixture, change);
-    walk.distance = std::max(walk.distance, size(difference(assumed, walk.start)));
-    if (walk.leak_rate > 0)
-      walk.leak_change =
-        std::max(walk.leak_change, std::abs(now.leak_rate / walk.leak_rate - 1.));
-    if (++walk.n_rounds < rounds_of_a_walk)
+    const double smallest = size(walk.mixture);
+    if (smallest > goal.tolerance)
       return false;
-    const FeedbackResult mixed{result.iterations, size(walk.mixture), walk.leak_change};
-    if (walk.distance <= goal.tolerance && mixed.agrees_within(goal))
-      {
-        result = mixed;
-        return true;
-      }
-    // Changes that cancel by more than half go round in a circle.
-    fixed_point.damp(2. * mixed.change < result.change ? smaller : 1. / smaller);
-    walk = Walk();
-    return false;
+    result.change      = smallest;
+    result.leak_change = leak_change;
+    return true;
   }
 
   /**

@@ -2,6 +2,7 @@
 #include <strait/seal/window_arrangement.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -19,16 +20,13 @@ namespace strait
                                        const std::vector<bool> &is_used)
     : layout(layout_)
   {
-    for (const ZoomWindow &window : layout.windows())
+    for (std::size_t w = 0; w < is_used.size(); ++w)
       {
-        Place first = {window.x, window.y};
-        if (window.parent >= 0)
-          for (int d = 0; d < 2; ++d)
-            first[d] += present[window.parent].refined().first[d];
-        present.push_back(
-          {window.level, first, {window.nx, window.ny}, is_used[present.size()]});
+        const ZoomWindow &window = layout.windows()[w];
+        // The first of the parent's points that it covers.
+        const Place first = place_of({1, 1, static_cast<int>(w)}, window.level - 1);
+        placed.push_back({window.level, first, {window.nx, window.ny}, is_used[w]});
       }
-    placed = present;
   }
 
   WindowArrangement::Placed
@@ -44,23 +42,10 @@ namespace strait
   WindowArrangement::Place
   WindowArrangement::place_of(const GridPoint &point, const int level) const
   {
-    Place result = {point.ix, point.iy};
-    int   here   = 0;
-    if (point.window >= 0)
-      {
-        const Placed window = present[point.window].refined();
-        here                = window.level - 1;
-        for (int d = 0; d < 2; ++d)
-          result[d] += window.first[d];
-      }
-    for (long &coordinate : result)
-      {
-        for (int l = here; l < level; ++l)
-          coordinate *= 3;
-        for (int l = level; l < here; ++l)
-          coordinate = (coordinate + 1) / 3;
-      }
-    return result;
+    const auto [x, y] = layout.position(point.window, point.ix, point.iy);
+    const double fine = std::pow(3., level);
+    return {std::lround(x / layout.grid().dx() * fine),
+            std::lround(y / layout.grid().dy() * fine)};
   }
 
   int

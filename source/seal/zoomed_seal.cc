@@ -116,67 +116,86 @@ namespace strait
     return is_enough ? layout.windows() : arrangement.windows();
   }
 
-  SealState
-  ZoomedSeal::solve(const Control &control, const SealState *from, const Aim aim)
+  namespace
   {
-    // Windows are found with half of the digits. A search has all of them at once: its
-    // loads are so near to each other that mostly no window changes.
-    Aim       present_aim = aim == Aim::leak_rate ? Aim::throats : aim;
-    SealState state       = seal->solve(control, from, present_aim);
-    bool      is_trimmed  = aim != Aim::leak_rate; // once is enough
-    std::vector<std::vector<ZoomWindow>> tried;
-    while (true)
-      {
-        const std::vector<ZoomWindow> &present = state.gap().layout().windows();
-        std::vector<ZoomWindow> windows = windows_for(state, present_aim, is_trimmed);
-        // Throats that take windows from each other would go on for ever.
-        const bool are_found =
-          windows == present ||
-          std::find(tried.begin(), tried.end(), windows) != tried.end();
-        if (are_found && present_aim == aim)
-          return state;
-        if (are_found)
-          {
-            present_aim = aim;
-            tried.clear();
-          }
-        else
-          {
-            tried.push_back(present);
-            log.progress(
-              format("  %zu windows at a load of %.8g", windows.size(), control.target));
-            // The line to the next state has other points.
-            state.contact->approach = Approach(state.contact->approach.target());
-            state.contact->pressure =
-              zoom_in(state.contact->pressure, std::move(windows));
-          }
-        const Costs spent = state.costs;
-        state             = seal->solve(control, &state, present_aim);
-        state.costs += spent;
-      }
-  }
+    /** The windows that @p state should have for @p aim. Once none is lacking those that
+     *  are not needed are left out, unless @p is_trimmed, which is then set. Collective.
+     */
+    std::vector<ZoomWindow>
+    windows_for(const SealState      &state,
+                const ZoomParameters &zoom,
+                const FlowDirection   direction,
+                const Aim             aim,
+                bool                 &is_trimmed)
+    {
+      const SlabLayout &layout = state.gap().layout();
+      // Where half of the digits have found the windows, all of them only check the first
+      // path.
+      const bool         is_known = aim == Aim::leak_rate && is_trimmed;
+      const unsigned int n_paths  = aim == Aim::verdict || is_known ? 1 : n_paths_wanted;
+      const Channel      channel =
+        make_channel(state.gap(), state.control.slip_length, direction, n_paths);
+      // Half of the digits do not tell a barrier from a throat that is about to close.
+      if (!channel.percolates() && aim == Aim::throats)
+        return layout.windows();
+      std::vector<ThroatOnPath> narrow =
+        throats(channel, state.gap(), state.control.slip_length);
+      if (!channel.percolates())
+        narrow = {weakest_barrier(state, direction)}; // which may open on finer points
+      std::vector<ZoomWindow> windows = place_windows(layout, narrow, zoom);
+      if (windows == layout.windows() && channel.percolates() &&
+          !std::exchange(is_trimmed, true))
+        windows = needed_windows(layout, narrow, zoom);
+      return windows;
+    }
+  } // namespace
 
-  std::vector<ZoomWindow>
-  ZoomedSeal::windows_for(const SealState &state, const Aim aim, bool &is_trimmed) const
+  SealModel
+  zoomed_seal(SealModel             seal,
+              const ZoomParameters &zoom,
+              const FlowDirection   direction,
+              Log                  &log)
   {
-    const SlabLayout &layout = state.gap().layout();
-    // Where half of the digits have found the windows, all of them only check the first
-    // path.
-    const bool         is_known = aim == Aim::leak_rate && is_trimmed;
-    const unsigned int n_paths  = aim == Aim::verdict || is_known ? 1 : n_paths_wanted;
-    const Channel      channel =
-      make_channel(state.gap(), state.control.slip_length, direction, n_paths);
-    // Half of the digits do not tell a barrier from a throat that is about to close.
-    if (!channel.percolates() && aim == Aim::throats)
-      return layout.windows();
-    std::vector<ThroatOnPath> narrow =
-      throats(channel, state.gap(), state.control.slip_length);
-    if (!channel.percolates())
-      narrow = {weakest_barrier(state, direction)}; // which may open on finer points
-    std::vector<ZoomWindow> windows = place_windows(layout, narrow, zoom);
-    if (windows == layout.windows() && channel.percolates() &&
-        !std::exchange(is_trimmed, true))
-      windows = needed_windows(layout, narrow, zoom);
-    return windows;
+    return [seal = std::move(seal), zoom, direction, &log](const Control   &control,
+                                                           const SealState *from,
+                                                           const Aim        aim) {
+      // Windows are found with half of the digits. A search has all of them at once: its
+      // loads are so near to each other that mostly no window changes.
+      Aim       present_aim = aim == Aim::leak_rate ? Aim::throats : aim;
+      SealState state       = seal(control, from, present_aim);
+      bool      is_trimmed  = aim != Aim::leak_rate; // once is enough
+      std::vector<std::vector<ZoomWindow>> tried;
+      while (true)
+        {
+          const std::vector<ZoomWindow> &present = state.gap().layout().windows();
+          std::vector<ZoomWindow>        windows =
+            windows_for(state, zoom, direction, present_aim, is_trimmed);
+          // Throats that take windows from each other would go on for ever.
+          const bool are_found =
+            windows == present ||
+            std::find(tried.begin(), tried.end(), windows) != tried.end();
+          if (are_found && present_aim == aim)
+            return state;
+          if (are_found)
+            {
+              present_aim = aim;
+              tried.clear();
+            }
+          else
+            {
+              tried.push_back(present);
+              log.progress(format("  %zu windows at a load of %.8g",
+                                  windows.size(),
+                                  control.target));
+              // The line to the next state has other points.
+              state.contact->approach = Approach(state.contact->approach.target());
+              state.contact->pressure =
+                zoom_in(state.contact->pressure, std::move(windows));
+            }
+          const Costs spent = state.costs;
+          state             = seal(control, &state, present_aim);
+          state.costs += spent;
+        }
+    };
   }
 } // namespace strait

@@ -159,10 +159,8 @@ namespace strait
   std::vector<double>
   gather_on_root(const SlabField &field)
   {
-    std::vector<int> rows;
-    if (field.layout().rank() == 0)
-      for (int row = 0; row < field.grid().ny; ++row)
-        rows.push_back(row);
+    std::vector<int> rows(field.layout().rank() == 0 ? field.grid().ny : 0);
+    std::iota(rows.begin(), rows.end(), 0);
     return fetch_rows(field, rows);
   }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -16,11 +17,11 @@ namespace
    * 2 − p on the open branch and less by 0.4 on the closed one, with the energies that
    * belong to it and are equal at the load 0.8; below −0.5 the surfaces part.
    */
-  class TwoBranches : public SealModel
+  class TwoBranches
   {
   public:
     SealState
-    solve(const Control &control, const SealState *from, Aim) override
+    operator()(const Control &control, const SealState *from, Aim)
     {
       ++n_solves;
       const double load = control.target;
@@ -58,7 +59,7 @@ namespace
     Arrival
     to(const double load)
     {
-      Arrival arrival = follow(model,
+      Arrival arrival = follow(std::ref(model),
                                {load, 0., 0.},
                                here ? &*here : nullptr,
                                Aim::verdict,
@@ -124,11 +125,11 @@ namespace
   }
 
   /** All is in contact, and the energy is known to its last digits only. */
-  class FullContact : public SealModel
+  class FullContact
   {
   public:
     SealState
-    solve(const Control &control, const SealState *, Aim) override
+    operator()(const Control &control, const SealState *, Aim)
     {
       SealState seal;
       seal.control                          = control;
@@ -150,7 +151,7 @@ namespace
     std::optional<SealState> here;
     for (const double load : {.1, .2, .3, .1})
       {
-        const Arrival arrival = follow(model,
+        const Arrival arrival = follow(std::ref(model),
                                        {load, 0., 0.},
                                        here ? &*here : nullptr,
                                        Aim::verdict,

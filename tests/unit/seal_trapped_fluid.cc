@@ -92,7 +92,7 @@ namespace strait
       const SlabField  gap      = draw(rows);
       const Clusters   clusters = find_clusters(gap, FlowDirection::x, true);
       const PoolsInGap pools(before, gap, clusters);
-      EXPECT_EQ(pools.n_regions(), pressures.size());
+      EXPECT_EQ(pools.volumes.size(), pressures.size());
       return pools.settle(parameters,
                           pressures,
                           1.,
@@ -188,8 +188,8 @@ namespace strait
       const SlabField  gap      = draw(drained);
       const Clusters   clusters = find_clusters(gap, FlowDirection::x, true);
       const PoolsInGap pools(two, gap, clusters);
-      EXPECT_EQ(pools.volume(0), 6.);
-      EXPECT_EQ(pools.volume(1), 4.);
+      EXPECT_EQ(pools.volumes[0], 6.);
+      EXPECT_EQ(pools.volumes[1], 4.);
     }
 
     TEST(TrappedFluid, RemembersWhereItWasPressedShut)
@@ -200,10 +200,10 @@ namespace strait
       const SlabField  gap      = draw(std::vector<std::string>(6, "########"));
       const Clusters   clusters = find_clusters(gap, FlowDirection::x, true);
       const PoolsInGap pools(two, gap, clusters);
-      EXPECT_EQ(pools.volume(1), 0.);
+      EXPECT_EQ(pools.volumes[1], 0.);
       double n_points = 0;
       for (std::size_t k = 0; k < gap.size(); ++k)
-        n_points += pools.region(k) == 1 ? 1. : 0.;
+        n_points += pools.regions[k] == 1 ? 1. : 0.;
       EXPECT_EQ(sum(MPI_COMM_WORLD, n_points), 3.);
       const TrappedFluid still = pools.settle(parameters, {.3, .6}, 1., &gap).fluid;
       ASSERT_EQ(still.pools.size(), 2U);

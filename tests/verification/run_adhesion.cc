@@ -41,7 +41,7 @@ namespace
     const double unit = pi * surface_energy / (box * box);
     const auto   go   = [&](const double load, const SealState *from) {
       return follow(
-        *seal, {load, 0., 0.}, from, Aim::verdict, {ContactControl::load, 4e-3 * unit});
+        seal, {load, 0., 0.}, from, Aim::verdict, {ContactControl::load, 4e-3 * unit});
     };
     const SealState pressed  = *go(unit, nullptr).state;
     const SealState unloaded = *go(0., &pressed).state;

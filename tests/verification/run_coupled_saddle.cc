@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "coupled_saddle.h"
@@ -24,33 +23,6 @@ namespace strait
       return std::log(larger.leak_rate / smaller.leak_rate) / std::log(factor);
     }
 
-    /** A contact under a fluid whose pressure does not change with the gap. */
-    class FixedFluid : public SealModel
-    {
-    public:
-      FixedFluid(const ContactParameters &parameters,
-                 const SlabField         &heights,
-                 SlabField                pressure_)
-        : contact(parameters, heights)
-        , pressure(std::move(pressure_))
-      {
-      }
-
-      SealState
-      solve(const Control &control, const SealState *from, Aim) override
-      {
-        SealState state;
-        state.control = control;
-        state.contact =
-          contact.solve(control.target, from ? &*from->contact : nullptr, &pressure);
-        return state;
-      }
-
-    private:
-      ContactSolver   contact;
-      const SlabField pressure;
-    };
-
     TEST(Coupled, ExponentUnderAFixedFluidPressure)
     {
       // A pressure that does not move with the throat is only another surface: the
@@ -64,11 +36,22 @@ namespace strait
       parameters.tolerance         = 1e-9;
       const SlabField heights      = heights_of(scene);
       FlowStage       flow(scene.fluid, heights.layout_pointer(), log, timers);
-      const auto      pressed = make_seal(scene, parameters, heights, &flow, log)
-                             ->solve({1.45, .15, 0.}, nullptr, Aim::verdict);
+      const auto      pressed =
+        make_seal(scene, parameters, heights, &flow, log)({1.45, .15, 0.},
+                                                          nullptr,
+                                                          Aim::verdict);
       EXPECT_TRUE(pressed.fluid->converged);
 
-      FixedFluid seal(parameters, heights, pressed.fluid->pressure);
+      // A contact under a fluid whose pressure does not change with the gap.
+      ContactSolver   contact(parameters, heights);
+      const SealModel seal = [&](const Control &control, const SealState *from, Aim) {
+        SealState state;
+        state.control = control;
+        state.contact = contact.solve(control.target,
+                                      from ? &*from->contact : nullptr,
+                                      &pressed.fluid->pressure);
+        return state;
+      };
       scene.fluid.feedback.enabled = false; // no path matters
       SealSearch   search(scene, seal, heights.layout_pointer(), flow.domain(), log);
       const double critical = search.find_critical_loads({1.5}).front().middle();
@@ -77,7 +60,7 @@ namespace strait
       for (const double reduced : {.04, .02})
         {
           const SealState state =
-            seal.solve({(1 - reduced) * critical, .15, 0.}, nullptr, Aim::leak_rate);
+            seal({(1 - reduced) * critical, .15, 0.}, nullptr, Aim::leak_rate);
           leak_rates.push_back(flow.solve(state.gap(), 0.).leakage.rate);
         }
       const double exponent = std::log2(leak_rates[0] / leak_rates[1]);

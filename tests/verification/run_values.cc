@@ -30,7 +30,7 @@ namespace strait
       FlowStage               flow(scene.fluid, heights.layout_pointer(), log, timers);
       const auto              seal  = make_seal(scene, contact, heights, &flow, log);
       const auto              solve = [&](const double load, const SealState *from) {
-        return seal->solve({load, scene.fluid.inlet_pressure, 0.}, from, Aim::leak_rate);
+        return seal({load, scene.fluid.inlet_pressure, 0.}, from, Aim::leak_rate);
       };
       const SealState start = solve(1., nullptr);
       const SealState once  = solve(1.04, &start);

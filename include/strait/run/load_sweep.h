@@ -91,10 +91,10 @@ namespace strait
   private:
     struct CoarserSeal
     {
-      SlabLayoutPtr              layout;
-      std::unique_ptr<SealModel> model;
-      std::vector<Transition>    thresholds; // once they were sought
-      std::optional<SealState>   state;      // that the next is reached from
+      SlabLayoutPtr            layout;
+      SealModel                model;
+      std::vector<Transition>  thresholds; // once they were sought
+      std::optional<SealState> state;      // that the next is reached from
     };
 
     const Scene             &scene;
@@ -115,7 +115,6 @@ namespace strait
                            const Transition *counted_from,
                            const Scene      &scene,
                            double            rms_height,
-                           const FlowStage  &flow,
                            CoarserSeals     &coarser);
 
   /** The method in one place: for each load of the programme, press the surface against
@@ -172,7 +171,7 @@ namespace strait
 
     /** Call @p action after every solve of a search, when the state may be saved; it may
      *  throw to stop. Only before the searches. */
-    void after_probe(SealSearch::AfterProbe action);
+    void after_probe(std::function<void()> action);
 
     /** How many solves were made in searches that are not done; 0 if there is none. */
     std::size_t n_probes() const;
@@ -222,7 +221,7 @@ namespace strait
     std::unique_ptr<FlowStage>        flow; // unless the fluid is off
     std::unique_ptr<FlowStage>        row;  // of two boxes, if the scene asks for it
     std::unique_ptr<TheoryPrediction> theory;
-    std::unique_ptr<SealModel>        seal;
+    SealModel                         seal;
     std::unique_ptr<SealSearch>       search; // as long as there is one to make
     std::optional<SealState>          start;  // of a path where a fluid presses
     std::vector<Transition>           thresholds;

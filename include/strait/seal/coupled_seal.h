@@ -6,46 +6,27 @@
 #include <strait/base/scene.h>
 #include <strait/contact/contact_model.h>
 #include <strait/seal/flow_stage.h>
-#include <strait/seal/seal_model.h>
+#include <strait/seal/seal_state.h>
 
 #include <memory>
 
 namespace strait
 {
   /**
-   * Contact and flow that agree with each other: the fluid presses the walls apart,
-   * and the gap decides where the fluid goes. Exists only where the scene enables
-   * Wall feedback.
-   *
-   * Contact is the dry problem for the wall that the fluid's pressure (FluidOnWall) has
-   * displaced, under the load that it leaves (the pressure of the contact is that of the
-   * solid beyond the fluid's).
+   * A seal whose contact and flow agree with each other: the fluid presses the walls
+   * apart, and the gap decides where the fluid goes. Contact is the dry problem for the
+   * wall that the fluid's pressure (FluidOnWall) has displaced, under the load that it
+   * leaves; the pressure of @p contact is that of the solid beyond the fluid's.
    *
    * For a leak rate, contact and flow agree on finer and finer meshes, until what the
    * last mesh changed and the width of a bracket on it are together as small as the
-   * accuracy that is asked for.
+   * accuracy that is asked for. The references must outlive the model.
    */
-  class CoupledSeal : public SealModel
-  {
-  public:
-    /** The references must outlive this object. */
-    CoupledSeal(const Scene                  &scene,
-                std::unique_ptr<ContactModel> contact,
-                const SlabLayoutPtr          &layout,
-                FlowStage                    &flow,
-                Log                          &log);
-
-    SealState solve(const Control &control, const SealState *from, Aim aim) override;
-
-  private:
-    class Iteration;
-
-    const Scene                  &scene;
-    std::unique_ptr<ContactModel> contact;
-    const SlabLayoutPtr           layout;
-    FlowStage                    &flow;
-    Log                          &log;
-  };
+  SealModel coupled_seal(const Scene                  &scene,
+                         std::shared_ptr<ContactModel> contact,
+                         const SlabLayoutPtr          &layout,
+                         FlowStage                    &flow,
+                         Log                          &log);
 
   /**
    * How much the way to a state may decide of it, of the accuracy that is asked for: how

@@ -4,7 +4,6 @@
 
 #include <mpi.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -37,7 +36,8 @@ namespace strait
 
     /**
      * The same by plain relaxation, with half the share each time that the residual
-     * turns round. What this round says is remembered all the same.
+     * turns round, and more of it again where it does not. What this round says is
+     * remembered all the same.
      */
     void relax_towards(double *x, const double *image, std::size_t n);
 
@@ -48,14 +48,6 @@ namespace strait
     /** Begin at another point or with a map that has changed a little, with that share:
      *  what the rounds before say about directions still holds. */
     void move_on(double relaxation);
-
-    /** Until it moves on, plain relaxation takes at most @p factor times as much of that
-     *  as before, and never more than all. */
-    void
-    damp(const double factor)
-    {
-      most_damping = std::min(1., factor * most_damping);
-    }
 
     double
     relaxation() const
@@ -81,7 +73,7 @@ namespace strait
     std::vector<Difference> differences; // the latest last
     std::vector<float>      last_residual;
     std::vector<double>     last_x;
-    double                  damping = 1., most_damping = 1.; // factors of the share
+    double                  damping  = 1.;    // factor of the share
     bool                    has_last = false; // on a rank without values as well
   };
 } // namespace strait

@@ -15,15 +15,10 @@
 namespace strait
 {
   /**
-   * The trapped pools for which there is no state with the pool pressure.
-   *
-   * Let a pool be dry where the fluid comes in as soon as it is, and let it be cut off
-   * once the fluid is in: its pressure jumps with each round of the iteration between
-   * contact and flow. In truth it stays full, at the pressure at which it was cut off.
-   * The same goes for a gap that only opens under the pressure that is continued across a
-   * contact. So what has ceased to be a pool does not count as one when it comes back,
-   * but as what it was in between (state_before()): as part of the region that it was
-   * joined to, or as contact.
+   * The drained pools for which there is no state with the pool pressure: the fluid comes
+   * in as soon as they are dry and is cut off once it is in. What has ceased to be a pool
+   * does not count as one when it comes back, but as what it was in between: as part of
+   * the region that it was joined to, or as contact.
    */
   class UnsettledPools
   {
@@ -35,13 +30,19 @@ namespace strait
     std::optional<NodeState>
     state_before(const std::size_t k) const
     {
-      return is_pool[k] && has_ceased[k] ? std::optional(before[k]) : std::nullopt;
+      return points[k].is_pool && points[k].has_ceased ? std::optional(points[k].before)
+                                                       : std::nullopt;
     }
 
   private:
-    std::vector<NodeState> before;
-    std::vector<bool>      is_pool;    // in the last round
-    std::vector<bool>      has_ceased; // to be one
+    struct Point
+    {
+      NodeState before     = NodeState::closed;
+      bool      is_pool    = false; // in the last round
+      bool      has_ceased = false; // to be one
+    };
+
+    std::vector<Point> points;
   };
 
   /**

@@ -6,10 +6,8 @@
 #include <strait/base/scene.h>
 #include <strait/seal/flow_stage.h>
 #include <strait/seal/path.h>
-#include <strait/seal/seal_model.h>
+#include <strait/seal/seal_state.h>
 #include <strait/seal/transition_search.h>
-
-#include <memory>
 
 namespace strait
 {
@@ -29,11 +27,11 @@ namespace strait
    * @p contact the section is complete; @p flow is needed where the fluid presses on the
    * walls. Collective. The references must outlive the model.
    */
-  std::unique_ptr<SealModel> make_seal(const Scene             &scene,
-                                       const ContactParameters &contact,
-                                       SlabField                heights,
-                                       FlowStage               *flow,
-                                       Log                     &log);
+  SealModel make_seal(const Scene             &scene,
+                      const ContactParameters &contact,
+                      SlabField                heights,
+                      FlowStage               *flow,
+                      Log                     &log);
 
   /** Where the search for the first critical load of a surface of this slope begins, with
    *  @p contact in place of that of @p scene. Throws ComputationError if it has none. */

@@ -4,7 +4,7 @@
 
 #include <strait/base/contact_parameters.h>
 #include <strait/base/log.h>
-#include <strait/seal/seal_model.h>
+#include <strait/seal/seal_state.h>
 
 #include <cmath>
 #include <limits>
@@ -86,7 +86,7 @@ namespace strait
    * energy. There a step is halved, down to a sixteenth, while too much of the load hangs
    * on when in the step fluid was cut off.
    */
-  Arrival follow(SealModel       &model,
+  Arrival follow(const SealModel &model,
                  const Control   &to,
                  const SealState *from,
                  Aim              aim,

@@ -21,35 +21,13 @@ namespace strait
    * no mass yet. What has opened in a trapped cluster belongs to the largest pool in it,
    * if there is one. A pool that is pressed shut keeps the points that it had.
    */
-  class PoolsInGap
+  struct PoolsInGap
   {
-  public:
     /** The pools that are @p known own points; @p open_gap has the @p clusters, which
      * tell those of trapped fluid apart. All must outlive this object. Collective. */
     PoolsInGap(const TrappedFluid &known,
                const SlabField    &open_gap,
                const Clusters     &clusters);
-
-    /** The region of a local grid point: a pool, then those just cut off; −1: none. */
-    int
-    region(const std::size_t k) const
-    {
-      return regions[k];
-    }
-
-    /** Of both kinds. */
-    std::size_t
-    n_regions() const
-    {
-      return volumes.size();
-    }
-
-    /** Of region @p r [length³]; 0: it is pressed shut. */
-    double
-    volume(const std::size_t r) const
-    {
-      return volumes[r];
-    }
 
     /** The mean of @p field over the widest points of each region: those that are open by
      *  half of its largest gap, where the fluid's own pressure is known. Collective. */
@@ -74,7 +52,6 @@ namespace strait
                    double                     contact_modulus,
                    const SlabField           *gap_before) const;
 
-  private:
     /** Of a trapped cluster, what one owner had before. */
     struct Part
     {
@@ -82,34 +59,25 @@ namespace strait
       int    region = -1;
     };
 
+    /** A trapped cluster. */
     struct Cluster
     {
       std::map<int, Part> parts;       // by owner
       int                 region = -1; // of the largest pool in it
     };
 
-    void   find_parts();
-    void   number_regions();
-    void   measure();
-    Pool   heir(const FeedbackParameters  &parameters,
-                const std::vector<double> &pressures,
-                const Cluster             &cluster,
-                bool                       is_guess) const;
-    bool   meets_another(const Cluster             &cluster,
-                         const std::vector<double> &pressures) const;
-    void   measure_pools(TrappedFluid              &fluid,
-                         const std::vector<double> &pressures,
-                         double                     contact_modulus) const;
-    double uncertainty(const FeedbackParameters &parameters,
-                       const TrappedFluid       &fluid,
-                       const SlabField          &gap_before) const;
-
     const TrappedFluid              &known;
     const SlabField                 &gap;
     const std::vector<std::int64_t> &labels;
     std::map<std::int64_t, Cluster>  trapped; // by label
-    std::vector<int>                 regions;
-    std::vector<double>              volumes, widest;
+
+    /** Of each local grid point: a pool, then those just cut off; −1: none. */
+    std::vector<int> regions;
+
+    /** Of each region of both kinds [length³]; 0: it is pressed shut. */
+    std::vector<double> volumes;
+
+    std::vector<double> widest; // the largest gap of each
   };
 } // namespace strait
 

@@ -5,7 +5,7 @@
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
 #include <strait/percolation/flow_region.h>
-#include <strait/seal/seal_model.h>
+#include <strait/seal/seal_state.h>
 #include <strait/seal/transition.h>
 #include <strait/seal/transition_search.h>
 
@@ -28,23 +28,16 @@ namespace strait
   class SealSearch
   {
   public:
-    /** Called after every new answer, when the state may be saved; may throw to stop. */
-    using AfterProbe = std::function<void()>;
-
     /** @p scene, @p model and @p log must outlive this object; @p layout is the grid's,
      *  and @p domain where the fluid flows. */
     SealSearch(const Scene         &scene,
-               SealModel           &model,
+               const SealModel     &model,
                const SlabLayoutPtr &layout,
                FlowDomain           domain,
                Log                 &log);
 
-    /** From now on. */
-    void
-    after_probe(AfterProbe action)
-    {
-      look_up = std::move(action);
-    }
+    /** Called after every new answer, when the state may be saved; may throw to stop. */
+    std::function<void()> after_probe = []() {};
 
     /** The critical load of every slip length: the largest at which a channel percolates,
      *  sought from @p first on. Collective. Throws ComputationError if there is none. */
@@ -101,12 +94,11 @@ namespace strait
     bool                      report(const SealState &state, bool leaks) const;
 
     const Scene        &scene;
-    SealModel          &model;
+    const SealModel    &model;
     const SlabLayoutPtr layout;
     const FlowDomain    domain;
     Log                &log;
     const Side          side_of_path; // in load
-    AfterProbe          look_up = []() {};
 
     // The nearest states on either side; where no path matters, one, the last.
     std::optional<SealState> open_state, sealed_state;

@@ -5,6 +5,7 @@
 #include <strait/contact/contact_state.h>
 #include <strait/seal/trapped_fluid.h>
 
+#include <functional>
 #include <optional>
 
 namespace strait
@@ -86,6 +87,25 @@ namespace strait
       return (!contact || contact->converged) && (!fluid || fluid->converged);
     }
   };
+
+  /** What a state is wanted for. */
+  enum class Aim
+  {
+    throats,  // where its throats are, to place windows there
+    verdict,  // whether a channel percolates
+    seal,     // the same; if one does, the state is lost and need not be exact
+    leak_rate // how much leaks, to the accuracy that the scene asks for
+  };
+
+  /**
+   * What makes a state of a seal out of what the outside prescribes, reached from
+   * @p from, or without a past if that is null: of a surface that is the gap itself, a
+   * contact, a contact with adhesion, or one that a fluid presses apart. It remembers
+   * nothing, and may do more than the aim needs. Collective. Throws InputError if there
+   * is no such state.
+   */
+  using SealModel =
+    std::function<SealState(const Control &control, const SealState *from, Aim aim)>;
 
   /** Whether @p state is that under @p control as well: the fluid has a part in it only
    *  where it presses on the walls, and nothing changes a surface that is the gap itself.

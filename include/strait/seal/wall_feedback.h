@@ -64,23 +64,12 @@ namespace strait
    * Finds the fluid pressure that contact and flow agree on: that under which the gap
    * is such that the fluid has this pressure.
    *
-   * The first rounds combine those before (FixedPoint), then every other one does; the
-   * plain ones between keep it from wandering where single grid points open and close,
-   * and whether a guess that combines pays is seen soon or never, so that after 30 rounds
-   * all are plain. (Such alternation: Banerjee, Suryanarayana, Pask, Chem. Phys. Lett.
-   * 647, 2016.)
-   *
-   * Where the verdict on percolation changes, the map has jumped: the iteration goes on
-   * more cautiously from where it is, and after a few such changes it halves the distance
-   * between a pressure that leaves the channel open and one that closes it, until they
-   * agree within the tolerance. From there both go along the jump, or one away from it;
-   * where the two sides only lead to each other there is no state, and the last round is
-   * one that leaves the channel open.
-   *
-   * The map also jumps, or is too steep for the grid, where a gap that is ajar lets the
-   * fluid through and closes once it has: a throttle that regulates itself. Where the
-   * plain rounds walk in circles their steps become smaller, until they stay in one
-   * place: the state is found if there a mixture of their changes is none.
+   * The first rounds combine those before (FixedPoint), then every other one does, and
+   * after 30 none, as in alternating Anderson mixing (Banerjee, Suryanarayana, Pask,
+   * Chem. Phys. Lett. 647, 2016). Where the verdict on percolation changes, the map has
+   * jumped: after a few such changes the iteration goes along the jump (slide()). It also
+   * jumps where a gap is ajar: there the steps become smaller until they stay in one
+   * place (stays_in_place()). What each rule spares is in doc/feedback.md.
    */
   class WallFeedback
   {
@@ -108,12 +97,9 @@ namespace strait
     // What the rounds of relaxation did since one of them.
     struct Walk
     {
-      SlabField start;   // assumed then
-      SlabField mixture; // of the changes, the smallest
-      double    leak_rate   = 0;
-      int       n_rounds    = 0; // 0: it has not begun
-      double    distance    = 0; // the largest from the start
-      double    leak_change = 0; // likewise, relative
+      SlabField start;         // assumed then; empty: it has not begun
+      SlabField mixture;       // of the changes, the smallest
+      double    leak_rate = 0; // then
     };
 
     void   propose(const SlabField &image, int round, const FeedbackGoal &goal);

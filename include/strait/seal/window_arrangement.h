@@ -59,7 +59,6 @@ namespace strait
     int   find_parent(const std::vector<Placed> &candidates, Placed &window) const;
 
     const SlabLayout   &layout;
-    std::vector<Placed> present; // the windows of the layout
     std::vector<Placed> placed;
   };
 } // namespace strait
