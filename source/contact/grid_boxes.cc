@@ -24,9 +24,9 @@ namespace strait
   } // namespace
 
   BoxField::BoxField(SlabLayoutPtr boxes, const SlabLayout &points)
-    : layout(std::move(boxes))
+    : own(boxes->n_local_points())
+    , layout(std::move(boxes))
     , other_rows(rows_beyond(points, *layout))
-    , own(layout->n_local_points())
     , beyond(other_rows.size() * layout->grid().nx)
   {
   }
@@ -73,13 +73,27 @@ namespace strait
                           points->grid().lx,
                           points->grid().ly},
                          points->communicator()))
+    , values(layout, *points)
+    , sums(layout, *points)
     , n_columns(points->grid().nx)
     , first_row(points->first_row())
     , n(layout->grid().nx)
-    , values(layout, *points)
-    , sums(layout, *points)
     , line(n + 2)
     , other_line(n + 2)
   {
+  }
+
+  void
+  GridBoxes::divide()
+  {
+    for (std::size_t i = 0; i < values.own.size(); ++i)
+      values.own[i] = sums.own[i] > 0 ? values.own[i] / sums.own[i] : 0.f;
+  }
+
+  void
+  GridBoxes::weigh()
+  {
+    for (std::size_t i = 0; i < values.own.size(); ++i)
+      values.own[i] *= weight_of(sums.own[i]);
   }
 } // namespace strait

@@ -110,7 +110,7 @@ namespace strait
   {
     extension.gather(values, marks, by_rows(of_steps.layout(), before));
     extension.spread(values, marks);
-    stiffness.on_boxes(extension.finest().own_values());
+    stiffness.on_boxes(extension.finest().values.own.data());
     stiffness.on_points(values,
                         [&](const int row) { extension.take(row, values, marks); });
     extension.extend_adjoint(values, marks, by_rows(of_steps.layout(), after));
@@ -187,15 +187,15 @@ namespace strait
     const std::size_t               nx    = line.size();
     GridBoxes                      &boxes = extension.finest();
     const std::vector<std::uint8_t> unmarked(nx);
-    boxes.clear_values();
+    boxes.values.clear();
     for (int row = 0; row < transform.layout().n_rows(); ++row)
       {
         std::copy_n(moved.data() + row * nx, nx, line.data());
         boxes.interpolate_adjoint(row, line.data(), unmarked.data());
       }
-    boxes.send();
-    compliance.on_boxes(boxes.own_values());
-    boxes.fetch();
+    boxes.values.send();
+    compliance.on_boxes(boxes.values.own.data());
+    boxes.values.fetch();
     compliance.on_points(moved.data(), [&](const int row) {
       boxes.interpolate(row, line.data(), unmarked.data());
       for (std::size_t i = 0; i < nx; ++i)

@@ -22,17 +22,21 @@ namespace strait
   void
   PyramidExtension::gather(const float *values, const Has *has, const RowPass &before)
   {
-    finest().clear_values();
+    finest().values.clear();
     for (const auto &boxes : levels)
-      boxes->clear_sums();
+      boxes->sums.clear();
     const auto nx = static_cast<std::size_t>(layout->grid().nx);
     for (int row = 0; row < layout->n_rows(); ++row)
       {
         before(row);
         finest().add_row(row, values + row * nx, has + row * nx);
       }
-    climb(&GridBoxes::add_row<float>, &GridBoxes::take_means);
-    finest().clear_others();
+    climb(&GridBoxes::add_row<float>, [](GridBoxes &boxes) {
+      boxes.values.send();
+      boxes.sums.send();
+      boxes.divide();
+    });
+    finest().values.clear_others();
   }
 
   template <class Has>
@@ -40,10 +44,11 @@ namespace strait
   PyramidExtension::spread(float *values, const Has *has)
   {
     const auto nx = static_cast<std::size_t>(layout->grid().nx);
-    descend(&GridBoxes::fetch, &GridBoxes::interpolate<float>);
+    descend([](GridBoxes &boxes) { boxes.values.fetch(); },
+            &GridBoxes::interpolate<float>);
     for (int row = 0; row < layout->n_rows(); ++row)
       finest().interpolate(row, values + row * nx, has + row * nx);
-    finest().clear_others();
+    finest().values.clear_others();
   }
 
   template <class Has>
@@ -58,8 +63,14 @@ namespace strait
   void
   PyramidExtension::extend_adjoint(float *values, const Has *has, const RowPass &after)
   {
-    climb(&GridBoxes::interpolate_adjoint<float>, &GridBoxes::send);
-    descend(&GridBoxes::divide_and_fetch, &GridBoxes::add_boxes<float>);
+    climb(&GridBoxes::interpolate_adjoint<float>,
+          [](GridBoxes &boxes) { boxes.values.send(); });
+    descend(
+      [](GridBoxes &boxes) {
+        boxes.divide();
+        boxes.values.fetch();
+      },
+      &GridBoxes::add_boxes<float>);
     const auto nx = static_cast<std::size_t>(layout->grid().nx);
     for (int row = 0; row < layout->n_rows(); ++row)
       {
@@ -78,10 +89,10 @@ namespace strait
       {
         if (l > 0)
           {
-            levels[l]->clear_values();
+            levels[l]->values.clear();
             pass_rows(l, add);
           }
-        (*levels[l].*finish)();
+        finish(*levels[l]);
       }
   }
 
@@ -94,7 +105,7 @@ namespace strait
     levels.back()->weigh();
     for (std::size_t l = levels.size(); l-- > 0;)
       {
-        (*levels[l].*prepare)();
+        prepare(*levels[l]);
         if (l > 0)
           pass_rows(l, give);
       }

@@ -61,7 +61,7 @@ namespace strait
     for (std::size_t i = 0; i < room.size(); ++i)
       in_windows[i] -= room[i];
 
-    stiffness.on_boxes(extension.finest().own_values());
+    stiffness.on_boxes(extension.finest().values.own.data());
     stiffness.on_points(values, [](int) {});
     for (int w = 0; w < n_windows; ++w)
       window_stiffness(w, values + layout->start_of_window(w));

@@ -3,6 +3,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/signals.h>
 #include <strait/base/text.h>
+#include <strait/run/guards.h>
 #include <strait/run/output_directory.h>
 #include <strait/run/result_tables.h>
 #include <strait/run/run_state.h>
@@ -191,7 +192,8 @@ namespace strait
         return run.converged;
       }
 
-    const RankGroups            groups(scene.realisations.ranks_each);
+    const RankGroups groups(scene.realisations.ranks_each);
+    require_memory(scene, MPI_COMM_WORLD, groups.number);
     const std::string           folder       = scene.output.directory;
     std::vector<RealisationRow> realisations = list_realisations(scene);
     RunState                    state(scene, MPI_COMM_WORLD, resume);

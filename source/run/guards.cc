@@ -84,8 +84,8 @@ namespace strait
     // prm/paper/fig1_full.prm takes 64 on 4096² points where this says 68.
     const double gap      = 8.;
     const double of_metal = scene.contact.yields ? 24. : 0.;
-    const double solved   = scene.contact.adhesion.enabled ? 105. : 47. + of_metal;
-    const double kept     = scene.contact.adhesion.enabled ? 105. : 28. + of_metal;
+    const double solved   = scene.contact.adhesion.enabled ? 113. : 47. + of_metal;
+    const double kept     = scene.contact.adhesion.enabled ? 113. : 28. + of_metal;
     const double flow =
       2 * 8. / 12 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
     const double of_flow =
@@ -129,22 +129,24 @@ namespace strait
   }
 
   void
-  require_memory(const Scene &scene, MPI_Comm comm)
+  require_memory(const Scene &scene, MPI_Comm comm, const int n_grids)
   {
     MPI_Comm machine = MPI_COMM_NULL;
     MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
     const int    n_here = n_ranks_in(machine), n_ranks = n_ranks_in(comm);
     const double available = minimum(machine, free_memory());
     MPI_Comm_free(&machine);
-    const double      needed = memory_of_grid(scene) * n_here / n_ranks;
+    const double      needed = n_grids * memory_of_grid(scene) * n_here / n_ranks;
     const std::string error =
       needed <= available
         ? ""
         : format(
-            "A grid of %d x %d points takes about %.3g GB of memory on this machine, and "
+            "%s of %d x %d points %s about %.3g GB of memory on this machine, and "
             "%.3g GB are free; reduce Contact/Grid points, or run on more machines.",
+            n_grids == 1 ? "A grid" : format("%d grids", n_grids).c_str(),
             scene.contact.grid_points[0],
             scene.contact.grid_points[1],
+            n_grids == 1 ? "takes" : "take",
             1e-9 * needed,
             1e-9 * available);
     throw_if_any(comm, error);

@@ -152,7 +152,7 @@ namespace strait
     fetch_columns(const int block)
     {
       for_each_mode_of_rows(block, [&](const std::size_t i, const std::size_t place) {
-        of_rows[place] = modes[i];
+        of_rows[place] = modes()[i];
       });
       exchange(of_rows, of_columns);
     }
@@ -163,7 +163,7 @@ namespace strait
     {
       exchange(of_columns, of_rows);
       for_each_mode_of_rows(block, [&](const std::size_t i, const std::size_t place) {
-        modes[i] = of_rows[place];
+        modes()[i] = of_rows[place];
       });
     }
 
@@ -194,7 +194,13 @@ namespace strait
     Complex *
     modes_of_row(const int local_row)
     {
-      return modes.data() + static_cast<std::size_t>(local_row) * n_in_row;
+      return modes() + static_cast<std::size_t>(local_row) * n_in_row;
+    }
+
+    Complex *
+    modes() const
+    {
+      return reinterpret_cast<Complex *>(room.get());
     }
 
     /** What arrived for the columns of this rank. */
@@ -204,14 +210,14 @@ namespace strait
       return n_ranks > 1 ? of_columns.data() : of_rows.data();
     }
 
-    MPI_Comm             comm;
-    int                  n_ranks, n_rows_most, n_half, n_columns_most;
-    int                  n_in_row; // modes from one row to the next: a multiple of 16 B
-    std::size_t          n_modes;
-    std::vector<Complex> modes;    // of the rows of this rank, or empty
-    std::vector<Number>  row;      // points of a row
-    std::vector<Complex> column;   // modes along x of a column
-    std::vector<Complex> spectrum; // the same, also along y
+    MPI_Comm    comm;
+    int         n_ranks, n_rows_most, n_half, n_columns_most;
+    int         n_in_row; // modes from one row to the next: a multiple of 16 B
+    std::size_t n_modes;
+    std::unique_ptr<Number[]> room;     // for the modes of the rows of this rank, or null
+    std::vector<Number>       row;      // points of a row
+    std::vector<Complex>      column;   // modes along x of a column
+    std::vector<Complex>      spectrum; // the same, also along y
     // Messages of equal size to and from all ranks: block_width columns, of each the
     // rows of one rank.
     std::vector<Complex>                         of_rows, of_columns;
@@ -234,15 +240,17 @@ namespace strait
   std::complex<Number> *
   BasicFourierTransform<Number>::buffer()
   {
-    parts->modes.resize(parts->n_modes);
-    return parts->modes.data();
+    // Not set to zeros, which would take a pass over the memory.
+    if (parts->room == nullptr)
+      parts->room.reset(new Number[2 * parts->n_modes]);
+    return parts->modes();
   }
 
   template <class Number>
   void
   BasicFourierTransform<Number>::release()
   {
-    parts->modes = std::vector<Complex>();
+    parts->room.reset();
   }
 
   template <class Number>

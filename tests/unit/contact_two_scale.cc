@@ -26,7 +26,7 @@ namespace
     std::vector<std::uint8_t> marks(values.size(), 1);
     extension.gather(values.data(), marks.data(), [](int) {});
     extension.spread(values.data(), marks.data());
-    stiffness.on_boxes(extension.finest().own_values());
+    stiffness.on_boxes(extension.finest().values.own.data());
     stiffness.on_points(values.data(), [&](const int row) {
       extension.take(row, values.data(), marks.data());
     });

@@ -178,6 +178,17 @@ namespace
       {
         expect_in("65535 x 65535", error.what());
       }
+    // One of these fits, and many beside each other do not.
+    scene.contact.grid_points = {{1024, 512}};
+    try
+      {
+        require_memory(scene, MPI_COMM_WORLD, 100000);
+        ADD_FAILURE() << "accepted";
+      }
+    catch (const InputError &error)
+      {
+        expect_in("100000 grids of 1024 x 512 points take", error.what());
+      }
   }
 
   class EarlierResults : public testing::Test

@@ -33,17 +33,12 @@ namespace strait
     /** Get the rows of other ranks. Collective. */
     void fetch();
 
-    /** Of the boxes of this rank. */
-    std::vector<float> &
-    values()
-    {
-      return own;
-    }
+    std::vector<float> own; // of the boxes of this rank
 
   private:
     const SlabLayoutPtr    layout;
     const std::vector<int> other_rows;
-    std::vector<float>     own, beyond;
+    std::vector<float>     beyond; // of those rows
   };
 
   /**
@@ -77,33 +72,6 @@ namespace strait
 
     explicit GridBoxes(const SlabLayoutPtr &points);
 
-    /** Before values are added. */
-    void
-    clear_values()
-    {
-      values.clear();
-    }
-
-    /** Before values are added to those of the boxes of this rank. */
-    void
-    clear_others()
-    {
-      values.clear_others();
-    }
-
-    float *
-    own_values()
-    {
-      return values.values().data();
-    }
-
-    /** Before weights are added. */
-    void
-    clear_sums()
-    {
-      sums.clear();
-    }
-
     /** Add the local row @p row of points to the boxes, with weights by what @p has says
      *  of each. */
     template <class Has>
@@ -118,48 +86,11 @@ namespace strait
       });
     }
 
-    void
-    take_means()
-    {
-      values.send();
-      sums.send();
-      divide();
-    }
-
     /** By the sums of the weights; boxes without weight get 0. */
-    void
-    divide()
-    {
-      std::vector<float>       &value = values.values();
-      const std::vector<float> &sum   = sums.values();
-      for (std::size_t i = 0; i < value.size(); ++i)
-        value[i] = sum[i] > 0 ? value[i] / sum[i] : 0.f;
-    }
+    void divide();
 
     /** Of the coarsest level: as if interpolated from zeros. */
-    void
-    weigh()
-    {
-      std::vector<float>       &value = values.values();
-      const std::vector<float> &sum   = sums.values();
-      for (std::size_t i = 0; i < value.size(); ++i)
-        value[i] *= weight_of(sum[i]);
-    }
-
-    /** Before values are interpolated. */
-    void
-    fetch()
-    {
-      values.fetch();
-    }
-
-    /** Before values are added to points. */
-    void
-    divide_and_fetch()
-    {
-      divide();
-      fetch();
-    }
+    void weigh();
 
     /** Give points what their weights leave open, linear between the boxes. */
     template <class Has>
@@ -211,12 +142,6 @@ namespace strait
         }
     }
 
-    void
-    send()
-    {
-      values.send();
-    }
-
     /** The adjoint of add_row(). */
     template <class Has>
     void
@@ -236,11 +161,12 @@ namespace strait
       for (int row = 0; row < layout->n_rows(); ++row)
         {
           const std::size_t at = static_cast<std::size_t>(row) * n;
-          visit(row, values.values().data() + at, sums.values().data() + at);
+          visit(row, values.own.data() + at, sums.own.data() + at);
         }
     }
 
     const SlabLayoutPtr layout; // of the boxes
+    BoxField            values, sums;
 
   private:
     /** visit(box, its points along a row). */
@@ -263,10 +189,9 @@ namespace strait
         {values.row(here), values.row(here + ((first_row + row) % 2 == 1 ? 1 : -1))}};
     }
 
-    const int          n_columns; // of the points
-    const int          first_row; // of those of this rank
-    const int          n;         // columns of boxes
-    BoxField           values, sums;
+    const int          n_columns;        // of the points
+    const int          first_row;        // of those of this rank
+    const int          n;                // columns of boxes
     std::vector<float> line, other_line; // scratch
   };
 } // namespace strait

@@ -24,9 +24,10 @@ namespace strait
    *  program and its libraries. Collective. */
   double most_memory(MPI_Comm comm);
 
-  /** Throws InputError on all ranks if the grid of @p scene does not fit into the memory
-   *  that is free on one of the machines that share it. Collective. */
-  void require_memory(const Scene &scene, MPI_Comm comm);
+  /** Throws InputError on all ranks if the grid of @p scene, or @p n_grids of them that
+   *  are shared out evenly, do not fit into the memory that is free on one of the
+   * machines that share them. Collective. */
+  void require_memory(const Scene &scene, MPI_Comm comm, int n_grids = 1);
 
   /** Numbers of a scene in stated units that are off by powers of ten from what seals are
    *  made of, one sentence each. Throws InputError where no result would have a
