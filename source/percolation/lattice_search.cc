@@ -49,6 +49,11 @@ namespace strait
     if (lattice.in_window(k))
       found_in_windows.push_back(k);
     const std::size_t b = block_of(k);
+    if (b == block_at_work && cost == cost_at_work)
+      {
+        equals.push_back(k);
+        return;
+      }
     if (b == block_at_work)
       {
         heap.emplace_back(cost, k);

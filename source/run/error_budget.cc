@@ -69,6 +69,7 @@ namespace strait
                 const Transition *counted_from,
                 const Scene      &scene,
                 const double      rms_height,
+                const FlowStage  &flow,
                 CoarserSeals     &coarser)
   {
     StepErrors     errors;
@@ -99,12 +100,8 @@ namespace strait
     if (n_compared_grids(scene) > 0)
       {
         add_contact_grid(step, counted_from != nullptr, scene, coarser, errors);
-        FluidParameters other = scene.fluid;
-        other.interpolation   = other.interpolation == GapInterpolation::monotone_cubic
-                                  ? GapInterpolation::bilinear
-                                  : GapInterpolation::monotone_cubic;
         errors.items.push_back({"gap interpolation",
-                                std::abs(change_to(step.state.gap(), step, other)),
+                                std::abs(flow.change_by_interpolation(*step.flow)),
                                 "Contact/Grid points"});
       }
     std::stable_sort(errors.items.begin(),

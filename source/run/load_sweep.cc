@@ -240,6 +240,7 @@ namespace strait
                                     stop.is_reduced ? threshold : nullptr,
                                     scene,
                                     surface.rms_height,
+                                    *flow,
                                     coarser);
       }
     if (scene.contact.zoom.enabled && step.errors.sum() > scene.fluid.target_accuracy)

@@ -98,20 +98,39 @@ namespace strait
   }
 
   double
+  FlowStage::change_by_interpolation(const StepFlow &flow) const
+  {
+    FluidParameters other = parameters;
+    other.interpolation   = parameters.interpolation == GapInterpolation::monotone_cubic
+                              ? GapInterpolation::bilinear
+                              : GapInterpolation::monotone_cubic;
+    GapField bridge(flow.channel.gap.layout_pointer(), other);
+    return change_through(flow, other, flow.channel, bridge);
+  }
+
+  double
   FlowStage::change_to(const SlabField &gap,
                        const double     slip_length,
                        const StepFlow  &flow)
   {
     const Channel channel = find_channel(gap, slip_length);
-    if (channel.paths.empty())
-      return -1.;
-    fill(gap_field, channel, true);
-    const double change = flow.solution->change_in(gap_field);
+    return channel.paths.empty() ? -1.
+                                 : change_through(flow, parameters, channel, gap_field);
+  }
+
+  double
+  FlowStage::change_through(const StepFlow        &flow,
+                            const FluidParameters &fluid,
+                            const Channel         &channel,
+                            GapField              &bridge) const
+  {
+    fill(bridge, channel, true);
+    const double change = flow.solution->change_in(bridge);
     if (std::abs(change) <= parameters.target_accuracy)
       return change;
     // The mesh was made for another gap, of which a few coarse cells may let more through
     // than the throat does.
-    return ReynoldsSolver(parameters, gap_field, seal.get()).run(channel).rate /
+    return ReynoldsSolver(fluid, bridge, seal.get()).run(channel).rate /
              flow.leakage.rate -
            1.;
   }

@@ -33,11 +33,7 @@ namespace strait
       fluid.interpolation   = interpolation;
       FlowStage      flow(fluid, layout, log, timers);
       const StepFlow solved = flow.solve(gap, 0.);
-      fluid.interpolation   = interpolation == GapInterpolation::bilinear
-                                ? GapInterpolation::monotone_cubic
-                                : GapInterpolation::bilinear;
-      return {solved.leakage.rate,
-              FlowStage(fluid, layout, log, timers).change_to(gap, 0., solved)};
+      return {solved.leakage.rate, flow.change_by_interpolation(solved)};
     }
 
     // Of a throat that is open, and of one that is nearly closed, where a mesh for the

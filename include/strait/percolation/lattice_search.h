@@ -100,9 +100,12 @@ namespace strait
     std::vector<double>                                            least_pending;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> blocks;
 
-    // The block at work, and its points as a heap.
-    std::size_t        block_at_work = FlowLattice::none;
-    std::vector<Entry> heap;
+    // The block at work, its points as a heap, and those with the cost of the one at
+    // work: steps that cost nothing need not be sorted.
+    std::size_t              block_at_work = FlowLattice::none;
+    std::vector<Entry>       heap;
+    double                   cost_at_work = infinity;
+    std::vector<std::size_t> equals;
   };
 
   template <class Total, class IsEnd>
@@ -116,12 +119,18 @@ namespace strait
     least_pending[b] = infinity;
     block_at_work    = b;
     std::make_heap(heap.begin(), heap.end(), std::greater<>());
-    while (!heap.empty())
+    while (!heap.empty() || !equals.empty())
       {
-        const double      here = heap.front().first;
-        const std::size_t k    = heap.front().second;
-        std::pop_heap(heap.begin(), heap.end(), std::greater<>());
-        heap.pop_back();
+        if (equals.empty())
+          {
+            cost_at_work = heap.front().first;
+            equals.push_back(heap.front().second);
+            std::pop_heap(heap.begin(), heap.end(), std::greater<>());
+            heap.pop_back();
+          }
+        const double      here = cost_at_work;
+        const std::size_t k    = equals.back();
+        equals.pop_back();
         if (here > costs[k] || here > limit)
           continue;
         const bool own = lattice.is_own(k);

@@ -115,6 +115,7 @@ namespace strait
                            const Transition *counted_from,
                            const Scene      &scene,
                            double            rms_height,
+                           const FlowStage  &flow,
                            CoarserSeals     &coarser);
 
   /** The method in one place: for each load of the programme, press the surface against

@@ -52,6 +52,11 @@ namespace strait
     StepFlow
     solve(const SlabField &gap, double slip_length, double tolerance_factor = 1.);
 
+    /** By how much the leak rate of @p flow, which solve() has found and which is not
+     * zero, would change, relative, if the gap between the points were interpolated the
+     * other way. Collective. */
+    double change_by_interpolation(const StepFlow &flow) const;
+
     /** By how much, relative, the leak rate through @p gap differs from that of @p flow,
      * which is not zero and which a stage for the same box has found, whose grid has as
      * many points each way or 2, 4 … times as many; −1 if the gap seals. Collective. */
@@ -116,6 +121,10 @@ namespace strait
     void    read_mesh(const SlabLayoutPtr &layout);
     Channel find_channel(const SlabField &gap, double slip_length);
     void    fill(GapField &bridge, const Channel &channel, bool with_bounds) const;
+    double  change_through(const StepFlow        &flow,
+                           const FluidParameters &fluid,
+                           const Channel         &channel,
+                           GapField              &bridge) const;
     void    mesh_and_bracket(StepFlow          &flow,
                              double             tolerance_factor,
                              unsigned long long most_unknowns);
