@@ -51,7 +51,7 @@ namespace strait
           }
         else
           sums[2 * n] += range.area;
-    sum_in_place(gap.layout().communicator(), sums.data(), static_cast<int>(sums.size()));
+    sum_in_place(gap.layout().communicator(), sums);
 
     GapDistribution result;
     const auto      n_points = static_cast<double>(gap.grid().n_points());
