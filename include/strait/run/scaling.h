@@ -79,8 +79,7 @@ namespace strait
   /** What a run leaves besides its files. What is not known is not a number. */
   struct RunSummary
   {
-    bool converged = true;  // all steps
-    bool stopped   = false; // by a signal, before the last step
+    bool converged = true; // all steps
 
     // Of the threshold at the first slip length, if the scene looks for it.
     double critical_load_lower = std::nan("");
@@ -108,7 +107,6 @@ namespace strait
     members()
     {
       return std::tie(converged,
-                      stopped,
                       critical_load_lower,
                       critical_load_upper,
                       contact_area,
@@ -129,7 +127,7 @@ namespace strait
    * leak_rate_exponent.
    *
    * Collects the steps that converged; those in doubt (Step::doubts) are left out of the
-   * fits, and those whose throat has too few points for a leak rate (validity.h) out
+   * fits, and those whose throat has too few points for a leak rate (judge_validity) out
    * of the crossover.
    */
   class Scaling
