@@ -42,10 +42,8 @@ namespace strait
    *  asks for. Collective. */
   StepFlow leak_through(const SealState &state, const Scene &scene, FlowStage &flow);
 
-  /** The gap of two equal boxes, one behind the other in x. At its ends a box opens on
-   *  reservoirs, which let the fluid in wherever there is a gap; in the middle of two it
-   *  must find the way from one channel to the next. The difference of the resistances of
-   *  two and one is that of one box in an endless row. */
+  /** The gap of two equal boxes, one behind the other in x, for what doc/seal.md makes of
+   *  the flow through them. */
   SlabField two_in_a_row(const SlabField &gap);
 
   /** With how many coarser grids each step of @p scene is compared. */
