@@ -29,7 +29,7 @@ SHARED_HEADERS = ("base/scene.h",
                   "flow/seal_mesh.h", "flow/solution_on_grid.h",
                   "run/field_output.h", "run/load_sweep.h", "run/output_directory.h",
                   "run/result_tables.h",
-                  "run/scaling.h", "run/simulation.h", "run/step.h", "run/validity.h")
+                  "run/scaling.h", "run/simulation.h", "run/step.h")
 LICENCE = "// SPDX-License-Identifier: GPL-2.0-or-later"
 INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>")
 

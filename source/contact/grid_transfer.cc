@@ -23,9 +23,7 @@ namespace strait
         around[static_cast<std::size_t>(b + 1) * n_columns + a + 1] = pressure[k];
       });
       if (window.parent < 0)
-        sum_in_place(layout.communicator(),
-                     around.data(),
-                     static_cast<int>(around.size()));
+        sum_in_place(layout.communicator(), around);
       const auto at = [&](const int a, const int b) {
         // The last column and row are only asked for with the weight 0.
         return around[static_cast<std::size_t>(std::min(b, n_rows - 1)) * n_columns +

@@ -132,7 +132,7 @@ namespace strait
     });
     // All ranks hold the windows, but each only its rows of the grid.
     if (layout.windows()[window].parent < 0)
-      sum_in_place(layout.communicator(), patch.data(), static_cast<int>(patch.size()));
+      sum_in_place(layout.communicator(), patch);
     return patch;
   }
 

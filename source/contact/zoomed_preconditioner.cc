@@ -168,7 +168,7 @@ namespace strait
                             });
     // All ranks hold the windows, but each only its rows of the grid.
     if (layout->windows()[window].parent < 0)
-      sum_in_place(layout->communicator(), patch.data(), static_cast<int>(patch.size()));
+      sum_in_place(layout->communicator(), patch);
     for (int b = 0; b < ny; ++b)
       for (int a = 0; a < nx; ++a)
         for_each_of_nine(window, a, b, [&](const std::size_t i) {

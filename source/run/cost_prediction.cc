@@ -87,55 +87,44 @@ namespace strait
               std::min(most, per_cent * range.highest)};
     }
 
-    /** A cautious one of similar surfaces, if there are some. */
-    std::optional<double>
-    critical_load(const Scene &scene, const double rms_slope)
+    /** What was found of throats on surfaces of one kind. */
+    struct ThroatLaw
     {
-      // Of random surfaces the mean, 0.24, less one standard deviation: to be surprised
-      // by the threshold is worse than to be warned of it. Half and double of it would
-      // warn of nearly all loads, or of none.
-      constexpr double rough = .19;
-      // Of the square saddle that over the pressure of full contact, 2πE*Δ/λ, computed.
-      constexpr double saddle = .228605;
-      if (scene.surface.kind == SurfaceKind::square_saddle)
-        return saddle * 2 * M_PI * scene.contact.effective_modulus *
-               scene.surface.amplitude / scene.surface.size[0];
-      if (scene.surface.kind == SurfaceKind::self_affine)
-        return rough * scene.contact.pressure_scale(rms_slope);
-      return {};
-    }
+      double critical_load; // over ContactParameters::pressure_scale()
+      double points;        // of the grid along a throat, over (1 − L/L_c)^0.58
+    };
 
-    /** The smallest 1 − L/L_c that the run visits, from critical_load() unless the scene
-     *  itself asks for it. Nothing where that is unknown or all loads seal. */
-    std::optional<double>
-    smallest_reduced_load(const Scene &scene, const double rms_slope)
-    {
-      const std::vector<double> &asked = scene.programme.reduced_loads;
-      if (!asked.empty())
-        return *std::min_element(asked.begin(), asked.end());
-      const std::optional<double> critical = critical_load(scene, rms_slope);
-      std::optional<double>       smallest;
-      if (critical && scene.contact.loads())
-        for (const double pressure : scene.programme.pressures)
-          if (const double reduced = 1. - pressure / *critical; reduced > 0)
-            smallest = std::min(smallest.value_or(reduced), reduced);
-      return smallest;
-    }
-
-    /** Grid points along the throat at a reduced load, from fits to resolved throats;
-     *  nothing for other surfaces. */
-    std::optional<double>
-    points_along_throat(const Scene &scene, const double reduced_load)
+    /** Nothing for other surfaces. */
+    std::optional<ThroatLaw>
+    throat_law(const Scene &scene)
     {
       const double spacing =
         std::max(scene.surface.size[0] / scene.contact.grid_points[0],
                  scene.surface.size[1] / scene.contact.grid_points[1]);
-      const double relative = std::pow(reduced_load, .58);
       if (scene.surface.kind == SurfaceKind::square_saddle)
-        return .212 * relative * scene.surface.size[0] / spacing;
+        return ThroatLaw{.228605, .212 * scene.surface.size[0] / spacing};
+      // Of random critical loads the mean, 0.24, less one standard deviation: to be
+      // surprised by the threshold is worse than to be warned of it. Half and double of
+      // it would warn of nearly all loads, or of none.
       if (scene.surface.kind == SurfaceKind::self_affine)
-        return .65 * relative * scene.surface.short_cut_off_wavelength / spacing;
+        return ThroatLaw{.19, .65 * scene.surface.short_cut_off_wavelength / spacing};
       return {};
+    }
+
+    /** The smallest 1 − L/L_c that the run visits; where the scene does not ask for it,
+     *  that of a @p critical load. Nothing if all loads seal. */
+    std::optional<double>
+    smallest_reduced_load(const Scene &scene, const double critical)
+    {
+      const std::vector<double> &asked = scene.programme.reduced_loads;
+      if (!asked.empty())
+        return *std::min_element(asked.begin(), asked.end());
+      std::optional<double> smallest;
+      if (scene.contact.loads())
+        for (const double pressure : scene.programme.pressures)
+          if (const double reduced = 1. - pressure / critical; reduced > 0)
+            smallest = std::min(smallest.value_or(reduced), reduced);
+      return smallest;
     }
 
     std::string
@@ -154,23 +143,28 @@ namespace strait
             points_nearest / (static_cast<double>(scene.contact.grid_points[0]) *
                               scene.contact.grid_points[1]));
         }
-      const auto reduced = smallest_reduced_load(scene, rms_slope);
-      const auto points  = reduced ? points_along_throat(scene, *reduced) : std::nullopt;
-      if (!points)
+      const std::optional<ThroatLaw> law = throat_law(scene);
+      const std::optional<double>    reduced =
+        law ? smallest_reduced_load(scene,
+                                    law->critical_load *
+                                      scene.contact.pressure_scale(rms_slope))
+               : std::nullopt;
+      if (!reduced)
         return "largest error: not predicted for this surface and these loads; "
                "Output/Error budget tells";
+      const double      points = law->points * std::pow(*reduced, .58);
       const std::string throat =
         format("about %.2g grid points along the throat at a reduced load of %.2g%s, ",
-               *points,
+               points,
                *reduced,
                scene.surface.kind == SurfaceKind::self_affine &&
                    scene.programme.reduced_loads.empty()
                  ? " (if such a seal closes early)"
                  : "");
-      if (*points < points_needed)
+      if (points < points_needed)
         {
           const auto enough = [&](const int n) {
-            return std::ceil(n * points_needed / *points);
+            return std::ceil(n * points_needed / points);
           };
           return throat +
                  format(

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
-#include <strait/base/signals.h>
 #include <strait/base/text.h>
 #include <strait/run/guards.h>
 #include <strait/run/output_directory.h>
@@ -22,39 +21,31 @@ namespace strait
   namespace
   {
     /** The ranks of MPI_COMM_WORLD in groups that work beside each other. */
-    class RankGroups
+    struct RankGroups
     {
-    public:
-      /** Groups of @p ranks_each ranks; empty: one of all ranks. Throws InputError if it
-       * does not divide the number of ranks. Collective. */
-      explicit RankGroups(const std::vector<int> &ranks_each)
-      {
-        const int my_rank = rank_in(MPI_COMM_WORLD);
-        const int n_ranks = n_ranks_in(MPI_COMM_WORLD);
-        n_each            = ranks_each.empty() ? n_ranks : ranks_each.front();
-        if (n_ranks % n_each != 0)
-          throw InputError(format(
-            "Realisations/Ranks each = %d does not divide the number of ranks, %d.",
-            n_each,
-            n_ranks));
-        number = n_ranks / n_each;
-        mine   = my_rank / n_each;
-        MPI_Comm_split(MPI_COMM_WORLD, mine, my_rank, &comm);
-      }
-
-      ~RankGroups()
-      {
-        MPI_Comm_free(&comm);
-      }
-
-      RankGroups(const RankGroups &)            = delete;
-      RankGroups &operator=(const RankGroups &) = delete;
-
-      int      n_each = 1;             // ranks of a group
-      int      number = 1;             // of groups
-      int      mine   = 0;             // the group of this rank
-      MPI_Comm comm   = MPI_COMM_NULL; // of this rank's group
+      int      n_each; // ranks of a group
+      int      number; // of groups
+      int      mine;   // the group of this rank
+      MPI_Comm comm;   // of this rank's group, for the rest of the run
     };
+
+    /** Groups of @p ranks_each ranks; empty: one of all ranks. Throws InputError if it
+     *  does not divide the number of ranks. Collective. */
+    RankGroups
+    make_groups(const std::vector<int> &ranks_each)
+    {
+      const int my_rank = rank_in(MPI_COMM_WORLD);
+      const int n_ranks = n_ranks_in(MPI_COMM_WORLD);
+      const int n_each  = ranks_each.empty() ? n_ranks : ranks_each.front();
+      require(n_ranks % n_each == 0,
+              format("Realisations/Ranks each = %d does not divide the number of ranks, "
+                     "%d.",
+                     n_each,
+                     n_ranks));
+      RankGroups groups{n_each, n_ranks / n_each, my_rank / n_each, MPI_COMM_NULL};
+      MPI_Comm_split(MPI_COMM_WORLD, groups.mine, my_rank, &groups.comm);
+      return groups;
+    }
 
     /** All of them, before they are run. */
     std::vector<RealisationRow>
@@ -130,6 +121,7 @@ namespace strait
       std::apply([&tell](auto &...members) { (tell(members), ...); },
                  realisation.members());
       tell(realisation.failure);
+      tell(realisation.stopped);
     }
 
     /** Run @p scene, which is @p realisation alone, in this rank's group. */
@@ -156,6 +148,11 @@ namespace strait
               run.status = status;
             }
         }
+      catch (const Interruption &stop)
+        {
+          realisation.stopped = true;
+          realisation.failure = stop.what();
+        }
       catch (const ComputationError &error)
         {
           // The same on all ranks of the group, so they go on together.
@@ -163,17 +160,6 @@ namespace strait
           run.status          = "failed";
           run.converged       = false;
         }
-    }
-
-    [[noreturn]] void
-    throw_interruption(const Scene &scene)
-    {
-      throw Interruption(
-        "Stopped by " + name_of_stop_signal() +
-        " after a complete step or solve of a search; " +
-        (scene.output.checkpoint
-           ? "the same command with --resume continues."
-           : "with Output/Checkpoint = true it could have been resumed."));
     }
   } // namespace
 
@@ -185,14 +171,9 @@ namespace strait
                        const bool         resume)
   {
     if (!scene.realisations.enabled())
-      {
-        const RunSummary run = simulate(scene, log, resume);
-        if (run.stopped)
-          throw_interruption(scene);
-        return run.converged;
-      }
+      return simulate(scene, log, resume).converged;
 
-    const RankGroups groups(scene.realisations.ranks_each);
+    const RankGroups groups = make_groups(scene.realisations.ranks_each);
     require_memory(scene, MPI_COMM_WORLD, groups.number);
     const std::string           folder       = scene.output.directory;
     std::vector<RealisationRow> realisations = list_realisations(scene);
@@ -231,12 +212,11 @@ namespace strait
           run_alone(
             realisations[mine], scenes[groups.mine], groups, log.is_quiet(), resume);
         for (std::size_t k = first; k < end; ++k)
-          share(realisations[k], static_cast<int>(k - first) * groups.n_each);
-        for (std::size_t k = first; k < end; ++k)
           {
-            const RealisationRow &done = realisations[k];
+            RealisationRow &done = realisations[k];
+            share(done, static_cast<int>(k - first) * groups.n_each);
             if (done.stopped)
-              throw_interruption(scene);
+              throw Interruption(done.failure);
             if (!done.failure.empty())
               log.warn(done.failure);
             all_converged = all_converged && done.converged;

@@ -108,49 +108,4 @@ namespace strait
       add("theory_crossover_load", &Row::theory_crossover_load);
     return rows;
   }
-
-  TableInfo
-  seal_table(const Scene &scene)
-  {
-    TableFile table("seal.csv",
-                    {"with `Seal/Enabled`", scene.seal.enabled},
-                    "The leak rate of the whole seal, one row for each load whose "
-                    "pressures over the width are covered by those of the patches; "
-                    "see [seal.md](seal.md).");
-    for (const char *column :
-         {"pressure [pressure]: nominal, mean over the width",
-          "leak_rate_median [of the column unit]: as likely exceeded as not",
-          "leak_rate_5_percent [of the column unit]: exceeded with a probability of 95 %",
-          "leak_rate_95_percent [of the column unit]: with one of 5 %",
-          "unit: of the leak rates: the first of `Output/Leak rate units`, or that of "
-          "the scene; empty if that states none",
-          "sealed [1]: fraction of the seals that do not leak",
-          "scatter_patches [1]: standard deviation of ln Q that more patches would "
-          "reduce",
-          "scatter_arrangement [1]: the same between seals of this size and surface, "
-          "which nothing reduces",
-          "solution_error [1]: relative error of the patches' leak rates: "
-          "`leak_rate_error` where it is known, else the half width of the brackets"})
-      table.declare(column);
-    return table.info();
-  }
-
-  TableInfo
-  seal_load_table(const Scene &scene)
-  {
-    TableFile table("seal_load.csv",
-                    {"with `Seal/Wanted leak rate`",
-                     scene.seal.enabled && scene.seal.wanted_leak_rate > 0.},
-                    "The load at which the whole seal leaks as wanted; `nan` "
-                    "where it lies beyond the loads of seal.csv.");
-    for (const char *column :
-         {"wanted_leak_rate [of the column unit]: `Seal/Wanted leak rate`",
-          "unit: as in seal.csv",
-          "load [pressure]: where the median is as wanted",
-          "load_5_percent [pressure]: where the 5 % quantile is",
-          "load_95_percent [pressure]: where the 95 % quantile is: enough with a "
-          "probability of 95 %"})
-      table.declare(column);
-    return table.info();
-  }
 } // namespace strait

@@ -152,19 +152,18 @@ namespace strait
     throw_if_any(comm, error);
   }
 
-  std::vector<std::string>
-  implausible_numbers(const Scene &scene)
+  void
+  check_numbers(const Scene &scene, Log &log)
   {
     refuse_meaningless_pressures(scene);
-    std::vector<std::string> warnings;
     // The value is in SI; the limits are the smallest and the largest of any seal.
-    const auto check = [&warnings](const char  *name,
-                                   const double value,
-                                   const double smallest,
-                                   const double largest,
-                                   const char  *unit) {
+    const auto check = [&log](const char  *name,
+                              const double value,
+                              const double smallest,
+                              const double largest,
+                              const char  *unit) {
       if (value < smallest || value > largest)
-        warnings.push_back(
+        log.warn(
           format("%s is %.4g %s, which is outside of what seals have, %.3g to %.3g %s; "
                  "check the section Units and the powers of ten.",
                  name,
@@ -182,7 +181,7 @@ namespace strait
               .1,   // a wave of micrometres is no longer resolved
               "m");
     if (scene.units.pressure.empty())
-      return warnings;
+      return;
     const double pascals = *pascals_in(scene.units.pressure);
     if (scene.contact.enabled)
       check("the effective modulus",
@@ -196,24 +195,23 @@ namespace strait
             1e-6, // hydrogen, cold: 5e-6
             1e5,  // pitch is more, and flows in years
             "Pa s");
-    return warnings;
   }
 
-  std::string
-  implausible_slope(const Scene &scene, const double rms_slope)
+  void
+  check_slope(const Scene &scene, const double rms_slope, Log &log)
   {
     // A rms slope of 1 is an angle of 45°; one of 10, of 84°, no surface has that a solid
     // could be pressed onto, and heights and lengths are in different units.
     constexpr double steep = 1., impossible = 10.;
     if (!scene.has_physical_modulus() || !(rms_slope > steep))
-      return "";
+      return;
     const std::string finding = format("The surface has a rms slope of %.4g", rms_slope);
     if (rms_slope > impossible && !scene.units.length.empty())
       throw InputError(finding +
                        ", which no surface has: its heights and Surface/Size are not in "
                        "the same unit.");
-    return finding +
-           ", where neither the elasticity nor the flow of small slopes holds; "
-           "check the units of its heights and of Surface/Size.";
+    log.warn(finding +
+             ", where neither the elasticity nor the flow of small slopes holds; "
+             "check the units of its heights and of Surface/Size.");
   }
 } // namespace strait

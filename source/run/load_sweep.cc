@@ -2,7 +2,6 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 #include <strait/run/load_sweep.h>
-#include <strait/run/validity.h>
 #include <strait/seal/make_seal.h>
 
 #include <utility>
@@ -22,39 +21,21 @@ namespace strait
     , contact(complete_contact(scene, heights, surface_energy, log))
     , coarser(scene, contact, heights, log)
   {
+    done.surface_energy = contact.adhesion.surface_energy;
     if (scene.fluid.enabled)
-      {
-        flow = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
-        if (scene.has_two_boxes())
-          row = std::make_unique<FlowStage>(scene.fluid,
-                                            two_in_a_row(heights).layout_pointer(),
-                                            log,
-                                            timers);
-      }
+      flow = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
     if (scene.theory.enabled)
       theory = std::make_unique<TheoryPrediction>(scene, &heights);
     seal = make_seal(scene, contact, std::move(heights), flow.get(), log);
     if (scene.programme.find_threshold || scene.programme.find_blow_out)
-      search = std::make_unique<SealSearch>(scene, seal, layout, flow->domain(), log);
-  }
-
-  void
-  LoadSweep::after_probe(std::function<void()> action)
-  {
-    if (search)
-      search->after_probe = std::move(action);
-  }
-
-  std::size_t
-  LoadSweep::n_probes() const
-  {
-    return search ? search->n_probes() : 0;
+      seal_search =
+        std::make_unique<SealSearch>(scene, seal, layout, flow->domain(), log);
   }
 
   void
   LoadSweep::end_searches()
   {
-    search.reset();
+    seal_search.reset();
     coarser.end_searches();
   }
 
@@ -63,19 +44,19 @@ namespace strait
   {
     const auto scope = timers.scope("threshold");
     log.stage("critical load");
-    thresholds = search->find_critical_loads(
+    done.thresholds = seal_search->find_critical_loads(
       coarser.find_critical_loads(search_start(scene, contact, surface.rms_slope)));
-    for (const Transition &threshold : thresholds)
-      converged = converged && threshold.converged;
+    for (const Transition &threshold : done.thresholds)
+      done.converged = done.converged && threshold.converged;
     // A channel that a fluid has opened is not closed again before the first step, the
     // throat is seen on the points that it was lost on, and what opens again keeps its
     // indentations; a path on which contacts alone remember begins without a past.
     // Where a search for another transition goes on, the first step has its start.
-    if (!search->repeats() &&
+    if (!seal_search->repeats() &&
         ((scene.fluid.feedback.enabled && !scene.contact.adhesion.enabled) ||
          begins_where_search_ended()))
-      start = search->take_state();
-    return thresholds;
+      start = seal_search->take_state();
+    return done.thresholds;
   }
 
   /** Whether loads that are counted from a critical one begin where its search ended. */
@@ -91,47 +72,47 @@ namespace strait
   {
     const auto scope = timers.scope("blow-out");
     log.stage("blow-out pressure");
-    const std::vector<BlowOut> found = search->find_blow_outs();
+    const std::vector<BlowOut> found = seal_search->find_blow_outs();
     for (const BlowOut &blow_out : found)
-      converged = converged && blow_out.opening.converged &&
-                  (!blow_out.closing || blow_out.closing->converged);
+      done.converged = done.converged && blow_out.opening.converged &&
+                       (!blow_out.closing || blow_out.closing->converged);
     return found;
   }
 
   bool
   LoadSweep::run(const Consumer &consume)
   {
-    const std::vector<LoadStop> stops   = plan_stops(scene, thresholds);
+    const std::vector<LoadStop> stops   = plan_stops(scene, done.thresholds);
     const auto                  n_steps = static_cast<int>(stops.size());
-    const int                   n_known = n_done();
+    const int                   n_known = done.n_done;
     const auto                  begin   = Timers::Clock::now();
-    while (next_stop < stops.size())
+    while (done.n_done < n_steps)
       {
-        step.number          = n_done() + 1;
-        const int n_measured = n_done() - n_known;
+        const LoadStop &stop       = stops[done.n_done];
+        const int       n_measured = done.n_done - n_known;
+        step.number                = done.n_done + 1;
+        step.branch                = stop.branch;
         announce_step(step.number,
                       n_steps,
                       n_measured > 0 ? Timers::seconds_since(begin) / n_measured : 0.,
                       log);
-        step.branch = stops[next_stop].branch;
-        if (!press(stops[next_stop]))
+        if (!press(stop))
           {
             log.warn(
               format("the surfaces part before the pressure %.6g: "
-                     "%zu steps are left out",
-                     stops[next_stop].target,
-                     stops.size() - next_stop));
+                     "%d steps are left out",
+                     stop.target,
+                     n_steps - done.n_done));
             break;
           }
         leak();
-        judge(stops[next_stop]);
+        judge(stop);
         report_step(step, n_steps, log);
-        ++next_stop;
-        if (!consume(step))
-          break;
+        ++done.n_done;
+        consume(step);
       }
     log.stage("");
-    return converged;
+    return done.converged;
   }
 
   /** Follow the path to the next stop. Returns whether the surfaces are still together.
@@ -140,7 +121,8 @@ namespace strait
   LoadSweep::press(const LoadStop &stop)
   {
     const Control control{stop.target, scene.fluid.inlet_pressure, stop.slip_length};
-    const bool is_first = next_stop == 0 || stop.begins_anew || step.state.gap().empty();
+    const bool    is_first =
+      done.n_done == 0 || stop.begins_anew || step.state.gap().empty();
     step.dissipated_energy = step.flow_seconds = 0.;
     // Windows lie around the throats of one slip length.
     const bool has_windows_for_it = !scene.contact.zoom.enabled ||
@@ -176,7 +158,7 @@ namespace strait
             "steps with many jumps are left before all are as narrow as Load "
             "programme/Jump tolerance; list more Pressures there");
         step.dissipated_energy += jump.dissipated;
-        all_jumps.push_back(jump);
+        done.jumps.push_back(jump);
       }
     if (!arrival.state)
       return false;
@@ -201,10 +183,12 @@ namespace strait
     if (scene.programme.find_threshold && step.flow->solution)
       step.flow->constrictions =
         report_constrictions(step.flow->channel, *step.flow->solution);
-    if (row)
-      step.two_boxes =
-        row->solve(two_in_a_row(step.state.gap()), step.state.control.slip_length)
-          .leakage;
+    if (scene.has_two_boxes())
+      {
+        const SlabField two = two_in_a_row(step.state.gap());
+        FlowStage       row(scene.fluid, two.layout_pointer(), log, timers);
+        step.two_boxes = row.solve(two, step.state.control.slip_length).leakage;
+      }
     step.flow_seconds += Timers::seconds_since(start);
   }
 
@@ -212,7 +196,7 @@ namespace strait
   void
   LoadSweep::judge(const LoadStop &stop)
   {
-    const Transition *threshold = threshold_of(thresholds, stop.slip_length);
+    const Transition *threshold = threshold_of(done.thresholds, stop.slip_length);
     const double      pressure =
       step.state.contact ? step.state.contact->nominal_pressure : 0.;
     step.doubts.clear();
@@ -246,25 +230,29 @@ namespace strait
     if (scene.contact.zoom.enabled && step.errors.sum() > scene.fluid.target_accuracy)
       step.doubts.emplace_back("inaccurate");
     judge_validity(step, scene, surface.rms_slope, log);
-    converged = converged && step.converged();
+    done.converged = done.converged && step.converged();
   }
 
   void
   LoadSweep::transfer(StateArchive &archive)
   {
-    strait::transfer(archive, thresholds);
-    archive.values(next_stop, converged);
-    transfer_all(archive, all_jumps, [&](Jump &jump) {
+    strait::transfer(archive, done.thresholds);
+    archive.values(done.n_done, done.converged);
+    transfer_all(archive, done.jumps, [&](Jump &jump) {
       strait::transfer(archive, jump);
     });
-    if (search)
-      search->transfer(archive);
+    bool is_searching = seal_search != nullptr;
+    archive.value(is_searching);
+    if (is_searching)
+      seal_search->transfer(archive);
+    else
+      end_searches();
     if (transfer_presence(archive, start))
       strait::transfer(archive, *start, layout);
     if (!scene.contact.enabled) // a gap that is given has no past
       return;
     coarser.transfer(archive);
-    if (next_stop > 0)
+    if (done.n_done > 0)
       strait::transfer(archive, step.state, layout);
   }
 } // namespace strait

@@ -158,7 +158,10 @@ namespace strait
     log.line(timers.summary());
     log.stage("tables and pictures");
     if (scene.programme.find_threshold)
-      write_table(fit_table(scene), scaling.fits(log));
+      {
+        write_table(fit_table(scene), scaling.fits(log));
+        scaling.summarise(thresholds, summary, log);
+      }
     RunRecord seconds = RunRecord::object();
     for (const Timers::Part &part : timers.table())
       seconds[part.path] = part.seconds;
@@ -198,7 +201,6 @@ namespace strait
         summary.critical_load_upper = thresholds.front().upper;
         summary.contact_area        = thresholds.front().contact_area;
       }
-    scaling.summarise(thresholds, summary);
     return summary;
   }
 } // namespace strait

@@ -97,15 +97,14 @@ namespace strait
       std::apply([&file](auto &...members) { file.values(members...); },
                  finished->members());
     else
-      file.values(surface_energy, has_begun, has_searched);
+      file.values(surface_energy, has_begun);
   }
 
   void
   RunState::restore(LoadSweep &sweep, OutputDirectory &output, Log &log)
   {
-    if (has_searched)
-      sweep.end_searches();
     transfer_parts(*archive, sweep, output, log);
+    has_begun = true;
   }
 
   void
@@ -113,11 +112,11 @@ namespace strait
   {
     if (!scene.output.checkpoint)
       return;
-    has_begun = sweep.n_probes() > 0 || sweep.n_done() > 0;
     StateArchive writer(path, comm, StateArchive::Access::write);
     transfer(writer);
     transfer_parts(writer, sweep, output, log);
     writer.commit();
+    has_begun = true; // the first time nothing is done yet
   }
 
   void

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace strait
@@ -59,101 +61,56 @@ namespace strait
     return points;
   }
 
-  double
-  Scaling::smallest_slip() const
+  std::vector<ExponentFit>
+  local_slopes(std::vector<ScalingPoint> points)
   {
-    double slip_length = std::nan("");
-    for (const Sample &sample : samples)
-      slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
-    return slip_length;
-  }
-
-  std::array<Scaling::Supply, 2>
-  Scaling::supplies() const
-  {
-    std::array<Supply, 2> result = {
-      {{"exponent of leak_rate", "no-exponent", {0., largest}, Trust::doubtless},
-       {"crossover load", "no-crossover", exponential_decay, Trust::resolved}}};
-    const double slip_length = smallest_slip();
-    for (Supply &supply : result)
-      for (const Sample &sample : samples)
-        if (sample.slip_length == slip_length &&
-            supply.window.contains(sample.reduced_load))
-          {
-            ++supply.n_steps;
-            if (sample.serves(leak_rate, supply.trust))
-              ++supply.n_used;
-            else
-              add_words(supply.status_of_others,
-                        supply.trust == Trust::resolved && sample.is_coarse
-                          ? "coarse-throat"
-                          : sample.status);
-          }
-    return result;
-  }
-
-  bool
-  Scaling::is_slow(const Quantity quantity) const
-  {
-    return decay_rate(series(quantity, smallest_slip(), Trust::resolved)) <
-           leak_rate_exponent;
-  }
-
-  void
-  Scaling::report_missing(Log &log) const
-  {
-    for (const Supply &supply : supplies())
-      if (supply.n_steps > supply.n_used)
-        log.warn((supply.is_short()
-                    ? std::string("no ") + supply.result + ", which takes two steps"
-                    : supply.result) +
-                 format(": %d of %d steps with 1 - L/L_c from %.3g to %.3g serve; the "
-                        "others are left out for %s",
-                        supply.n_used,
-                        supply.n_steps,
-                        supply.window.from,
-                        supply.window.to,
-                        supply.status_of_others.c_str()));
-    for (const auto &[quantity, name] :
-         {std::pair{leak_rate, "leak rate"}, {theory_leak_rate, "theory's leak rate"}})
-      if (is_slow(quantity))
-        log.warn(
-          format("no crossover load of the %s: its logarithm rises by less than "
-                 "69/20 times 1 - L/L_c from %.3g to %.3g",
-                 name,
-                 exponential_decay.from,
-                 exponential_decay.to));
-  }
-
-  void
-  Scaling::summarise(const std::vector<Transition> &thresholds, RunSummary &summary) const
-  {
-    const double      slip_length = smallest_slip();
-    const ExponentFit fit =
-      fit_exponent(series(leak_rate, slip_length, Trust::doubtless), largest);
-    if (fit.n_points > 1)
-      {
-        summary.exponent       = fit.exponent;
-        summary.exponent_error = fit.error;
-      }
-    summary.crossover =
-      crossover_reduced_load(series(leak_rate, slip_length, Trust::resolved));
-    if (const Transition *threshold = threshold_of(thresholds, slip_length))
-      {
-        const double of_theory =
-          crossover_reduced_load(series(theory_leak_rate, slip_length, Trust::resolved));
-        summary.crossover_load        = (1. - summary.crossover) * threshold->middle();
-        summary.theory_crossover_load = (1. - of_theory) * threshold->middle();
-      }
-    for (const Supply &supply : supplies())
-      if (supply.is_short())
-        add_words(summary.status, supply.word);
-    if (is_slow(leak_rate))
-      add_words(summary.status, "no-crossover");
+    std::sort(points.begin(),
+              points.end(),
+              [](const ScalingPoint &a, const ScalingPoint &b) {
+                return a.reduced_load > b.reduced_load;
+              });
+    std::vector<ExponentFit> slopes;
+    for (std::size_t k = 1; k < points.size(); ++k)
+      if (points[k].reduced_load < points[k - 1].reduced_load)
+        slopes.push_back(fit_exponent({points[k - 1], points[k]}, 1.));
+    return slopes;
   }
 
   namespace
   {
+    /** The slope of y against x by least squares, and its standard error. */
+    std::pair<double, double>
+    fit_line(const std::vector<double> &x, const std::vector<double> &y)
+    {
+      const auto   n      = static_cast<double>(x.size());
+      const double mean_x = std::accumulate(x.begin(), x.end(), 0.) / n;
+      const double mean_y = std::accumulate(y.begin(), y.end(), 0.) / n;
+      double       xx = 0, xy = 0, yy = 0;
+      for (std::size_t k = 0; k < x.size(); ++k)
+        {
+          xx += (x[k] - mean_x) * (x[k] - mean_x);
+          xy += (x[k] - mean_x) * (y[k] - mean_y);
+          yy += (y[k] - mean_y) * (y[k] - mean_y);
+        }
+      const double left_over = std::max(yy - xy * xy / xx, 0.);
+      return {xy / xx, n > 2 ? std::sqrt(left_over / ((n - 2) * xx)) : 0.};
+    }
+
+    /** s of value ∝ exp(s ε) by least squares over exponential_decay. Not a number with
+     *  fewer than two points in that range. */
+    double
+    decay_rate(const std::vector<ScalingPoint> &points)
+    {
+      std::vector<double> x, y;
+      for (const auto &[epsilon, value, status] : points)
+        if (exponential_decay.contains(epsilon))
+          {
+            x.push_back(epsilon);
+            y.push_back(std::log(value));
+          }
+      return x.size() < 2 ? std::nan("") : fit_line(x, y).first;
+    }
+
     /** Say what was fitted, and whether @p slopes within the window disagree. */
     void
     report_fit(const std::string              &name,
@@ -190,6 +147,29 @@ namespace strait
                  greatest));
     }
   } // namespace
+
+  ExponentFit
+  fit_exponent(const std::vector<ScalingPoint> &points, const double largest)
+  {
+    ExponentFit         fit;
+    std::vector<double> x, y;
+    for (const auto &[epsilon, value, status] : points)
+      if (LoadWindow{0., largest}.contains(epsilon))
+        {
+          add_words(fit.status, status);
+          fit.from = x.empty() ? epsilon : std::min(fit.from, epsilon);
+          fit.to   = std::max(fit.to, epsilon);
+          x.push_back(std::log(epsilon));
+          y.push_back(std::log(value));
+        }
+    fit.n_points = static_cast<int>(x.size());
+    if (fit.from == fit.to) // of the same load again nothing is learnt
+      fit.n_points = std::min(fit.n_points, 1);
+    if (fit.n_points < 2)
+      return fit;
+    std::tie(fit.exponent, fit.error) = fit_line(x, y);
+    return fit;
+  }
 
   std::vector<FitRow>
   Scaling::fits(Log &log) const
@@ -236,7 +216,84 @@ namespace strait
           rows.push_back({fit, name, slip_length, "fit", std::nan("")});
           report_fit(name, fit, local_slopes(trusted), log);
         }
-    report_missing(log);
     return rows;
+  }
+
+  bool
+  Scaling::suffice(const char       *result,
+                   const double      slip_length,
+                   const LoadWindow &window,
+                   const Trust       trust,
+                   Log              &log) const
+  {
+    int         n_steps = 0, n_used = 0;
+    std::string status_of_others = "ok";
+    for (const Sample &sample : samples)
+      if (sample.slip_length == slip_length && window.contains(sample.reduced_load))
+        {
+          ++n_steps;
+          if (sample.serves(leak_rate, trust))
+            ++n_used;
+          else
+            add_words(status_of_others,
+                      trust == Trust::resolved && sample.is_coarse ? "coarse-throat"
+                                                                   : sample.status);
+        }
+    if (n_used == n_steps)
+      return true;
+    log.warn(
+      (n_used < 2 ? std::string("no ") + result + ", which takes two steps" : result) +
+      format(": %d of %d steps with 1 - L/L_c from %.3g to %.3g serve; the "
+             "others are left out for %s",
+             n_used,
+             n_steps,
+             window.from,
+             window.to,
+             status_of_others.c_str()));
+    return n_used >= 2;
+  }
+
+  void
+  Scaling::summarise(const std::vector<Transition> &thresholds,
+                     RunSummary                    &summary,
+                     Log                           &log) const
+  {
+    double slip_length = std::nan("");
+    for (const Sample &sample : samples)
+      slip_length = std::fmax(slip_length, sample.slip_length); // they are negative
+    const ExponentFit fit =
+      fit_exponent(series(leak_rate, slip_length, Trust::doubtless), largest);
+    if (fit.n_points > 1)
+      {
+        summary.exponent       = fit.exponent;
+        summary.exponent_error = fit.error;
+      }
+    if (!suffice(
+          "exponent of leak_rate", slip_length, {0., largest}, Trust::doubtless, log))
+      add_words(summary.status, "no-exponent");
+    if (!suffice("crossover load", slip_length, exponential_decay, Trust::resolved, log))
+      add_words(summary.status, "no-crossover");
+
+    const auto find_crossover = [&](const Quantity quantity, const char *name) {
+      const double rate = decay_rate(series(quantity, slip_length, Trust::resolved));
+      if (!(rate < leak_rate_exponent))
+        return leak_rate_exponent / rate;
+      log.warn(
+        format("no crossover load of the %s: its logarithm rises by less than "
+               "69/20 times 1 - L/L_c from %.3g to %.3g",
+               name,
+               exponential_decay.from,
+               exponential_decay.to));
+      if (quantity == leak_rate)
+        add_words(summary.status, "no-crossover");
+      return std::nan("");
+    };
+    summary.crossover      = find_crossover(leak_rate, "leak rate");
+    const double of_theory = find_crossover(theory_leak_rate, "theory's leak rate");
+    if (const Transition *threshold = threshold_of(thresholds, slip_length))
+      {
+        summary.crossover_load        = (1. - summary.crossover) * threshold->middle();
+        summary.theory_crossover_load = (1. - of_theory) * threshold->middle();
+      }
   }
 } // namespace strait

@@ -4,7 +4,6 @@
 #include <strait/base/signals.h>
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
-#include <strait/contact/adhesion_of_scene.h>
 #include <strait/flow/seal_mesh.h>
 #include <strait/run/field_output.h>
 #include <strait/run/guards.h>
@@ -12,75 +11,20 @@
 #include <strait/run/output_directory.h>
 #include <strait/run/run_state.h>
 #include <strait/run/simulation.h>
-#include <strait/surface/make_surface.h>
-#include <strait/surface/map_processing.h>
+#include <strait/run/theory_prediction.h>
+#include <strait/seal/make_seal.h>
 #include <strait/surface/read_scene.h>
-#include <strait/surface/self_affine_surface.h>
 #include <strait/surface/statistics.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <string>
 
 namespace strait
 {
   namespace
   {
-    /** A mesh can only be as coarse as the grid can be halved. */
-    void
-    warn_of_odd_grid(const Scene &scene, Log &log)
-    {
-      // Cells with which each mesh then has to start: half of it is still solved in no
-      // time, double of it is felt at every load.
-      constexpr std::int64_t many       = 10000;
-      const PeriodicGrid     grid       = grid_of(scene);
-      const std::int64_t     n_coarsest = grid.n_points() >> (2 * grid.n_halvings());
-      if (scene.fluid.enabled && n_coarsest > many)
-        log.warn(
-          "the coarsest mesh of this grid has " + std::to_string(n_coarsest) +
-          " cells, which costs time and memory: choose numbers of grid points that "
-          "can be halved several times");
-    }
-
-    /** The surface on the scene's grid, with all that is to be said about it. */
-    SlabField
-    make_heights(const Scene &scene, MPI_Comm comm, Log &log)
-    {
-      const PeriodicGrid grid = grid_of(scene);
-      for (const std::string &warning : scene.warnings())
-        log.warn(warning);
-      for (const std::string &warning : implausible_numbers(scene))
-        log.warn(warning);
-      require_memory(scene, comm);
-      for (const std::string &warning : check_resolution(scene.surface, grid))
-        log.warn(warning);
-      warn_of_odd_grid(scene, log);
-      if (!scene.fluid.gas.empty())
-        log.line(format("gas: %s, viscosity %.6g",
-                        scene.fluid.gas.c_str(),
-                        scene.fluid.viscosity));
-      const int n_ranks = n_ranks_in(comm);
-      log.line(format("grid %d × %d on a box of %.6g × %.6g, %d %s",
-                      grid.nx,
-                      grid.ny,
-                      grid.lx,
-                      grid.ly,
-                      n_ranks,
-                      n_ranks == 1 ? "rank" : "ranks"));
-      if (!scene.contact.young_moduli.empty())
-        log.line(format("contact modulus E* = %.6g", scene.contact.effective_modulus) +
-                 (scene.units.pressure.empty() ? "" : " " + scene.units.pressure));
-      log.stage("surface");
-      Remarks   remarks;
-      SlabField heights = make_surface(scene.surface, make_layout(grid, comm), &remarks);
-      log.stage("");
-      for (const std::string &note : remarks.notes)
-        log.line(note);
-      for (const std::string &warning : remarks.warnings)
-        log.warn(warning);
-      report_surface(scene, heights, log);
-      return heights;
-    }
-
     /** For a dry run; throws what the run would. */
     void
     describe_mesh(const Scene &scene, Log &log)
@@ -97,25 +41,6 @@ namespace strait
                       seal.is_ring ? "a ring" : "a strip",
                       seal.cells.size(),
                       region.n_inside()));
-    }
-
-    /** For a dry run; throws if the grid does not resolve the range. */
-    void
-    describe_adhesion(const ContactParameters &contact,
-                      const SlabField         &heights,
-                      Log                     &log)
-    {
-      if (!contact.enabled || !contact.adhesion.enabled)
-        return;
-      if (contact.adhesion.matched_pressure > 0.)
-        {
-          log.line("adhesion on; its surface energy is found in the run");
-          return;
-        }
-      const SceneAdhesion adhesion = adhesion_of_scene(contact, heights);
-      log.line(format("adhesion on; range %.5g, E*/(k a) = %.3g (3 or more resolves it)",
-                      adhesion.law.range,
-                      adhesion.resolution));
     }
 
     /** What is simulated beside the surface. */
@@ -144,31 +69,89 @@ namespace strait
       return names;
     }
 
-    /** The searches that come before the steps, unless they were made before. Throws
-     *  Interruption if a signal asks for it. */
+    /** The searches that come before the steps, unless they were made before. */
     void
-    find_seals(const Scene     &scene,
-               LoadSweep       &sweep,
-               OutputDirectory &output,
-               RunState        &state,
-               MPI_Comm         comm,
-               Log             &log)
+    find_seals(const Scene                 &scene,
+               LoadSweep                   &sweep,
+               const OutputDirectory       &output,
+               const std::function<void()> &save)
     {
-      if (state.has_searched)
+      if (sweep.search() == nullptr)
         return;
-      sweep.after_probe([&]() {
-        state.save(sweep, output, log);
-        if (stop_requested(comm))
-          throw Interruption("");
-      });
+      sweep.search()->after_probe = save;
       if (scene.programme.find_threshold)
         output.write_table(threshold_table(scene), sweep.find_thresholds());
       if (scene.programme.find_blow_out)
         output.write_table(blow_out_table(scene), sweep.find_blow_outs());
-      state.has_searched = true;
       sweep.end_searches();
-      if (scene.programme.find_threshold || scene.programme.find_blow_out)
-        state.save(sweep, output, log);
+      save();
+    }
+
+    TheoryPrediction
+    make_theory(const Scene &scene, Log &log, MPI_Comm comm)
+    {
+      if (scene.theory.spectrum_of_surface)
+        {
+          const SlabField heights = make_heights(scene, comm, log);
+          return {scene, &heights};
+        }
+      for (const std::string &warning : scene.warnings())
+        log.warn(warning);
+      check_numbers(scene, log);
+      return {scene, nullptr};
+    }
+
+    void
+    report_spectrum(const RadialSpectrum &spectrum, Log &log)
+    {
+      log.line(
+        format("theory of the spectrum from q = %.5g to %.5g: rms height %.5g, rms "
+               "slope %.5g",
+               spectrum.smallest_wave_number(),
+               spectrum.largest_wave_number(),
+               std::sqrt(spectrum.height_square()),
+               std::sqrt(spectrum.slope_square())));
+    }
+
+    /** Evaluate the theory alone at every load and slip length and write the results.
+     * Makes heights on a grid only to measure their spectrum, where the scene asks for
+     * that. */
+    RunSummary
+    run_theory(const Scene &scene, Log &log, MPI_Comm comm)
+    {
+      Timers                 timers;
+      const TheoryPrediction theory = make_theory(scene, log, comm);
+      report_spectrum(theory.spectrum(), log);
+      OutputDirectory output(scene, comm, log);
+      const auto      n_steps = static_cast<int>(scene.programme.pressures.size() *
+                                            scene.fluid.slip_lengths.size());
+      Step            step;
+      for (const double pressure : scene.programme.pressures)
+        for (const double slip_length : scene.fluid.slip_lengths)
+          {
+            ++step.number;
+            step.state.control.slip_length = slip_length;
+            {
+              const auto scope = timers.scope("theory");
+              step.theory      = theory.predict(pressure, slip_length, nullptr, nullptr);
+            }
+            judge_validity(step, scene, std::sqrt(theory.spectrum().slope_square()), log);
+            report_step(step, n_steps, log);
+            const auto scope = timers.scope("output");
+            output.write(step, step.number == n_steps);
+          }
+      return output.finish({}, timers, 0.);
+    }
+
+    void
+    describe_theory(const Scene &scene, Log &log)
+    {
+      report_spectrum(make_theory(scene, log, MPI_COMM_WORLD).spectrum(), log);
+      log.line(
+        format("theory alone, %s; contact off, fluid off; %zu steps",
+               scene.theory.spectrum_of_surface ? "for the heights on the grid"
+                                                : "without a grid",
+               scene.programme.pressures.size() * scene.fluid.slip_lengths.size()));
     }
   } // namespace
 
@@ -184,72 +167,81 @@ namespace strait
         log.line("nothing is left to do in " + scene.output.directory);
         return *state.finished;
       }
-    SlabField heights = [&]() {
-      const auto scope = timers.scope("surface");
-      return make_heights(scene, comm, log);
-    }();
+    auto       timing   = timers.scope("surface");
+    SlabField  heights  = make_heights(scene, comm, log);
     const auto n_points = static_cast<double>(heights.grid().n_points());
+    timing.reset();
 
     // The sweep takes the heights.
     const bool      is_shown = scene.output.surface_map || scene.output.surface_spectrum;
     const SlabField shown    = is_shown ? heights : SlabField();
     LoadSweep       sweep(scene, std::move(heights), log, timers, state.surface_energy);
-    state.surface_energy = sweep.surface_energy();
+    state.surface_energy = sweep.progress().surface_energy;
     // The first thing that is written, after the last check of the input.
     OutputDirectory output(scene, comm, log, resume);
     if (resume)
       {
         state.restore(sweep, output, log);
-        log.line(sweep.n_probes() > 0
-                   ? format("resumed after %zu solves of a search", sweep.n_probes())
-                   : format("resumed after step %d", sweep.n_done()));
+        log.line(
+          sweep.search() != nullptr
+            ? format("resumed after %zu solves of a search", sweep.search()->n_probes())
+            : format("resumed after step %d", sweep.progress().n_done));
       }
     else
       {
         write_surface(scene, shown);
         state.save(sweep, output, log);
       }
-    bool stopped = false, converged = true;
+    const auto stop_if_asked = [&]() {
+      const bool is_done =
+        sweep.search() == nullptr && sweep.progress().n_done == sweep.n_steps();
+      if (!is_done && stop_requested(comm))
+        throw Interruption("");
+    };
+    const auto save = [&]() {
+      {
+        const auto scope = timers.scope("checkpoint");
+        state.save(sweep, output, log);
+      }
+      stop_if_asked();
+    };
+    const auto write_jumps = [&]() {
+      if (!sweep.progress().jumps.empty())
+        output.write_table(jump_table(scene), sweep.progress().jumps);
+    };
+    bool stopped = false;
     try
       {
-        find_seals(scene, sweep, output, state, comm, log);
+        find_seals(scene, sweep, output, save);
+        stop_if_asked();
+        sweep.run([&](const Step &step) {
+          {
+            const auto scope   = timers.scope("output");
+            const bool is_last = step.number == sweep.n_steps();
+            output.write(step, is_last);
+            write_jumps();
+            if (is_last && step.state.contact)
+              write_indented_surface(scene, shown, *step.state.contact);
+          }
+          save();
+        });
       }
     catch (const Interruption &)
       {
         stopped = true;
       }
-    const auto write_jumps = [&]() {
-      if (!sweep.jumps().empty())
-        output.write_table(jump_table(scene), sweep.jumps());
-    };
-    const int  n_steps          = sweep.n_steps();
-    const auto is_asked_to_stop = [&]() {
-      return sweep.n_done() < n_steps && stop_requested(comm);
-    };
-    stopped = stopped || is_asked_to_stop();
-    if (!stopped)
-      converged = sweep.run([&](const Step &step) {
-        {
-          const auto scope = timers.scope("output");
-          output.write(step, step.number == n_steps);
-          write_jumps();
-        }
-        {
-          const auto scope = timers.scope("checkpoint");
-          state.save(sweep, output, log);
-        }
-        stopped = is_asked_to_stop();
-        return !stopped;
-      });
-    if (!stopped && sweep.state().contact)
-      write_indented_surface(scene, shown, *sweep.state().contact);
     write_jumps();
     RunSummary summary =
-      output.finish(sweep.known_thresholds(), timers, most_memory(comm) / n_points);
-    summary.stopped   = stopped;
-    summary.converged = converged;
-    if (!stopped)
-      state.save_mark(summary);
+      output.finish(sweep.progress().thresholds, timers, most_memory(comm) / n_points);
+    if (stopped)
+      throw Interruption(
+        "Stopped by " + name_of_stop_signal() +
+        " after a complete step or solve of a search; " +
+        (scene.output.checkpoint
+           ? "the same command with --resume continues."
+           : "with Output/Checkpoint = true it could have been resumed."));
+    summary.converged = sweep.progress().converged;
+    state.save_mark(summary);
     return summary;
   }
 
@@ -261,8 +253,12 @@ namespace strait
         describe_theory(scene, log);
         return;
       }
-    const SlabField heights = make_heights(scene, MPI_COMM_WORLD, log);
-    describe_adhesion(scene.contact, heights, log);
+    const SlabField           heights  = make_heights(scene, MPI_COMM_WORLD, log);
+    const AdhesionParameters &adhesion = scene.contact.adhesion;
+    if (scene.contact.enabled && adhesion.enabled && adhesion.matched_pressure > 0.)
+      log.line("adhesion: its surface energy is found in the run");
+    else
+      complete_contact(scene, heights, 0., log);
     describe_mesh(scene, log);
     // Realisations that would run beside each other have a grid each.
     const std::vector<int> &each    = scene.realisations.ranks_each;

@@ -4,7 +4,11 @@
 #include <strait/run/field_output.h>
 #include <strait/run/guards.h>
 #include <strait/run/result_tables.h>
+#include <strait/surface/make_surface.h>
+#include <strait/surface/map_processing.h>
 #include <strait/surface/map_writer.h>
+#include <strait/surface/read_scene.h>
+#include <strait/surface/self_affine_surface.h>
 #include <strait/surface/statistics.h>
 
 #include <algorithm>
@@ -53,32 +57,86 @@ namespace strait
         spectrum_table(scene).write_rows(scene.output.directory, rows);
       });
     }
+
+    /** Throws InputError for a slope that no surface has. */
+    void
+    report_surface(const Scene &scene, const SlabField &heights, Log &log)
+    {
+      const SurfaceStatistics surface = statistics(heights);
+      log.line(
+        format("surface: rms height %.5g, rms slope %.5g, rms curvature %.5g, "
+               "heights from %.5g to %.5g",
+               surface.rms_height,
+               surface.rms_slope,
+               surface.rms_curvature,
+               surface.lowest,
+               surface.highest));
+      check_slope(scene, surface.rms_slope, log);
+      const PeriodicGrid &grid = heights.grid();
+      if (scene.surface.kind == SurfaceKind::self_affine)
+        log.line(
+          format("resolution: λs/a = %.4g, λr/λs = %.4g, L/λr = %.4g",
+                 scene.surface.short_cut_off_wavelength / std::max(grid.dx(), grid.dy()),
+                 scene.surface.roll_off_wavelength /
+                   scene.surface.short_cut_off_wavelength,
+                 std::min(grid.lx, grid.ly) / scene.surface.roll_off_wavelength));
+      if (scene.surface.kind == SurfaceKind::file || scene.output.surface_spectrum)
+        report_spectrum(heights, log);
+    }
+
+    /** A mesh can only be as coarse as the grid can be halved. */
+    void
+    warn_of_odd_grid(const Scene &scene, Log &log)
+    {
+      // Cells with which each mesh then has to start: half of it is still solved in no
+      // time, double of it is felt at every load.
+      constexpr std::int64_t many       = 10000;
+      const PeriodicGrid     grid       = grid_of(scene);
+      const std::int64_t     n_coarsest = grid.n_points() >> (2 * grid.n_halvings());
+      if (scene.fluid.enabled && n_coarsest > many)
+        log.warn(
+          "the coarsest mesh of this grid has " + std::to_string(n_coarsest) +
+          " cells, which costs time and memory: choose numbers of grid points that "
+          "can be halved several times");
+    }
   } // namespace
 
-  void
-  report_surface(const Scene &scene, const SlabField &heights, Log &log)
+  SlabField
+  make_heights(const Scene &scene, MPI_Comm comm, Log &log)
   {
-    const SurfaceStatistics surface = statistics(heights);
-    log.line(
-      format("surface: rms height %.5g, rms slope %.5g, rms curvature %.5g, "
-             "heights from %.5g to %.5g",
-             surface.rms_height,
-             surface.rms_slope,
-             surface.rms_curvature,
-             surface.lowest,
-             surface.highest));
-    const std::string doubt = implausible_slope(scene, surface.rms_slope);
-    if (!doubt.empty())
-      log.warn(doubt);
-    const PeriodicGrid &grid = heights.grid();
-    if (scene.surface.kind == SurfaceKind::self_affine)
-      log.line(
-        format("resolution: λs/a = %.4g, λr/λs = %.4g, L/λr = %.4g",
-               scene.surface.short_cut_off_wavelength / std::max(grid.dx(), grid.dy()),
-               scene.surface.roll_off_wavelength / scene.surface.short_cut_off_wavelength,
-               std::min(grid.lx, grid.ly) / scene.surface.roll_off_wavelength));
-    if (scene.surface.kind == SurfaceKind::file || scene.output.surface_spectrum)
-      report_spectrum(heights, log);
+    const PeriodicGrid grid = grid_of(scene);
+    for (const std::string &warning : scene.warnings())
+      log.warn(warning);
+    check_numbers(scene, log);
+    require_memory(scene, comm);
+    for (const std::string &warning : check_resolution(scene.surface, grid))
+      log.warn(warning);
+    warn_of_odd_grid(scene, log);
+    if (!scene.fluid.gas.empty())
+      log.line(format("gas: %s, viscosity %.6g",
+                      scene.fluid.gas.c_str(),
+                      scene.fluid.viscosity));
+    const int n_ranks = n_ranks_in(comm);
+    log.line(format("grid %d × %d on a box of %.6g × %.6g, %d %s",
+                    grid.nx,
+                    grid.ny,
+                    grid.lx,
+                    grid.ly,
+                    n_ranks,
+                    n_ranks == 1 ? "rank" : "ranks"));
+    if (!scene.contact.young_moduli.empty())
+      log.line(format("contact modulus E* = %.6g", scene.contact.effective_modulus) +
+               (scene.units.pressure.empty() ? "" : " " + scene.units.pressure));
+    log.stage("surface");
+    Remarks   remarks;
+    SlabField heights = make_surface(scene.surface, make_layout(grid, comm), &remarks);
+    log.stage("");
+    for (const std::string &note : remarks.notes)
+      log.line(note);
+    for (const std::string &warning : remarks.warnings)
+      log.warn(warning);
+    report_surface(scene, heights, log);
+    return heights;
   }
 
   void

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/run/theory_prediction.h>
-#include <strait/theory/effective_medium.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,30 +41,23 @@ namespace strait
       return a == b ? 0. : std::abs(a - b) / std::max(std::abs(a), std::abs(b));
     }
 
-    /** n of the effective medium. */
+    /** The contact fraction at which the effective medium seals, 1 − 1/n. */
     double
-    dimension(const Scene         &scene,
-              const PerssonTheory &with,
-              const double         slip_length,
-              const Transition    *threshold)
+    critical_fraction(const Scene         &scene,
+                      const PerssonTheory &with,
+                      const double         slip_length,
+                      const Transition    *threshold)
     {
-      switch (scene.theory.dimension)
-        {
-          case TheoryDimension::critical_fraction:
-            return dimension_parameter(scene.theory.critical_fraction);
-          case TheoryDimension::from_threshold:
-            {
-              if (scene.theory.simulated_gaps)
-                return dimension_parameter(threshold->contact_area);
-              const double critical = threshold->middle();
-              if (slip_length == 0.)
-                return dimension_parameter(with.contact_area(critical));
-              return dimension_parameter(
-                with.distribution(with.solve(critical), -2 * slip_length).contact_area);
-            }
-          default:
-            return 2.;
-        }
+      if (scene.theory.dimension == TheoryDimension::critical_fraction)
+        return scene.theory.critical_fraction;
+      if (scene.theory.dimension == TheoryDimension::bruggeman)
+        return .5;
+      if (scene.theory.simulated_gaps)
+        return threshold->contact_area;
+      const double critical = threshold->middle();
+      return slip_length == 0.
+               ? with.contact_area(critical)
+               : with.distribution(with.solve(critical), -2 * slip_length).contact_area;
     }
 
     /** Without what compares this theory, or its gaps, with others. */
@@ -96,7 +88,8 @@ namespace strait
       if (scene.theory.simulated_gaps || pressure > 0)
         result.leak_rate =
           conductance_of_box(scene) *
-          effective_cubed_gap(gaps, dimension(scene, with, slip_length, threshold));
+          effective_cubed_gap(
+            gaps, 1 / (1 - critical_fraction(scene, with, slip_length, threshold)));
       return result;
     }
   } // namespace

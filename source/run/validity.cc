@@ -2,7 +2,8 @@
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
-#include <strait/run/validity.h>
+#include <strait/interface/rarefied_gas.h>
+#include <strait/run/step.h>
 
 #include <algorithm>
 #include <cmath>
@@ -195,6 +196,32 @@ namespace strait
                })));
     }
 
+    /** Mean free path over gap along @p path of a gas in viscous flow, whose squared
+     *  pressure falls in proportion to ∫ ds/gap³: the mean, weighted with the fall of the
+     *  pressure, and where the gap is smallest. */
+    std::pair<double, double>
+    knudsen_numbers(const FlowPath &path, const Scene &scene)
+    {
+      // The mean free path times the pressure depends on the temperature only.
+      const double constant    = RarefiedGas(scene.fluid).knudsen_number(1., 1.);
+      const double inlet       = scene.fluid.inlet_pressure;
+      const double outlet      = scene.fluid.outlet_pressure;
+      const auto   pressure_at = [inlet, outlet](const double part) { // of the resistance
+        return std::sqrt((1. - part) * inlet * inlet + part * outlet * outlet);
+      };
+      const auto pressure = [&](const std::size_t k) {
+        return pressure_at(path.resistances[k] / path.resistance());
+      };
+      // The mean of λ/g over the resistance r is Σ c/g ∫ dr/p, with dr/p = −2 dp/(p_in² −
+      // p_out²).
+      double mean = 0.;
+      for (std::size_t k = 1; k < path.gaps.size(); ++k)
+        mean += .5 * constant * (1. / path.gaps[k - 1] + 1. / path.gaps[k]) * 2. *
+                (pressure(k - 1) - pressure(k)) / (inlet * inlet - outlet * outlet);
+      return {mean,
+              constant / (path.bottleneck_gap * pressure_at(path.part_before_throat()))};
+    }
+
     void
     add_gas(Step &step, const Scene &scene)
     {
@@ -217,14 +244,11 @@ namespace strait
                  1. + 6. * number) +
                remedy;
       };
-      const auto   knudsen = knudsen_numbers(step.flow->channel.paths.front(), scene);
-      const double most    = slips ? most_knudsen_with_slip : most_knudsen;
-      add(step,
-          {"rarefied", knudsen.mean, most},
-          advice("of the mean resistance", knudsen.mean));
-      add(step,
-          {"rarefied-throat", knudsen.at_throat, most},
-          advice("in the throat", knudsen.at_throat));
+      const auto [mean, at_throat] =
+        knudsen_numbers(step.flow->channel.paths.front(), scene);
+      const double most = slips ? most_knudsen_with_slip : most_knudsen;
+      add(step, {"rarefied", mean, most}, advice("of the mean resistance", mean));
+      add(step, {"rarefied-throat", at_throat, most}, advice("in the throat", at_throat));
     }
 
     void

@@ -135,7 +135,7 @@ namespace strait
                 grid.dx() * grid.dy() * (std::max(gap_before[k], 0.) - in.gap[k]);
             ++sums[n + pool];
           }
-      sum_in_place(in.gap.layout().communicator(), sums.data(), static_cast<int>(2 * n));
+      sum_in_place(in.gap.layout().communicator(), sums);
       double result = 0.;
       for (std::size_t p = 0; p < n; ++p)
         {
@@ -180,9 +180,7 @@ namespace strait
                 sums[n + pool] += rows[row + step][ix] != mine ? grid.dx() : 0.;
               sums[2 * n] += grid.dx() * grid.dy() * pressures[in.regions[k]];
             }
-      sum_in_place(in.gap.layout().communicator(),
-                   sums.data(),
-                   static_cast<int>(sums.size()));
+      sum_in_place(in.gap.layout().communicator(), sums);
       for (std::size_t p = 0; p < n; ++p)
         {
           Pool &pool = fluid.pools[p];
@@ -222,7 +220,7 @@ namespace strait
         if (regions[k] >= 0)
           volumes[regions[k]] += cell * gap[k];
       }
-    sum_in_place(comm, volumes.data(), n);
+    sum_in_place(comm, volumes);
     for (std::size_t k = 0; k < gap.size(); ++k)
       {
         const auto owner = static_cast<int>(known.owner[k]);
@@ -245,7 +243,7 @@ namespace strait
           sums[r] += field[k];
           ++sums[n + r];
         }
-    sum_in_place(gap.layout().communicator(), sums.data(), static_cast<int>(2 * n));
+    sum_in_place(gap.layout().communicator(), sums);
     std::vector<double> means(n);
     for (std::size_t r = 0; r < n; ++r)
       means[r] = sums[n + r] > 0 ? sums[r] / sums[n + r] : 0.;

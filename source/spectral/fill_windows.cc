@@ -134,8 +134,11 @@ namespace strait
             window.add_wave(ky, weight * amplitude);
         });
     end_column();
-    sum_in_place(layout.communicator(),
-                 field.data() + layout.n_local_points(),
-                 static_cast<int>(field.size() - layout.n_local_points()));
+    MPI_Allreduce(MPI_IN_PLACE,
+                  field.data() + layout.n_local_points(),
+                  static_cast<int>(field.size() - layout.n_local_points()),
+                  MPI_DOUBLE,
+                  MPI_SUM,
+                  layout.communicator());
   }
 } // namespace strait

@@ -98,7 +98,7 @@ namespace strait
           lines[kx] +=
             weight * spectrum(kx, ky) * (parameters.rms_is_of_height ? 1. : q_squared);
         }
-    sum_in_place(communicator, lines.data(), static_cast<int>(lines.size()));
+    sum_in_place(communicator, lines);
 
     double sum = 0;
     for (const double line : lines)

@@ -106,7 +106,7 @@ namespace strait
                         sums[1] +=
                           power * (qx_squared * qx_squared + qy_squared * qy_squared);
                       });
-    sum_in_place(height.layout().communicator(), sums.data(), 2);
+    sum_in_place(height.layout().communicator(), sums);
 
     SurfaceStatistics result;
     result.rms_height       = rms(height);
@@ -145,9 +145,7 @@ namespace strait
                         sums[2 * bin] += weight;
                         sums[2 * bin + 1] += weight * std::norm(mode);
                       });
-    sum_in_place(heights.layout().communicator(),
-                 sums.data(),
-                 static_cast<int>(sums.size()));
+    sum_in_place(heights.layout().communicator(), sums);
 
     std::vector<SpectrumBin> spectrum;
     const double             area = grid.lx * grid.ly / (4 * M_PI * M_PI);

@@ -2,8 +2,12 @@
 #include <strait/base/collective.h>
 #include <strait/theory/gap_distribution.h>
 
+#include <boost/math/tools/roots.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace strait
@@ -51,7 +55,7 @@ namespace strait
           }
         else
           sums[2 * n] += range.area;
-    sum_in_place(gap.layout().communicator(), sums.data(), static_cast<int>(sums.size()));
+    sum_in_place(gap.layout().communicator(), sums);
 
     GapDistribution result;
     const auto      n_points = static_cast<double>(gap.grid().n_points());
@@ -64,5 +68,44 @@ namespace strait
       }
     result.edges = std::move(edges);
     return result;
+  }
+
+  double
+  effective_cubed_gap(const GapDistribution &gaps, const double n)
+  {
+    std::vector<double> cubes;
+    double              open = 0, least = std::numeric_limits<double>::max(), most = 0;
+    for (std::size_t k = 0; k < gaps.gaps.size(); ++k)
+      {
+        cubes.push_back(std::pow(gaps.gaps[k], 3));
+        if (!(gaps.shares[k] > 0))
+          continue;
+        open += gaps.shares[k];
+        least = std::min(least, cubes[k]);
+        most  = std::max(most, cubes[k]);
+      }
+    const double blocked = gaps.contact_area / (gaps.contact_area + open);
+    if (!(open > 0) || blocked >= 1 - 1 / n)
+      return 0.;
+
+    // Between the results for the least and the most conductivity throughout.
+    const double alone   = 1 - blocked * n / (n - 1);
+    const auto   balance = [&](const double log_effective) {
+      const double effective = std::exp(log_effective);
+      double       sum       = -gaps.contact_area / (n - 1);
+      for (std::size_t k = 0; k < cubes.size(); ++k)
+        sum += gaps.shares[k] * (cubes[k] - effective) / (cubes[k] + (n - 1) * effective);
+      return sum;
+    };
+    // Rounding puts the root outside if (nearly) all that conducts does so alike.
+    const double from = std::log(alone * least), to = std::log(alone * most);
+    if (!(balance(from) > 0))
+      return alone * least;
+    if (!(balance(to) < 0))
+      return alone * most;
+    std::uintmax_t most_steps = 200;
+    const auto [low, high]    = boost::math::tools::toms748_solve(
+      balance, from, to, boost::math::tools::eps_tolerance<double>(), most_steps);
+    return std::exp(.5 * (low + high));
   }
 } // namespace strait

@@ -172,9 +172,7 @@ namespace strait
                         sums[2 * ring] += weight * std::norm(mode);
                         sums[2 * ring + 1] += weight * std::norm(mode) * q * q;
                       });
-    sum_in_place(heights.layout().communicator(),
-                 sums.data(),
-                 static_cast<int>(sums.size()));
+    sum_in_place(heights.layout().communicator(), sums);
 
     // What adds nothing to the sum is rounding beyond the shortest wave, no roughness.
     double total = 0;

@@ -37,9 +37,10 @@ namespace
     const Scene scene = scene_of("", steel + more);
     try
       {
-        const auto warnings = implausible_numbers(scene);
-        EXPECT_LE(warnings.size(), 1U);
-        return warnings.empty() ? "none" : warnings.front();
+        Log log(MPI_COMM_WORLD, true);
+        check_numbers(scene, log);
+        EXPECT_LE(log.warnings().size(), 1U);
+        return log.warnings().empty() ? "none" : log.warnings().front();
       }
     catch (const InputError &error)
       {
@@ -61,9 +62,9 @@ namespace
                        "Contact/Effective modulus=8",
                        "Fluid/Viscosity=1e-3",
                        "Load programme/Pressures=1e6"}));
-    EXPECT_TRUE(
-      implausible_numbers(scene_of("", {"Contact/Effective modulus=1e25"})).empty())
-      << "without units nothing is known";
+    Log log(MPI_COMM_WORLD, true);
+    check_numbers(scene_of("", {"Contact/Effective modulus=1e25"}), log);
+    EXPECT_TRUE(log.warnings().empty()) << "without units nothing is known";
   }
 
   TEST(Guards, FluidThatWouldLiftTheWalls)
@@ -130,10 +131,14 @@ namespace
   TEST(Guards, Slopes)
   {
     const Scene scene = scene_of("", steel);
-    EXPECT_EQ(implausible_slope(scene, 1.), "");
-    expect_in("rms slope of 1.1", implausible_slope(scene, 1.1));
-    EXPECT_THROW(implausible_slope(scene, 5548.), InputError);
-    EXPECT_EQ(implausible_slope(scene_of(""), 5548.), "") << "reduced units";
+    Log         log(MPI_COMM_WORLD, true);
+    check_slope(scene, 1., log);
+    check_slope(scene_of(""), 5548., log); // reduced units
+    EXPECT_TRUE(log.warnings().empty());
+    check_slope(scene, 1.1, log);
+    ASSERT_EQ(log.warnings().size(), 1U);
+    expect_in("rms slope of 1.1", log.warnings().front());
+    EXPECT_THROW(check_slope(scene, 5548., log), InputError);
   }
 
   TEST(Guards, MostMemoryIsThatOfTheLargestFields)

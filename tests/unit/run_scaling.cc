@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace strait
 {
@@ -37,15 +36,16 @@ namespace strait
     struct Findings
     {
       std::vector<FitRow>      rows;
+      RunSummary               summary;
       std::vector<std::string> warnings;
     };
 
     Findings
-    fits_of(const Scaling &scaling)
+    findings_of(const Scaling &scaling, const std::vector<Transition> &thresholds = {})
     {
-      std::ostringstream out;
-      Log                log(MPI_COMM_WORLD, out, Log::Screen::silent);
-      Findings           found{scaling.fits(log), {}};
+      Log      log(MPI_COMM_WORLD, true);
+      Findings found{scaling.fits(log), {}, {}};
+      scaling.summarise(thresholds, found.summary, log);
       found.warnings = log.warnings();
       return found;
     }
@@ -53,9 +53,7 @@ namespace strait
     RunSummary
     summary_of(const Scaling &scaling, const std::vector<Transition> &thresholds = {})
     {
-      RunSummary summary;
-      scaling.summarise(thresholds, summary);
-      return summary;
+      return findings_of(scaling, thresholds).summary;
     }
 
     TEST(Scaling, FitsResolvedStepsAlone)
@@ -67,7 +65,7 @@ namespace strait
       EXPECT_NEAR(summary_of(scaling).exponent, 3., 1e-12);
       EXPECT_EQ(summary_of(scaling).status, "ok");
 
-      const Findings found = fits_of(scaling);
+      const Findings found = findings_of(scaling);
       std::string    local;
       for (const FitRow &row : found.rows)
         if (row.kind == "local")
@@ -97,7 +95,7 @@ namespace strait
       scaling.collect(coarse(step_at(.3, 1.)));
       EXPECT_EQ(summary_of(scaling).status, "no-exponent+no-crossover");
       EXPECT_TRUE(std::isnan(summary_of(scaling).crossover));
-      const Findings found = fits_of(scaling);
+      const Findings found = findings_of(scaling);
       for (const FitRow &row : found.rows)
         EXPECT_EQ(row.kind, "local");
       ASSERT_EQ(found.warnings.size(), 2U);
@@ -113,7 +111,7 @@ namespace strait
       for (const double epsilon : {.30000000000000004, .2})
         scaling.collect(step_at(epsilon, std::pow(epsilon, 3.6)));
       std::vector<double> laws;
-      for (const FitRow &row : fits_of(scaling).rows)
+      for (const FitRow &row : findings_of(scaling).rows)
         if (row.quantity == "leak_rate" && row.kind == "local")
           laws.push_back(row.law);
       ASSERT_EQ(laws.size(), 1U);
@@ -121,7 +119,7 @@ namespace strait
       Scaling twice(.3);
       for (const double epsilon : {.3, .3})
         twice.collect(step_at(epsilon, std::pow(epsilon, 3.6)));
-      EXPECT_TRUE(fits_of(twice).rows.empty());
+      EXPECT_TRUE(findings_of(twice).rows.empty());
       EXPECT_TRUE(std::isnan(summary_of(twice).exponent));
     }
 
@@ -163,10 +161,10 @@ namespace strait
     TEST(Scaling, NoCrossoverOfSlowDecay)
     {
       const auto crossover = [](const double slope) {
-        std::vector<ScalingPoint> points;
+        Scaling scaling(.02);
         for (const double epsilon : {.7, .5, .3})
-          points.push_back({epsilon, std::exp(slope * epsilon), "ok"});
-        return crossover_reduced_load(points);
+          scaling.collect(step_at(epsilon, std::exp(slope * epsilon)));
+        return summary_of(scaling).crossover;
       };
       EXPECT_NEAR(crossover(6.9), .5, 1e-12);
       EXPECT_NEAR(crossover(3.46), 3.45 / 3.46, 1e-12);
@@ -182,7 +180,7 @@ namespace strait
       EXPECT_TRUE(std::isnan(summary.crossover_load));
       EXPECT_NEAR(summary.theory_crossover_load, 2. * (1. - .575), 1e-12);
       EXPECT_EQ(summary.status, "no-crossover");
-      const std::vector<std::string> warnings = fits_of(scaling).warnings;
+      const std::vector<std::string> warnings = findings_of(scaling).warnings;
       ASSERT_EQ(warnings.size(), 1U);
       EXPECT_EQ(warnings[0],
                 "no crossover load of the leak rate: its logarithm rises by less than "
@@ -194,7 +192,7 @@ namespace strait
         slow.collect(step_at(epsilon, std::exp(epsilon)));
       EXPECT_TRUE(std::isnan(summary_of(slow, {{0., 2., 2.}}).theory_crossover_load));
       EXPECT_EQ(summary_of(slow).status, "no-crossover");
-      EXPECT_EQ(fits_of(slow).warnings.size(), 2U);
+      EXPECT_EQ(findings_of(slow).warnings.size(), 2U);
     }
 
     TEST(Scaling, WordsAreJoinedOnce)

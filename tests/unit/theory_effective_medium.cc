@@ -1,16 +1,38 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/spectral/slab_field.h>
-#include <strait/theory/effective_medium.h>
+#include <strait/theory/gap_distribution.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace
 {
   using namespace strait;
 
   constexpr double rounding = 1e-13;
+
+  struct MediumPart
+  {
+    double share, conductivity;
+  };
+
+  /** The same of parts with given conductivities in the place of cubed gaps. */
+  double
+  effective_conductivity(const std::vector<MediumPart> &medium, const double n)
+  {
+    GapDistribution gaps;
+    for (const auto &[share, conductivity] : medium)
+      if (conductivity > 0)
+        {
+          gaps.shares.push_back(share);
+          gaps.gaps.push_back(std::cbrt(conductivity));
+        }
+      else
+        gaps.contact_area += share;
+    return effective_cubed_gap(gaps, n);
+  }
 
   TEST(EffectiveMedium, TwoPhasesInEqualShares)
   {
@@ -45,7 +67,7 @@ namespace
   {
     for (const double critical : {.3, .42, .5})
       {
-        const double n = dimension_parameter(critical);
+        const double n = 1 / (1 - critical);
         EXPECT_EQ(effective_conductivity({{critical + 1e-12, 0.}, {1 - critical, 1.}}, n),
                   0.);
         EXPECT_NEAR(

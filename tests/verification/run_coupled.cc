@@ -34,7 +34,6 @@ namespace strait
         last.state         = step.state;
         last.flow          = StepFlow();
         last.flow->leakage = step.flow->leakage;
-        return true;
       }));
       return last;
     }
@@ -151,7 +150,6 @@ namespace strait
         EXPECT_EQ(step.status(), "lifted-off");
         EXPECT_TRUE(step.flow->channel.percolates());
         EXPECT_TRUE(std::isinf(step.flow->leakage.rate));
-        return true;
       }));
     }
 
@@ -177,7 +175,6 @@ namespace strait
         EXPECT_EQ(step.flow->leakage.unknowns, dry.leakage.unknowns);
         EXPECT_EQ(step.flow->leakage.rate, dry.leakage.rate);
         EXPECT_FALSE(step.state.fluid);
-        return true;
       }));
     }
   } // namespace

@@ -121,10 +121,8 @@ namespace strait
           const Transition threshold = silent.loads.find_thresholds().front();
           EXPECT_NEAR(threshold.middle() / 1.436526, expected.ratio, expected.tolerance);
           EXPECT_NEAR(threshold.bottleneck[0] - .5, expected.shift, 1. / 128);
-          EXPECT_TRUE(silent.loads.run([&rounds](const Step &step) {
-            rounds.push_back(step.state.costs.rounds);
-            return true;
-          }));
+          EXPECT_TRUE(silent.loads.run(
+            [&rounds](const Step &step) { rounds.push_back(step.state.costs.rounds); }));
           EXPECT_LE(rounds[0], 8);
           // The stronger pressure takes more: 38 to 68 with meshes that differ by a few
           // cells, as the closure is not continuous where the channel may close.

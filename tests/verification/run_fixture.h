@@ -78,7 +78,6 @@ namespace strait
                              step.errors.sum(),
                              step.flow->channel.throat.points,
                              step.status()});
-      return true;
     }));
     return result;
   }

@@ -71,7 +71,6 @@ namespace strait
                           step.state.fluid->trapped->pressure / pi,
                           step.state.contact->contact_area,
                           step.state.mean_gap});
-        return true;
       }));
       return points;
     }
@@ -162,7 +161,6 @@ namespace strait
         EXPECT_TRUE(silent.loads.run([&last](const Step &step) {
           last.load    = step.state.fluid->load;
           last.trapped = step.state.fluid->trapped;
-          return true;
         }));
         // As accurate as was asked for, in all parts together.
         EXPECT_LT(last.trapped->uncertainty, .1 * loads.back());

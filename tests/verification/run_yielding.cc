@@ -63,7 +63,6 @@ namespace strait
         const bool is_back = step.branch == "unloading";
         n_on_the_way_back += is_back ? 1 : 0;
         EXPECT_NE(step.reduced_load.has_value(), is_back);
-        return true;
       }));
       EXPECT_EQ(n_on_the_way_back, 1);
     }
@@ -157,7 +156,6 @@ namespace strait
             EXPECT_NEAR(simulated / (theory.elastic + theory.plastic), 1.15, .12);
             EXPECT_LT(contact.plasticity->area, theory.plastic);
             EXPECT_GT(contact.plasticity->area, .4 * theory.plastic);
-            return true;
           });
         }
     }

@@ -51,7 +51,6 @@ namespace strait
       EXPECT_TRUE(silent.loads.run([&scene](const Step &step) {
         EXPECT_LE(step.state.contact->residual, scene.contact.tolerance);
         EXPECT_FALSE(step.state.gap().layout().windows().empty());
-        return true;
       }));
     }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/theory/effective_medium.h>
 #include <strait/theory/persson.h>
 
 #include <gtest/gtest.h>

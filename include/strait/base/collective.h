@@ -66,11 +66,19 @@ namespace strait
   /** The sum of whole numbers over all ranks. Collective. */
   long long sum(MPI_Comm comm, long long value);
 
-  /** Collective: sums of several values with one message. */
-  void sum_in_place(MPI_Comm comm, double *values, int count);
-
-  /** The same in single precision. */
-  void sum_in_place(MPI_Comm comm, float *values, int count);
+  /** Collective: sums of several values, double or float, with one message. */
+  template <typename Values>
+  void
+  sum_in_place(MPI_Comm comm, Values &values)
+  {
+    const bool is_double = std::is_same_v<typename Values::value_type, double>;
+    MPI_Allreduce(MPI_IN_PLACE,
+                  values.data(),
+                  static_cast<int>(values.size()),
+                  is_double ? MPI_DOUBLE : MPI_FLOAT,
+                  MPI_SUM,
+                  comm);
+  }
 
   /** Σ a[k] b[k] over the values of all ranks, in double precision. Collective. */
   template <typename Values>

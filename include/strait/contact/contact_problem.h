@@ -129,7 +129,7 @@ namespace strait
     over_ranks(const ContactProblem &problem) const
     {
       std::array<double, N> total = local;
-      sum_in_place(problem.communicator, total.data(), static_cast<int>(N));
+      sum_in_place(problem.communicator, total);
       return total;
     }
 

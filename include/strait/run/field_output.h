@@ -26,9 +26,10 @@ namespace strait
                           const Step            &step,
                           const FluidParameters &fluid);
 
-  /** Say what the surface on the grid is like. Throws InputError for a slope that no
-   *  surface has. */
-  void report_surface(const Scene &scene, const SlabField &heights, Log &log);
+  /** The surface on the grid of @p scene, once all that can be said of both before a
+   *  contact has been said. Throws InputError for numbers that have no meaning, and where
+   *  the grid is too coarse for the surface or too large for the memory. */
+  SlabField make_heights(const Scene &scene, MPI_Comm comm, Log &log);
 
   /** Write surface.nc and spectrum.csv to the output directory as far as the scene asks
    *  for them. */

@@ -2,12 +2,10 @@
 #ifndef strait_run_guards_h
 #define strait_run_guards_h
 
+#include <strait/base/log.h>
 #include <strait/base/scene.h>
 
 #include <mpi.h>
-
-#include <string>
-#include <vector>
 
 /** What is looked at before any work is done. */
 namespace strait
@@ -29,13 +27,12 @@ namespace strait
    * machines that share them. Collective. */
   void require_memory(const Scene &scene, MPI_Comm comm, int n_grids = 1);
 
-  /** Numbers of a scene in stated units that are off by powers of ten from what seals are
-   *  made of, one sentence each. Throws InputError where no result would have a
-   *  meaning. */
-  std::vector<std::string> implausible_numbers(const Scene &scene);
+  /** Warn of numbers of a scene in stated units that are off by powers of ten from what
+   *  seals are made of. Throws InputError where no result would have a meaning. */
+  void check_numbers(const Scene &scene, Log &log);
 
-  /** The same of the rms slope of the surface; empty if there is nothing to say. */
-  std::string implausible_slope(const Scene &scene, double rms_slope);
+  /** The same of the rms slope of the surface. */
+  void check_slope(const Scene &scene, double rms_slope, Log &log);
 } // namespace strait
 
 #endif

@@ -42,10 +42,8 @@ namespace strait
    *  asks for. Collective. */
   StepFlow leak_through(const SealState &state, const Scene &scene, FlowStage &flow);
 
-  /** The gap of two equal boxes, one behind the other in x. At its ends a box opens on
-   *  reservoirs, which let the fluid in wherever there is a gap; in the middle of two it
-   *  must find the way from one channel to the next. The difference of the resistances of
-   *  two and one is that of one box in an endless row. */
+  /** The gap of two equal boxes, one behind the other in x, for what doc/seal.md makes of
+   *  the flow through them. */
   SlabField two_in_a_row(const SlabField &gap);
 
   /** With how many coarser grids each step of @p scene is compared. */
@@ -118,6 +116,22 @@ namespace strait
                            const FlowStage  &flow,
                            CoarserSeals     &coarser);
 
+  /** Why the exponent of the leak rate cannot be told from a step that leaks below its
+   *  @p threshold: words for the column `status`. Warns of each, with what would help. */
+  std::vector<std::string>
+  doubts_near_threshold(const Step &step, const Transition &threshold, Log &log);
+
+  /** How far a sweep has come. */
+  struct SweepProgress
+  {
+    std::vector<Transition> thresholds;       // once they were sought
+    std::vector<Jump>       jumps;            // of the state of an adhesive contact
+    int                     n_done    = 0;    // steps
+    bool                    converged = true; // all of these, and of the searches
+
+    double surface_energy = 0.; // the scene's, or what was found to match an area
+  };
+
   /** The method in one place: for each load of the programme, press the surface against
    *  the elastic half-space, ask whether a channel percolates through the gap, and solve
    *  for the flow through it. If the scene asks for the critical load or the blow-out
@@ -125,8 +139,8 @@ namespace strait
   class LoadSweep
   {
   public:
-    /** Receives each step as soon as it is done. Says whether to go on. */
-    using Consumer = std::function<bool(const Step &)>;
+    /** Receives each step as soon as it is done. May throw to stop. */
+    using Consumer = std::function<void(const Step &)>;
 
     /** @p scene, @p log and @p timers must outlive the sweep. @p surface_energy is that
      *  of an earlier part of the run; with 0 it is the scene's, or sought. Collective. */
@@ -136,13 +150,6 @@ namespace strait
               Timers      &timers,
               double       surface_energy = 0.);
 
-    /** Of the adhesion: the scene's, or what was found to match an area. */
-    double
-    surface_energy() const
-    {
-      return contact.adhesion.surface_energy;
-    }
-
     /** Enclose the critical load of every slip length. The steps that follow know their
      *  reduced load, and those at `Reduced loads` are added. Collective. */
     const std::vector<Transition> &find_thresholds();
@@ -150,17 +157,17 @@ namespace strait
     /** Enclose the blow-out pressure of every load of the programme. Collective. */
     std::vector<BlowOut> find_blow_outs();
 
-    const std::vector<Transition> &
-    known_thresholds() const
+    const SweepProgress &
+    progress() const
     {
-      return thresholds;
+      return done;
     }
 
     /** Number of steps that run() will make. */
     int
     n_steps() const
     {
-      return static_cast<int>(plan_stops(scene, thresholds).size());
+      return static_cast<int>(plan_stops(scene, done.thresholds).size());
     }
 
     /**
@@ -170,41 +177,21 @@ namespace strait
      */
     bool run(const Consumer &consume);
 
-    /** Call @p action after every solve of a search, when the state may be saved; it may
-     *  throw to stop. Only before the searches. */
-    void after_probe(std::function<void()> action);
-
-    /** How many solves were made in searches that are not done; 0 if there is none. */
-    std::size_t n_probes() const;
+    /** What looks for the transitions; null once the searches are over, or if there is
+     *  none to make. */
+    SealSearch *
+    search() const
+    {
+      return seal_search.get();
+    }
 
     /** The searches are over; what only they need is freed. */
     void end_searches();
 
-    /** All that is to come depends on: the last state, the answers of a search, unless
-     *  end_searches() was called before in both directions, and what was found. May be
-     *  called by the consumer and after a probe. Collective. */
+    /** All that is to come depends on: the last state, the answers of a search that is
+     *  not over, and what was found. May be called by the consumer and after a probe.
+     *  Collective. */
     void transfer(StateArchive &archive);
-
-    /** How many steps are done. */
-    int
-    n_done() const
-    {
-      return static_cast<int>(next_stop);
-    }
-
-    /** The state of the last step that is done. */
-    const SealState &
-    state() const
-    {
-      return step.state;
-    }
-
-    /** Where the state of an adhesive contact jumped, so far. */
-    const std::vector<Jump> &
-    jumps() const
-    {
-      return all_jumps;
-    }
 
   private:
     bool begins_where_search_ended() const;
@@ -220,16 +207,12 @@ namespace strait
     ContactParameters                 contact;
     CoarserSeals                      coarser;
     std::unique_ptr<FlowStage>        flow; // unless the fluid is off
-    std::unique_ptr<FlowStage>        row;  // of two boxes, if the scene asks for it
     std::unique_ptr<TheoryPrediction> theory;
     SealModel                         seal;
-    std::unique_ptr<SealSearch>       search; // as long as there is one to make
-    std::optional<SealState>          start;  // of a path where a fluid presses
-    std::vector<Transition>           thresholds;
-    std::vector<Jump>                 all_jumps;
+    std::unique_ptr<SealSearch>       seal_search;
+    std::optional<SealState>          start; // of a path where a fluid presses
+    SweepProgress                     done;
     Step                              step; // the last that was done
-    std::size_t                       next_stop = 0;
-    bool                              converged = true; // so far
   };
 } // namespace strait
 

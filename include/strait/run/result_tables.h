@@ -30,7 +30,8 @@ namespace strait
     int                number      = 0; // from 1
     unsigned long long seed        = 0;
     Orientation        orientation = Orientation::as_is;
-    std::string        failure     = {}; // why it failed, if it did
+    std::string        failure     = {}; // why it failed or was stopped, if it was
+    bool               stopped     = false;
   };
 
   /** How a quantity scatters over the realisations: a row of ensemble_summary.csv. */
@@ -78,13 +79,6 @@ namespace strait
    *  @p realisations. */
   std::vector<ScatterRow> scatter_of(const std::vector<RealisationRow> &realisations,
                                      const Scene                       &scene);
-
-  /** seal.csv, the leak rate of the whole seal, which a script makes of the realisations.
-   */
-  TableInfo seal_table(const Scene &scene);
-
-  /** seal_load.csv, the load for a wanted leak rate, likewise. */
-  TableInfo seal_load_table(const Scene &scene);
 
   /** What all tables hold, leakage.csv first. */
   std::vector<TableInfo> all_tables(const Scene &scene);

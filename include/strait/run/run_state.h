@@ -29,7 +29,6 @@ namespace strait
     std::optional<RunSummary> finished; // what the run left, if it has come to its end
 
     bool   has_begun      = false; // there is something that a resumed run goes on from
-    bool   has_searched   = false; // the searches that precede the steps are done
     double surface_energy = 0.;    // of the adhesion; 0 if it is not known yet
 
     /** Put @p sweep, @p output and @p log where the run stopped. Collective. */

@@ -76,21 +76,10 @@ namespace strait
    *  than two points give a result with n_points < 2. */
   ExponentFit fit_exponent(const std::vector<ScalingPoint> &points, double largest);
 
-  /** s of value ∝ exp(s ε) by least squares over exponential_decay. Not a number with
-   *  fewer than two points in that range. */
-  double decay_rate(const std::vector<ScalingPoint> &points);
-
-  /** The reduced load ε_x at which the exponential decay far from the threshold turns
-   *  into the power law ε^β near it: the local exponent s ε, with s of decay_rate(),
-   *  reaches leak_rate_exponent, β, at ε_x = β/s. Not a number if s is not known, or
-   *  below β, as no load has an ε above 1. */
-  double crossover_reduced_load(const std::vector<ScalingPoint> &points);
-
   /** What a run leaves besides its files. What is not known is not a number. */
   struct RunSummary
   {
-    bool converged = true;  // all steps
-    bool stopped   = false; // by a signal, before the last step
+    bool converged = true; // all steps
 
     // Of the threshold at the first slip length, if the scene looks for it.
     double critical_load_lower = std::nan("");
@@ -98,7 +87,7 @@ namespace strait
     double contact_area        = std::nan("");
 
     // Of the leak rate at the smallest slip length.
-    double crossover             = std::nan(""); // see crossover_reduced_load()
+    double crossover             = std::nan(""); // ε_x, see Scaling
     double crossover_load        = std::nan(""); // the load of that
     double theory_crossover_load = std::nan(""); // that of the theory's leak rate
     double exponent              = std::nan("");
@@ -118,7 +107,6 @@ namespace strait
     members()
     {
       return std::tie(converged,
-                      stopped,
                       critical_load_lower,
                       critical_load_upper,
                       contact_area,
@@ -132,9 +120,16 @@ namespace strait
     }
   };
 
-  /** Exponents of leak rate and throat against 1 − L/L_c. Collects the steps that
-   *  converged; those in doubt (Step::doubts) are left out of the fits, and those whose
-   *  throat has too few points for a leak rate (validity.h) out of the crossover. */
+  /**
+   * Exponents of leak rate and throat against 1 − L/L_c, and the reduced load ε_x at
+   * which the exponential decay of the leak rate far from the threshold, exp(s ε), turns
+   * into the power law ε^β near it: where the local exponent s ε reaches β,
+   * leak_rate_exponent.
+   *
+   * Collects the steps that converged; those in doubt (Step::doubts) are left out of the
+   * fits, and those whose throat has too few points for a leak rate (judge_validity) out
+   * of the crossover.
+   */
   class Scaling
   {
   public:
@@ -150,17 +145,18 @@ namespace strait
     /** All that was collected. Collective. */
     void transfer(StateArchive &archive);
 
+    /** The local slopes of each quantity, and its fit over all steps that are trusted,
+     *  which goes to @p log as well. Collective. */
+    std::vector<FitRow> fits(Log &log) const;
+
     /** Tell @p summary the exponent and the crossover of the leak rate at the smallest
      *  slip, whose critical load is among @p thresholds, and the crossover of what the
-     *  theory says at the same steps. Its status gets words for what could not be told of
-     *  the leak rate because too few of the steps it takes are resolved: no-exponent,
-     *  no-crossover; and the latter as well if the leak rate decays too slowly for one.
-     */
-    void summarise(const std::vector<Transition> &thresholds, RunSummary &summary) const;
-
-    /** The local slopes of each quantity, and its fit over all steps that are trusted,
-     *  which goes to @p log as well, with a warning of what is missing. Collective. */
-    std::vector<FitRow> fits(Log &log) const;
+     *  theory says at the same steps. Warns of steps that do not serve. Where less than
+     *  two do, or where the decay is too slow for a crossover below ε = 1, the status of
+     *  @p summary gets the word no-exponent or no-crossover. */
+    void summarise(const std::vector<Transition> &thresholds,
+                   RunSummary                    &summary,
+                   Log                           &log) const;
 
   private:
     enum Quantity
@@ -203,36 +199,13 @@ namespace strait
     std::vector<ScalingPoint>
     series(Quantity quantity, double slip_length, Trust trust) const;
 
-    /** The slip length nearest to 0 of all steps, for which summarise() speaks; NaN
-     *  without steps. */
-    double smallest_slip() const;
-
-    /** What the steps at the smallest slip give a result: how many there are in its
-     *  window, how many have a leak rate that serves, and the status of the others. */
-    struct Supply
-    {
-      const char *result;
-      const char *word; // of the column status if there is no result
-      LoadWindow  window;
-      Trust       trust;
-      int         n_steps          = 0;
-      int         n_used           = 0;
-      std::string status_of_others = "ok";
-
-      /** Whether there is no result because too few steps serve. */
-      bool
-      is_short() const
-      {
-        return n_steps > n_used && n_used < 2;
-      }
-    };
-
-    /** Those of the exponent and of the crossover of the leak rate. */
-    std::array<Supply, 2> supplies() const;
-
-    /** Whether @p quantity decays so slowly that it has no crossover. */
-    bool is_slow(Quantity quantity) const;
-    void report_missing(Log &log) const;
+    /** Whether two of the steps in @p window have a leak rate that serves for @p result,
+     *  or all that there are. Warns of those that have none. */
+    bool suffice(const char       *result,
+                 double            slip_length,
+                 const LoadWindow &window,
+                 Trust             trust,
+                 Log              &log) const;
 
     double              largest;
     std::vector<Sample> samples;

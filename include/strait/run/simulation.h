@@ -16,7 +16,8 @@ namespace strait
   /**
    * Run @p scene, without its section Realisations, on the ranks of @p comm and write its
    * results to the output directory. Collective. Throws InputError before anything is
-   * written if the scene's input is bad, and ComputationError if no threshold is found.
+   * written if the scene's input is bad, ComputationError if no threshold is found, and
+   * Interruption if a signal stopped it.
    *
    * With @p resume the run in the output directory is continued from its last complete
    * step; InputError, before anything is written, if its checkpoint does not serve.
@@ -35,7 +36,7 @@ namespace strait
    * that are done are not run again. Collective.
    *
    * @return whether all steps of all realisations converged. Throws Interruption if a
-   * signal stopped them.
+   * signal stopped one.
    */
   bool run_all_realisations(const std::string &path,
                             const Overrides   &overrides,
@@ -53,14 +54,6 @@ namespace strait
    *  than seconds. @p rms_slope is that of the heights, which the threshold of a rough
    *  surface scales with. */
   std::vector<std::string> predict_cost(const Scene &scene, double rms_slope);
-
-  /** What simulate() does where the scene asks for the theory alone: evaluate it at every
-   *  load and slip length and write the results. Makes heights on a grid only to measure
-   *  their spectrum, where the scene asks for that. */
-  RunSummary run_theory(const Scene &scene, Log &log, MPI_Comm comm);
-
-  /** What describe() does there; computes nothing but the surface. Collective. */
-  void describe_theory(const Scene &scene, Log &log);
 } // namespace strait
 
 #endif

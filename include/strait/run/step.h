@@ -3,6 +3,7 @@
 #define strait_run_step_h
 
 #include <strait/base/log.h>
+#include <strait/base/scene.h>
 #include <strait/base/text.h>
 #include <strait/percolation/bottleneck.h>
 #include <strait/run/theory_prediction.h>
@@ -57,7 +58,7 @@ namespace strait
     }
   };
 
-  /** One limit of the model, and what a step says of it (validity.h). */
+  /** One limit of the model, and what a step says of it. */
   struct ValidityCheck
   {
     std::string word;             // of the column validity where the limit is passed
@@ -138,6 +139,11 @@ namespace strait
       return words;
     }
   };
+
+  /** Compare @p step with every limit of the model for which @p scene gives what is
+   *  needed, and warn of those that are passed. doc/validity.md lists the limits with
+   *  their sources. @p rms_slope is that of the surface. Collective. */
+  void judge_validity(Step &step, const Scene &scene, double rms_slope, Log &log);
 
   /** On the live line, the step that begins and how long it and those after it may take
    *  if each takes @p seconds_each; 0: that is not known. */
