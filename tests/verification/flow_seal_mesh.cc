@@ -41,8 +41,8 @@ namespace strait
               }
           for (const SealMesh::Edge &edge : mesh.edges)
             {
-              n_here[0] += edge.part == SealMesh::Part::inlet ? 1 : 0;
-              n_here[1] += edge.part == SealMesh::Part::outlet ? 1 : 0;
+              n_here[0] += edge.kind == OutlineKind::inlet ? 1 : 0;
+              n_here[1] += edge.kind == OutlineKind::outlet ? 1 : 0;
             }
           EXPECT_EQ(n_inlets, n_here[0]) << name;
           EXPECT_EQ(n_outlets, n_here[1]) << name;
