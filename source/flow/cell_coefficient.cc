@@ -6,7 +6,6 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -46,31 +45,8 @@ namespace strait
       void
       update(const GapField &gap) override
       {
-        // Most cells of the mesh before are still there: of the same gap, they are known.
-        const std::vector<Sorted> before =
-          gap.revision() == revision ? sorted_cells() : std::vector<Sorted>();
-        revision = gap.revision();
         find_cells(gap.layout().grid());
-        const int                 n_moments = gap.moment_set().size();
-        CellAnswers               all(cells.size(), n_moments);
-        std::vector<GridCell>     others;
-        std::vector<unsigned int> numbers; // of those
-        auto                      known = before.begin();
-        for (const auto &[name, c] : sorted_cells())
-          {
-            known = std::lower_bound(known, before.end(), Sorted(name, 0));
-            if (known != before.end() && known->first == name)
-              std::copy_n(&answers(known->second, 0), n_moments, &all(c, 0));
-            else
-              {
-                others.push_back(cells[c]);
-                numbers.push_back(c);
-              }
-          }
-        const CellAnswers found = gap.ask(coefficient, others);
-        for (std::size_t o = 0; o < others.size(); ++o)
-          std::copy_n(&found(o, 0), n_moments, &all(numbers[o], 0));
-        answers = std::move(all);
+        answers = gap.ask(coefficient, cells);
       }
 
       double
@@ -101,20 +77,6 @@ namespace strait
       }
 
     private:
-      /** Size and place of a cell, and its number. */
-      using Sorted = std::pair<std::array<int, 3>, unsigned int>;
-
-      std::vector<Sorted>
-      sorted_cells() const
-      {
-        std::vector<Sorted> result;
-        result.reserve(cells.size());
-        for (const auto &[exponent, i, j] : cells) // row by row
-          result.emplace_back(std::array<int, 3>{{exponent, j, i}}, result.size());
-        std::sort(result.begin(), result.end());
-        return result;
-      }
-
       /** In spacings of @p grid, which is that of the mesh or a coarser one. */
       void
       find_cells(const PeriodicGrid &grid)
@@ -129,8 +91,7 @@ namespace strait
               if (n_parts == 1)
                 cells.push_back(here);
               for (int child = 0; n_parts == 4 && child < 4; ++child)
-                cells.push_back(
-                  {here.exponent - 1, 2 * here.i + child % 2, 2 * here.j + child / 2});
+                cells.push_back(here.child(child));
             }
       }
 
@@ -140,7 +101,6 @@ namespace strait
       unsigned int          n_parts; // of a cell: 1 or 4
       std::vector<GridCell> cells;   // or their children, four after four
       CellAnswers           answers;
-      unsigned int          revision = 0; // of the gap that they are of
     };
 
     /**

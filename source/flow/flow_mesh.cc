@@ -80,7 +80,7 @@ namespace strait
       {
         dealii::CellData<1> line;
         line.vertices    = {edge.from, edge.to};
-        line.boundary_id = static_cast<dealii::types::boundary_id>(edge.part);
+        line.boundary_id = static_cast<dealii::types::boundary_id>(edge.kind);
         if (edge.circle >= 0)
           line.manifold_id = static_cast<dealii::types::manifold_id>(edge.circle);
         boundary.boundary_lines.push_back(line);

@@ -129,11 +129,6 @@ namespace strait
     , fe(2)
     , dofs(mesh.triangulation())
   {
-  }
-
-  void
-  HierarchicalCorrection::set_up()
-  {
     dofs.distribute_dofs(fe);
     constraints = mesh.continuity(dofs);
     // The vertices of the mesh keep their values. A vertex that hangs on an edge is
@@ -151,7 +146,7 @@ namespace strait
     layout.reinit(dofs.locally_owned_dofs(),
                   constraints.get_local_lines(),
                   dofs.get_communicator());
-    nodes                   = {{}, {}, {{}}};
+    nodes.begins.emplace_back();
     const auto &partitioner = *layout.get_partitioner();
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -180,15 +175,14 @@ namespace strait
   }
 
   CorrectedEnergy
-  HierarchicalCorrection::relax(const PotentialProblem &problem, const GapField &gap)
+  HierarchicalCorrection::relax(const PotentialProblem &problem,
+                                const GapField         &gap) const
   {
     // Half as many steps leave a wider bracket and hence more cells, twice as many cost
     // more than the cells that they save; each costs about as much as the one before.
-    constexpr unsigned int            n_steps = 4;
-    std::unique_ptr<CellCoefficient> &coefficient =
-      on_children[problem.coefficient_kind()];
-    if (!coefficient)
-      coefficient = make_coefficient(mesh, MomentSet(1), fe, problem.coefficient_kind());
+    constexpr unsigned int n_steps = 4;
+    const auto             coefficient =
+      make_coefficient(mesh, MomentSet(1), fe, problem.coefficient_kind());
     coefficient->update(gap);
     Vector              x(layout), r(layout), diagonal(layout);
     RimSystems          systems(nodes);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace strait
 {
@@ -64,7 +65,10 @@ namespace strait
   void
   ReynoldsSolver::bound_rarefied(const FlowPath &path, Leakage &leakage)
   {
-    using Coefficient       = GapField::Coefficient;
+    using Coefficient = GapField::Coefficient;
+    std::optional<HierarchicalCorrection> correction;
+    if (parameters.element_degree == 1)
+      correction.emplace(flow_mesh);
     const auto least_energy = [&](const Coefficient coefficient) {
       PotentialProblem problem(flow_mesh, gap_field.moment_set(), coefficient);
       problem.take_coefficient(gap_field);

@@ -42,13 +42,10 @@ namespace strait
                       const double             tolerance_factor,
                       const unsigned long long most_unknowns)
   {
-    if (parameters.element_degree == 1)
-      correction = std::make_unique<HierarchicalCorrection>(flow_mesh);
     Leakage leakage =
       refine_to_target(channel, observer, tolerance_factor, most_unknowns);
     if (gap_field.gas() != nullptr)
       bound_rarefied(channel.paths.front(), leakage);
-    correction.reset(); // and what it keeps of the coefficients from mesh to mesh
     return leakage;
   }
 
@@ -184,11 +181,11 @@ namespace strait
     // Correction brings the bounds closer, to stop on. What cells contribute to them is
     // no guide for refinement: it stops a short cut through a coarse cell after the fact,
     // when the pressure around has already adjusted to it.
-    if (correction)
+    if (parameters.element_degree == 1)
       {
-        correction->set_up();
-        upper = correction->relax(pressure_problem, gap_field).total;
-        lower = 1. / correction->relax(stream_problem, gap_field).total;
+        HierarchicalCorrection correction(flow_mesh);
+        upper = correction.relax(pressure_problem, gap_field).total;
+        lower = 1. / correction.relax(stream_problem, gap_field).total;
       }
     leakage.mesh_upper = upper * std::abs(drive());
     leakage.mesh_lower = lower * std::abs(drive());

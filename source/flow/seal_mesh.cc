@@ -16,7 +16,6 @@ namespace strait
   namespace
   {
     using dealii::Point;
-    using Part = SealMesh::Part;
 
     constexpr int inlet_id = 0, outlet_id = 1;
 
@@ -114,17 +113,17 @@ namespace strait
       {
         std::map<int, std::vector<SealMesh::Edge *>> edges_of;
         for (const MeshFile::Line &line : file.lines)
-          if (SealMesh::Edge *edge = find(line))
-            {
+          {
+            SealMesh::Edge *edge = find(line);
+            if (edge != nullptr)
               edges_of[line.curve].push_back(edge);
-              if (line.boundary_id == inlet_id)
-                edge->part = Part::inlet;
-              else if (line.boundary_id == outlet_id)
-                edge->part = Part::outlet;
-            }
-          else if (line.boundary_id == inlet_id || line.boundary_id == outlet_id)
-            fail("has an inlet or outlet at " + place(line.points[0]) +
-                 " that is not on its boundary");
+            if (line.boundary_id != inlet_id && line.boundary_id != outlet_id)
+              continue;
+            if (edge == nullptr)
+              fail("has an inlet or outlet at " + place(line.points[0]) +
+                   " that is not on its boundary");
+            edge->kind = static_cast<OutlineKind>(line.boundary_id);
+          }
         for (const auto &[curve, edges] : edges_of)
           {
             std::vector<Point<2>> points;

@@ -13,7 +13,6 @@ namespace strait
   {
     using dealii::Point;
     using dealii::Tensor;
-    using Part = SealMesh::Part;
     using Loop = std::vector<SealMesh::Edge>;
 
     double
@@ -42,10 +41,10 @@ namespace strait
     }
 
     bool
-    consists_of(const Loop &loop, const Part part)
+    consists_of(const Loop &loop, const OutlineKind kind)
     {
-      return std::all_of(loop.begin(), loop.end(), [part](const SealMesh::Edge &e) {
-        return e.part == part;
+      return std::all_of(loop.begin(), loop.end(), [kind](const SealMesh::Edge &e) {
+        return e.kind == kind;
       });
     }
 
@@ -63,28 +62,31 @@ namespace strait
     name_walls_of_strip(Loop &loop)
     {
       // Begin at the first edge of the inlet.
-      const auto is_inlet = [](const SealMesh::Edge &e) { return e.part == Part::inlet; };
+      const auto is_inlet = [](const SealMesh::Edge &e) {
+        return e.kind == OutlineKind::inlet;
+      };
       std::rotate(loop.begin(),
                   std::find_if_not(loop.begin(), loop.end(), is_inlet),
                   loop.end());
       std::rotate(loop.begin(),
                   std::find_if(loop.begin(), loop.end(), is_inlet),
                   loop.end());
-      Part              last     = Part::inlet;
-      std::vector<Part> sequence = {last};
+      OutlineKind              last     = OutlineKind::inlet;
+      std::vector<OutlineKind> sequence = {last};
       for (SealMesh::Edge &edge : loop)
         {
-          if (edge.part != Part::inlet && edge.part != Part::outlet)
-            edge.part = last == Part::inlet || last == Part::right_wall ? Part::right_wall
-                                                                        : Part::left_wall;
-          if (edge.part != last)
-            sequence.push_back(edge.part);
-          last = edge.part;
+          if (edge.kind != OutlineKind::inlet && edge.kind != OutlineKind::outlet)
+            edge.kind = last == OutlineKind::inlet || last == OutlineKind::right_wall
+                          ? OutlineKind::right_wall
+                          : OutlineKind::left_wall;
+          if (edge.kind != last)
+            sequence.push_back(edge.kind);
+          last = edge.kind;
         }
-      return sequence == std::vector<Part>{Part::inlet,
-                                           Part::right_wall,
-                                           Part::outlet,
-                                           Part::left_wall};
+      return sequence == std::vector<OutlineKind>{OutlineKind::inlet,
+                                                  OutlineKind::right_wall,
+                                                  OutlineKind::outlet,
+                                                  OutlineKind::left_wall};
     }
 
     /** The middle of the widest part of the hole half-way up. */
@@ -125,11 +127,11 @@ namespace strait
       if (!(enclosed_area(mesh, loops[0]) > 0 && enclosed_area(mesh, loops[1]) < 0))
         return false;
       mesh.is_ring        = true;
-      mesh.flows_outwards = consists_of(loops[1], Part::inlet);
+      mesh.flows_outwards = consists_of(loops[1], OutlineKind::inlet);
       mesh.pole           = point_in_hole(mesh, loops[1]);
-      return mesh.flows_outwards ? consists_of(loops[0], Part::outlet)
-                                 : consists_of(loops[0], Part::inlet) &&
-                                     consists_of(loops[1], Part::outlet);
+      return mesh.flows_outwards ? consists_of(loops[0], OutlineKind::outlet)
+                                 : consists_of(loops[0], OutlineKind::inlet) &&
+                                     consists_of(loops[1], OutlineKind::outlet);
     }
 
     /** A chain of points on the arc of @p circle between two points on it, the shorter
@@ -162,12 +164,12 @@ namespace strait
                   const std::map<unsigned int, SealMesh::Edge> &edges,
                   const std::string                            &name)
   {
-    for (const Part part : {Part::inlet, Part::outlet})
-      if (std::none_of(edges.begin(), edges.end(), [part](const auto &e) {
-            return e.second.part == part;
+    for (const OutlineKind kind : {OutlineKind::inlet, OutlineKind::outlet})
+      if (std::none_of(edges.begin(), edges.end(), [kind](const auto &e) {
+            return e.second.kind == kind;
           }))
         throw InputError("The mesh '" + name + "' has no boundary edge with the id " +
-                         (part == Part::inlet ? "0, the inlet" : "1, the outlet") +
+                         (kind == OutlineKind::inlet ? "0, the inlet" : "1, the outlet") +
                          "; in the .geo file of Gmsh write Physical Curve(0) = {...} and "
                          "Physical Curve(1) = {...}, without names.");
     std::vector<Loop> loops = find_loops(edges);
@@ -225,12 +227,9 @@ namespace strait
         if (edge.circle >= 0)
           chain = divide_arc(circles[edge.circle], points[edge.from], to, longest);
         chain.push_back(to);
-        const OutlineKind kind = edge.part == Part::inlet    ? OutlineKind::inlet
-                                 : edge.part == Part::outlet ? OutlineKind::outlet
-                                                             : OutlineKind::wall;
         for (std::size_t k = 0; k + 1 < chain.size(); ++k)
           result.push_back(
-            {chain[k][0], chain[k][1], chain[k + 1][0], chain[k + 1][1], kind});
+            {chain[k][0], chain[k][1], chain[k + 1][0], chain[k + 1][1], edge.kind});
       }
     return result;
   }

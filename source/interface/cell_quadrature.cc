@@ -199,7 +199,7 @@ namespace strait
   {
   }
 
-  bool
+  void
   CellQuadrature::integrate(const CoefficientLaw &law,
                             const GapStencil     &gap,
                             const Square         &square,
@@ -207,7 +207,7 @@ namespace strait
   {
     const bool is_open = GapInterpolant::may_be_open(gap);
     if (!is_open && !law.is_resistivity)
-      return false;
+      return;
     const double x0 = std::max(square.x0, 0.), y0 = std::max(square.y0, 0.);
     const Part   part{x0,
                     y0,
@@ -219,6 +219,5 @@ namespace strait
     else
       sum.add(part,
               square.edge < small_cell ? most_halvings_of_small_cells : most_halvings);
-    return true;
   }
 } // namespace strait

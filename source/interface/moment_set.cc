@@ -31,9 +31,8 @@ namespace strait
             positions[a][b] = static_cast<int>(exponents.size());
             exponents.push_back({a, b});
           }
-    for (int upper = 0; upper < 2; ++upper)
-      for (int right = 0; right < 2; ++right)
-        of_children[2 * upper + right] = transfers(.5 * right, .5 * upper, .5);
+    for (int number = 0; number < 4; ++number)
+      of_children[number] = transfers(.5 * (number % 2), .5 * (number / 2), .5);
   }
 
   std::vector<MomentSet::Transfer>

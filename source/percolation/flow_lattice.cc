@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/flow_lattice.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
+#include <numeric>
 
 namespace strait
 {
   FlowLattice::FlowLattice(const SlabField &field, const FlowDomain &domain)
     : layout(field.layout_pointer())
-    , lines(layout, domain)
-    , levels(*layout, domain, lines)
+    , levels(*layout, domain)
     , communicator(layout->communicator())
     , region(domain.region)
-    , values(lines.values(field))
+    , values(values_on_grid(field))
   {
-    values.reserve(levels.end());
-    is_covered.resize(levels.size() > 1 ? levels.end() : 0, false);
+    values.reserve(levels.n_points());
+    is_covered.resize(levels.size() > 1 ? levels.n_points() : 0, false);
     for (int l = 1; l < levels.size(); ++l)
       {
         const Level      &level     = levels[l];
@@ -35,6 +36,32 @@ namespace strait
       }
   }
 
+  std::vector<double>
+  FlowLattice::values_on_grid(const SlabField &field) const
+  {
+    const int           nx = field.grid().nx, ny = field.grid().ny;
+    std::vector<double> result(levels.n_on_grid, 0.);
+    if (region != nullptr)
+      {
+        const std::vector<double> whole = gather_on_root(field);
+        for (std::size_t k = 0; k < result.size(); ++k)
+          if (region->is_point(k))
+            result[k] = whole[k / levels.length % ny * nx + k % levels.length % nx];
+        return result;
+      }
+    std::vector<int> wanted(levels.end - levels.first);
+    std::iota(wanted.begin(), wanted.end(), levels.first);
+    const std::vector<double> rows = fetch_rows(field, wanted);
+    auto                      line = result.begin();
+    for (auto row = rows.begin(); row != rows.end(); row += nx)
+      {
+        line = std::copy_n(row, nx, line);
+        if (levels.length > nx) // the seam's copy
+          *line++ = *row;
+      }
+    return result;
+  }
+
   bool
   FlowLattice::is_outlet(const std::size_t k) const
   {
@@ -48,7 +75,7 @@ namespace strait
   std::size_t
   FlowLattice::number_at(const GridPoint &p) const
   {
-    return p.window < 0 ? finest(lines.number_of(p.iy, p.ix))
+    return p.window < 0 ? finest(levels.number_of(p.iy, p.ix))
                         : number_of(levels.finest(levels.place(p)));
   }
 
@@ -66,7 +93,7 @@ namespace strait
     const Level &grid = levels[0];
     const auto   n    = static_cast<std::size_t>(grid.n_along);
     return p.level == 0 ? levels.wrapped(p.across) * n + p.along
-                        : grid.n_across * n + (number_of(p) - lines.size());
+                        : grid.n_across * n + (number_of(p) - levels.n_on_grid);
   }
 
   std::size_t
@@ -75,7 +102,7 @@ namespace strait
     const Level &grid = levels[0];
     const auto   n    = static_cast<std::size_t>(grid.n_along);
     if (global >= grid.n_across * n)
-      return layout->rank() == 0 ? global - grid.n_across * n + lines.size() : none;
+      return layout->rank() == 0 ? global - grid.n_across * n + levels.n_on_grid : none;
     const std::size_t k =
       number_of({0, static_cast<int>(global % n), static_cast<int>(global / n)});
     return k != none && is_own(k) ? k : none;
@@ -124,7 +151,7 @@ namespace strait
     std::vector<std::size_t> points;
     if (region != nullptr)
       {
-        for (std::size_t k = 0; k < lines.size(); ++k)
+        for (std::size_t k = 0; k < levels.n_on_grid; ++k)
           if (outlet ? region->is_outlet(k) : region->is_inlet(k))
             points.push_back(k);
         return points;

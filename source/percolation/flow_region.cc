@@ -27,7 +27,7 @@ namespace strait
         visit(line, b0 + (b1 - b0) * (line - a0) / (a1 - a0));
     }
 
-    /** The bits of FlowRegion for inlet and outlet, and one for walls. */
+    /** The bits of FlowRegion for inlet and outlet, and others for walls. */
     constexpr std::uint8_t
     bit_of(const OutlineKind kind)
     {
@@ -195,7 +195,7 @@ namespace strait
         std::sort(crossings.begin(), crossings.end());
         const OutlineKind kind =
           is_inside(first) ? crossings.front().second : crossings.back().second;
-        if (kind == OutlineKind::wall)
+        if (kind != OutlineKind::inlet && kind != OutlineKind::outlet)
           continue;
         flags[is_inside(first) ? second : first] |= bit_of(kind);
         flags[first] |= leads_up ? up : right;

@@ -6,20 +6,36 @@
 
 namespace strait
 {
-  GridLines::GridLines(SlabLayoutPtr layout_, const FlowDomain &domain)
-    : layout(std::move(layout_))
-    , region(domain.region)
+  LatticeLevels::LatticeLevels(const SlabLayout &layout, const FlowDomain &domain)
+    : along_x(domain.region != nullptr || domain.direction == FlowDirection::x)
+    , is_periodic(domain.region == nullptr)
+    , length(layout.grid().nx + (along_x ? 1 : 0))
   {
-    const int  nx = layout->grid().nx, ny = layout->grid().ny;
-    const bool along_x = region != nullptr || domain.direction == FlowDirection::x;
-    length             = nx + (along_x ? 1 : 0);
-    if (region != nullptr)
+    find_lines(layout);
+    const PeriodicGrid  &grid = layout.grid();
+    const double         dx = grid.dx(), dy = grid.dy();
+    const std::ptrdiff_t line = length;
+    levels.push_back({(along_x ? grid.nx : grid.ny) + 1,
+                      (along_x ? grid.ny : grid.nx) + (is_periodic ? 0 : 1),
+                      {{along_x ? dx : dy, along_x ? dy : dx, std::hypot(dx, dy)}},
+                      along_x ? 1 : line,
+                      along_x ? line : 1});
+    const int n_windows = static_cast<int>(layout.windows().size());
+    for (int w = 0; w < n_windows; ++w)
+      add_window(layout, w);
+  }
+
+  void
+  LatticeLevels::find_lines(const SlabLayout &layout)
+  {
+    const int ny = layout.grid().ny;
+    if (!is_periodic)
       {
-        end = layout->rank() == 0 ? ny + 1 : 0;
-        own = {{0, size()}};
+        end       = layout.rank() == 0 ? ny + 1 : 0;
+        n_on_grid = end_own = static_cast<std::size_t>(end) * length;
         return;
       }
-    const int first_row = layout->first_row(), n_rows = layout->n_rows();
+    const int first_row = layout.first_row(), n_rows = layout.n_rows();
     if (n_rows == 0)
       return;
     // Of a flow along y the outlet's copy of the first line follows the last one.
@@ -29,57 +45,9 @@ namespace strait
     const int  n_own      = n_rows + (has_copy ? 1 : 0);
     first                 = first_row - (has_before ? 1 : 0);
     end                   = first_row + n_own + (has_after ? 1 : 0);
-    own[0]                = has_before ? length : 0;
-    own[1]                = own[0] + static_cast<std::size_t>(n_own) * length;
-  }
-
-  std::vector<double>
-  GridLines::values(const SlabField &field) const
-  {
-    const int           nx = field.grid().nx, ny = field.grid().ny;
-    std::vector<double> result(size(), 0.);
-    if (region != nullptr)
-      {
-        const std::vector<double> whole = gather_on_root(field);
-        for (std::size_t k = 0; k < result.size(); ++k)
-          if (region->is_point(k))
-            result[k] = whole[k / length % ny * nx + k % length % nx];
-        return result;
-      }
-    const int n_rows = layout->n_rows();
-    for (int row = 0; row < n_rows; ++row)
-      {
-        double *line = &result[own[0] + static_cast<std::size_t>(row) * length];
-        std::copy_n(field.data() + static_cast<std::size_t>(row) * nx, nx, line);
-        line[length - 1] = field((length - 1) % nx, row);
-      }
-    const bool has_copy  = n_rows > 0 && end > ny && length == nx;
-    const auto first_row = fetch_rows(field, std::vector<int>(has_copy ? 1 : 0, 0));
-    std::copy(first_row.rbegin(), first_row.rend(), result.rbegin());
-    for_each_ghost(result, [&result](const std::size_t k, const double value) {
-      result[k] = value;
-    });
-    return result;
-  }
-
-  LatticeLevels::LatticeLevels(const SlabLayout &layout,
-                               const FlowDomain &domain,
-                               const GridLines  &lines)
-    : along_x(domain.region != nullptr || domain.direction == FlowDirection::x)
-    , is_periodic(domain.region == nullptr)
-    , n_on_grid(lines.size())
-  {
-    const PeriodicGrid  &grid = layout.grid();
-    const double         dx = grid.dx(), dy = grid.dy();
-    const std::ptrdiff_t line = lines.length;
-    levels.push_back({(along_x ? grid.nx : grid.ny) + 1,
-                      (along_x ? grid.ny : grid.nx) + (is_periodic ? 0 : 1),
-                      {{along_x ? dx : dy, along_x ? dy : dx, std::hypot(dx, dy)}},
-                      along_x ? 1 : line,
-                      along_x ? line : 1});
-    const int n_windows = static_cast<int>(layout.windows().size());
-    for (int w = 0; w < n_windows; ++w)
-      add_window(layout, w);
+    n_on_grid             = static_cast<std::size_t>(end - first) * length;
+    first_own             = has_before ? length : 0;
+    end_own               = first_own + static_cast<std::size_t>(n_own) * length;
   }
 
   void
@@ -106,7 +74,7 @@ namespace strait
               along = period;
           }
         Level level           = levels.front();
-        level.begin           = end();
+        level.begin           = n_points();
         level.n_along         = end_of_part - first;
         level.n_across        = along_x ? window.n_rows() : window.n_columns();
         level.along_by        = 1;

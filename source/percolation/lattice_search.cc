@@ -17,16 +17,16 @@ namespace strait
     }
 
     std::size_t
-    blocks_of(const GridLines &lines)
+    blocks_on_grid(const LatticeLevels &levels)
     {
-      return blocks_along(lines.end - lines.first) * blocks_along(lines.length);
+      return blocks_along(levels.end - levels.first) * blocks_along(levels.length);
     }
   } // namespace
 
   LatticeSearch::LatticeSearch(const FlowLattice &lattice, const int n_directions)
     : lattice(lattice)
     , n_directions(n_directions)
-    , pending(blocks_of(lattice.lines) + lattice.levels.size() - 1)
+    , pending(blocks_on_grid(lattice.levels) + lattice.levels.size() - 1)
     , least_pending(pending.size(), infinity)
   {
   }
@@ -34,10 +34,10 @@ namespace strait
   std::size_t
   LatticeSearch::block_of(const std::size_t k) const
   {
-    const GridLines &lines = lattice.lines;
+    const LatticeLevels &levels = lattice.levels;
     if (lattice.in_window(k))
-      return blocks_of(lines) + lattice.levels.level_of(k) - 1;
-    const std::size_t n = lines.length;
+      return blocks_on_grid(levels) + levels.level_of(k) - 1;
+    const std::size_t n = levels.length;
     return k / n / block_size * blocks_along(n) + k % n / block_size;
   }
 
@@ -77,17 +77,25 @@ namespace strait
       double        cost;
       std::uint64_t step;
     };
-    MPI_Comm         comm  = lattice.communicator;
-    const GridLines &lines = lattice.lines;
-    lines.for_each_ghost(costs, [this](const std::size_t k, const double cost) {
-      if (cost < costs[k])
-        improve(k, cost, start_of_way);
-    });
+    MPI_Comm             comm   = lattice.communicator;
+    const LatticeLevels &levels = lattice.levels;
+    std::vector<int>     ghosts;
+    for (const int line : {levels.first, levels.end - 1})
+      if (const std::size_t k = levels.number_of(line, 0);
+          k != LatticeLevels::none && !lattice.is_own(k))
+        ghosts.push_back(line);
+    const std::vector<double> theirs =
+      fetch_rows(*lattice.layout, costs.data() + levels.first_own, levels.length, ghosts);
+    for (std::size_t i = 0; i < theirs.size(); ++i)
+      if (const std::size_t k =
+            levels.number_of(ghosts[i / levels.length], i % levels.length);
+          theirs[i] < costs[k])
+        improve(k, theirs[i], start_of_way);
     std::vector<Finding> mine;
     for (const std::size_t k : found_in_windows)
-      mine.push_back({k - lines.size(), costs[k], last_steps[k]});
+      mine.push_back({k - levels.n_on_grid, costs[k], last_steps[k]});
     for (const Finding &found : gather_all(comm, mine))
-      if (const std::size_t k = lines.size() + found.point; found.cost < costs[k])
+      if (const std::size_t k = levels.n_on_grid + found.point; found.cost < costs[k])
         improve(k, found.cost, static_cast<std::uint8_t>(found.step));
     found_in_windows.clear();
     limit = minimum(comm, limit);

@@ -109,7 +109,8 @@ namespace strait
         .write(values);
     }
 
-    /** Pieces of the outline of a seal mesh: both ends, and the OutlineKind. */
+    /** Pieces of the outline of a seal mesh: both ends, and 0 for the inlet, 1 for the
+     *  outlet, 2 for a wall. */
     void
     write_outline(dealii::HDF5::File &file, const Step &step)
     {
@@ -120,7 +121,7 @@ namespace strait
       for (const OutlineEdge &e :
            step.flow->seal->outline(std::min(grid.dx(), grid.dy())))
         for (const double value :
-             {e.x0, e.y0, e.x1, e.y1, static_cast<double>(static_cast<int>(e.kind))})
+             {e.x0, e.y0, e.x1, e.y1, std::min(static_cast<double>(e.kind), 2.)})
           values.push_back(static_cast<float>(value));
       write_dataset(file, "outline", 5, values);
     }

@@ -136,16 +136,15 @@ namespace
     const double ready = timer.wall_time();
     FlowMesh     mesh(prepared.field, fluid.direction);
     mesh.refine_to_start();
-    PotentialProblem       pressure(mesh,
+    PotentialProblem pressure(mesh,
                               prepared.field.moment_set(),
                               GapField::Coefficient::conductivity);
-    HierarchicalCorrection correction(mesh);
     while (true)
       {
         pressure.take_coefficient(prepared.field);
         pressure.solve({fluid.preconditioner, 1e-12 * accuracy});
-        correction.set_up();
-        const CorrectedEnergy corrected = correction.relax(pressure, prepared.field);
+        HierarchicalCorrection correction(mesh);
+        const CorrectedEnergy  corrected = correction.relax(pressure, prepared.field);
         cost.flow.upper = cost.flow.rate = corrected.total;
         cost.flow.unknowns               = pressure.n_unknowns();
         if (std::abs(corrected.total / reference - 1) <= accuracy)

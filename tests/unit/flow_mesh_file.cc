@@ -58,8 +58,8 @@ namespace strait
       for (const SealMesh::Edge &edge : mesh.edges)
         {
           const double y = .5 * (mesh.points[edge.from][1] + mesh.points[edge.to][1]);
-          EXPECT_EQ(edge.part == SealMesh::Part::right_wall, y == .25);
-          EXPECT_EQ(edge.part == SealMesh::Part::left_wall, y == .75);
+          EXPECT_EQ(edge.kind == OutlineKind::right_wall, y == .25);
+          EXPECT_EQ(edge.kind == OutlineKind::left_wall, y == .75);
         }
     }
 
@@ -73,7 +73,7 @@ namespace strait
         return std::count_if(mesh.edges.begin(),
                              mesh.edges.end(),
                              [](const SealMesh::Edge &edge) {
-                               return edge.part == SealMesh::Part::outlet;
+                               return edge.kind == OutlineKind::outlet;
                              });
       };
       EXPECT_GT(n_outlet_edges(text), 0);

@@ -89,7 +89,7 @@ namespace strait
           const Square         part      = square();
           const CoefficientLaw law{1., 1e-12, k % 2 == 0};
           std::vector<double>  moments(quadrature.moment_set().size());
-          ASSERT_TRUE(quadrature.integrate(law, gap, part, moments.data()));
+          quadrature.integrate(law, gap, part, moments.data());
           const CellGap cell(interpolant, gap);
           double        expected = 0.;
           for (int j = 0; j < n; ++j)

@@ -153,15 +153,11 @@ namespace strait
                 const GridCell cell{exponent, (7 * k) % n_cells, (k * k + k) % n_cells};
                 std::vector<GridCell> asked = {cell};
                 for (int child = 0; child < 4; ++child)
-                  asked.push_back(
-                    {exponent - 1, 2 * cell.i + child % 2, 2 * cell.j + child / 2});
+                  asked.push_back(cell.child(child));
                 const CellAnswers   answers = levels.ask(coefficient, asked);
                 std::vector<double> sums(set.size());
                 for (int child = 0; child < 4; ++child)
-                  set.add_child(sums.data(),
-                                &answers(child + 1, 0),
-                                child % 2,
-                                child / 2);
+                  set.add_child(sums.data(), &answers(child + 1, 0), child);
                 const double tolerance = exponent > 0 ? 1e-12 : 1e-2;
                 for (int m = 0; m < set.size(); ++m)
                   EXPECT_NEAR(answers[0][m], sums[m], tolerance * answers[0][0])

@@ -20,9 +20,9 @@ namespace strait
     std::vector<OutlineEdge>
     rectangle(const double x0, const double y0, const double x1, const double y1)
     {
-      return {{x0, y0, x1, y0, OutlineKind::wall},
+      return {{x0, y0, x1, y0, OutlineKind::right_wall},
               {x1, y0, x1, y1, OutlineKind::outlet},
-              {x1, y1, x0, y1, OutlineKind::wall},
+              {x1, y1, x0, y1, OutlineKind::left_wall},
               {x0, y1, x0, y0, OutlineKind::inlet}};
     }
 

@@ -65,7 +65,6 @@ namespace strait
       Solved                 solved(fluid);
       const Bracket          plain = plain_bracket(solved.pressure, solved.stream);
       HierarchicalCorrection correction(solved.mesh);
-      correction.set_up();
       const double upper = correction.relax(solved.pressure, solved.given.field).total;
       const double lower = 1. / correction.relax(solved.stream, solved.given.field).total;
       const double sum =

@@ -7,8 +7,6 @@
 #include <deal.II/fe/fe_q_iso_q1.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <map>
-#include <memory>
 #include <vector>
 
 namespace strait
@@ -54,25 +52,22 @@ namespace strait
   class HierarchicalCorrection
   {
   public:
-    explicit HierarchicalCorrection(const FlowMesh &mesh);
-
     /** Number the new nodes of the current mesh, for both problems. Collective. */
-    void set_up();
+    explicit HierarchicalCorrection(const FlowMesh &mesh);
 
     /** Relax the solution of @p problem, with its coefficient taken anew from @p gap.
      *  Collective. */
-    CorrectedEnergy relax(const PotentialProblem &problem, const GapField &gap);
+    CorrectedEnergy relax(const PotentialProblem &problem, const GapField &gap) const;
 
   private:
     using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-    const FlowMesh                                                   &mesh;
-    dealii::FE_Q_iso_Q1<2>                                            fe;
-    dealii::DoFHandler<2>                                             dofs;
-    dealii::AffineConstraints<double>                                 constraints;
-    Vector                                                            layout;
-    FreedNodes                                                        nodes;
-    std::map<GapField::Coefficient, std::unique_ptr<CellCoefficient>> on_children;
+    const FlowMesh                   &mesh;
+    dealii::FE_Q_iso_Q1<2>            fe;
+    dealii::DoFHandler<2>             dofs;
+    dealii::AffineConstraints<double> constraints;
+    Vector                            layout;
+    FreedNodes                        nodes;
   };
 } // namespace strait
 

@@ -122,16 +122,15 @@ namespace strait
     /** @return false, without refining, if another mesh would not pay or not fit. */
     bool refine(const Leakage &leakage, const Channel &channel, double wanted);
 
-    const FluidParameters                  &parameters;
-    const GapField                         &gap_field;
-    double                                  pressure_drop;
-    FlowMesh                                flow_mesh;
-    PotentialProblem                        pressure_problem;
-    PotentialProblem                        stream_problem;
-    std::unique_ptr<HierarchicalCorrection> correction; // in run(), for degree 1
-    std::vector<double>                     widths;     // log(upper/lower) on all meshes
-    Bracket            plain;               // without correction; says where to refine
-    unsigned long long unknowns_needed = 0; // for the target accuracy; 0: not known
+    const FluidParameters &parameters;
+    const GapField        &gap_field;
+    double                 pressure_drop;
+    FlowMesh               flow_mesh;
+    PotentialProblem       pressure_problem;
+    PotentialProblem       stream_problem;
+    std::vector<double>    widths; // log(upper/lower) on all meshes
+    Bracket                plain;  // without correction; says where to refine
+    unsigned long long     unknowns_needed = 0; // for the target accuracy; 0: not known
   };
 } // namespace strait
 

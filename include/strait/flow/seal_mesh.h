@@ -27,15 +27,6 @@ namespace strait
    */
   struct SealMesh
   {
-    /** Parts of the boundary, in the order of their boundary ids. */
-    enum class Part
-    {
-      inlet,
-      outlet,
-      right_wall, // seen along the flow
-      left_wall
-    };
-
     /** [length] */
     struct Circle
     {
@@ -48,7 +39,7 @@ namespace strait
     {
       unsigned int from   = 0;
       unsigned int to     = 0;
-      Part         part   = Part::right_wall;
+      OutlineKind  kind   = OutlineKind::right_wall;
       int          circle = -1; // position in circles; −1: straight
     };
 

@@ -73,9 +73,9 @@ namespace strait
 
     /**
      * Add to the moments of @p square those of what the cell with @p gap at its corners
-     * has of it. Returns whether there are any.
+     * has of it.
      */
-    bool integrate(const CoefficientLaw &law,
+    void integrate(const CoefficientLaw &law,
                    const GapStencil     &gap,
                    const Square         &square,
                    double               *moments) const;

@@ -9,56 +9,18 @@
 
 #include <deal.II/base/table.h>
 
-#include <functional>
+#include <boost/functional/hash.hpp>
+
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace strait
 {
-  /**
-   * Moments of a coefficient on every quadtree cell of four grid spacings or more,
-   * summed bottom-up, so that any coarse cell is looked up in O(1). A rank holds
-   * the cells whose first grid row it owns. 5/12 · 8 B a grid point at degree 1; with
-   * those of two spacings it would be four times as much, for few that are asked for.
-   */
-  class MomentPyramid
-  {
-  public:
-    /** The exponent of the smallest cells. */
-    static constexpr int finest = 2;
-
-    /** Writes the moments of the grid cell (ix, iy), which are zero so far, and returns
-     *  whether they no longer are. */
-    using Leaf = std::function<bool(int ix, int iy, double *moments)>;
-
-    /** Sum up all levels from the grid cells of this rank. Collective. */
-    MomentPyramid(SlabLayoutPtr layout, MomentSet set, int n_halvings, const Leaf &leaf);
-
-    /** Moments of a cell of this rank with finest <= exponent <= n_halvings. */
-    const double *moments(const GridCell &cell) const;
-
-  private:
-    // Rows of cells that this rank's grid rows touch; the first may belong to the
-    // rank before, which is sent this rank's share of it.
-    struct Level
-    {
-      int                 n_columns = 0;
-      int                 first_row = 0;
-      int                 n_rows    = 0;
-      std::vector<double> moments;
-    };
-
-    void sum_grid_cells(const Leaf &leaf);
-    void sum_children(const Level &fine, Level &coarse) const;
-    void complete_first_rows();
-
-    SlabLayoutPtr      layout;
-    MomentSet          set;
-    std::vector<Level> levels; // levels[k] has cells of exponent finest + k
-  };
   /** The moments of a list of cells in its order, each in that of the MomentSet. */
   using CellAnswers = dealii::Table<2, double>;
 
@@ -73,8 +35,9 @@ namespace strait
    * half way, and what its bounds need is made when it is asked for: its largest and
    * least values at any pressure, the least as the largest resistivity, and the two
    * parts into which it may be split (RarefiedFlow). Cells of at least four grid
-   * spacings are looked up in a pyramid of moments, where K was integrated on each cell
-   * of the grid (CellQuadrature); smaller ones are integrated directly.
+   * spacings are looked up in a pyramid of moments, summed up from the cells of the grid,
+   * on each of which K was integrated (CellQuadrature); smaller ones are integrated
+   * directly. A cell belongs to the rank of its first grid row.
    *
    * Where the gap has windows of finer points a cell between points of which a window
    * covers all four is replaced by the 3 × 3 cells of the window that lie in it: the
@@ -119,13 +82,6 @@ namespace strait
      * @p conductivity_floor > 0 prepares the resistivity as well. Collective.
      */
     void update(const SlabField &gap, double conductivity_floor = 0.);
-
-    /** Changes with the gap. */
-    unsigned int
-    revision() const
-    {
-      return n_updates;
-    }
 
     /** Moments of a coefficient on @p cells; each rank may ask for others.
      *  Collective. */
@@ -174,15 +130,31 @@ namespace strait
     }
 
   private:
+    /** The exponent of the smallest cells of the pyramid. Its moments are 5/12 · 8 B a
+     *  grid point at degree 1; with cells of two spacings they would be four times as
+     *  much, for few that are asked for. */
+    static constexpr int finest = 2;
+
     /** What is known of one coefficient. */
     struct Known
     {
-      std::vector<double> of_window_cells; // at the position of each cell
-      MomentPyramid       pyramid;
+      std::vector<double>      of_window_cells; // at the position of each cell
+      std::vector<CellAnswers> pyramid;         // of own cells, from the smallest up
+
+      // For rigorous bounds, which are expensive: of own cells that are smaller, by
+      // exponent, i and j, those that were asked for. Most cells of a mesh, or children
+      // of them, are those of the next one.
+      std::unordered_map<std::array<int, 3>,
+                         std::vector<double>,
+                         boost::hash<std::array<int, 3>>>
+        small_cells;
     };
 
     /** Find the moments of @p coefficient on the grid and on the windows. Collective. */
     void build(Coefficient coefficient) const;
+
+    /** The first row of cells with that @p exponent that this rank owns. */
+    int first_own_row(int exponent) const;
 
     CoefficientLaw law(Coefficient coefficient) const;
 
@@ -190,31 +162,33 @@ namespace strait
      *  does. Cells are named by their lower left points. */
     std::optional<GridPoint> first_finer_cell(const GridPoint &cell) const;
 
-    /** The gap around a cell of a window, or of the grid in a row of this rank or the one
-     *  after these. */
+    /** The gap around a cell of a window, or of the grid in a cell of the pyramid of this
+     *  rank. */
     GapStencil stencil(const GridPoint &cell) const;
 
     /** Position of a point or cell of a window among those of all windows. */
     std::size_t position(const GridPoint &cell) const;
 
-    /** Add to the moments of @p square what a cell that windows may replace has of it.
-     *  Returns whether there is anything. */
-    bool add_cell(Coefficient      coefficient,
+    /** Add to the moments of @p square what a cell that windows may replace has of it. */
+    void add_cell(Coefficient      coefficient,
                   const GridPoint &cell,
                   const Square    &square,
-                  const double    *of_window_cells,
                   double          *moments) const;
 
-    /** Find the moments, zero so far, of a cell that this rank owns. */
+    /** Find the moments, zero so far, of a cell that this rank owns, from the pyramid as
+     *  far as it is known, else from those of its children or of the gap. */
+    void sum_up(Coefficient coefficient, const GridCell &cell, double *moments) const;
+
+    /** The same, with small cells kept for the next time if that is worth it. */
     void answer(Coefficient coefficient, const GridCell &cell, double *moments) const;
 
     SlabLayoutPtr                       slab_layout;
-    GapRows                             grid_rows; // one before, three after the own ones
+    GapRows                             grid_rows; // the own ones and some around them
     std::vector<double>                 window_values;
     CellQuadrature                      quadrature;
+    bool                                is_rigorous;
     double                              conductivity_of_one;
     double                              floor_value = 0.;
-    unsigned int                        n_updates   = 0;
     int                                 halvings    = 0;
     std::shared_ptr<const RarefiedFlow> rarefied;
     // Of conductivity and resistivity, and of the last other one that was asked for since

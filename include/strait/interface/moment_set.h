@@ -47,14 +47,13 @@ namespace strait
                     const double *weights) const;
 
     /**
-     * Add to the moments of a cell those of its child in quadrant
-     * (@p right, @p upper), each 0 or 1. All moments are means over their own cell
-     * in its own unit coordinates.
+     * Add to the moments of a cell those of its child @p number, row by row. All moments
+     * are means over their own cell in its own unit coordinates.
      */
     void
-    add_child(double *parent, const double *child, int right, int upper) const
+    add_child(double *parent, const double *child, const int number) const
     {
-      for (const Transfer &t : of_children[2 * upper + right])
+      for (const Transfer &t : of_children[number])
         parent[t.to] += t.factor * child[t.from];
     }
 

@@ -15,12 +15,11 @@ namespace strait
 {
   /**
    * Values at grid points as a search along the flow meets them: the seam is closed and
-   * the outlet's copy of it appended, while across the flow the grid is periodic. Each
-   * rank holds its GridLines.
+   * the outlet's copy of it appended, while across the flow the grid is periodic.
    *
-   * The points of windows follow, on all ranks; rank 0 owns them. A point that a window
-   * covers is then the coinciding point of that: its own number carries the same value,
-   * but steps never lead there. The neighbours are those of find_clusters().
+   * Rank 0 owns the points of windows. A point that a window covers is the coinciding
+   * point of that: its own number carries the same value, but steps never lead there. The
+   * neighbours are those of find_clusters().
    */
   class FlowLattice
   {
@@ -29,8 +28,7 @@ namespace strait
     FlowLattice(const SlabField &field, const FlowDomain &domain);
 
     const SlabLayoutPtr layout;
-    const GridLines     lines;  // whose points come before those of windows
-    const LatticeLevels levels; // of all points
+    const LatticeLevels levels;
     const MPI_Comm      communicator;
 
     /** Number of points that this rank knows, on all levels. */
@@ -50,14 +48,15 @@ namespace strait
     bool
     in_window(const std::size_t k) const
     {
-      return k >= lines.size();
+      return k >= levels.n_on_grid;
     }
 
     /** Whether point @p k is this rank's: neither a ghost nor a point of another's. */
     bool
     is_own(const std::size_t k) const
     {
-      return in_window(k) ? layout->rank() == 0 : lines.is_own(k);
+      return in_window(k) ? layout->rank() == 0
+                          : k >= levels.first_own && k < levels.end_own;
     }
 
     /** Whether the fluid leaves at point @p k. */
@@ -84,7 +83,7 @@ namespace strait
       std::uint8_t number; // tells, with `point`, where it began: start_of()
     };
 
-    static constexpr std::size_t none = GridLines::none;
+    static constexpr std::size_t none = LatticeLevels::none;
 
     /**
      * Call action(step) for the steps from point @p k to those of the first
@@ -149,14 +148,18 @@ namespace strait
       const int level = levels.level_of(k);
       if (level == 0)
         {
-          const int line = lines.first + static_cast<int>(k / lines.length);
-          const int i    = static_cast<int>(k % lines.length);
+          const int line = levels.first + static_cast<int>(k / levels.length);
+          const int i    = static_cast<int>(k % levels.length);
           return levels.along_x ? Place{0, i, line} : Place{0, line, i};
         }
       const std::size_t i = k - levels[level].begin;
       const int         n = levels[level].n_along;
       return {level, static_cast<int>(i % n), static_cast<int>(i / n)};
     }
+
+    /** The values of @p field at the points of the grid; zero at what does not belong to
+     *  the region. Collective. */
+    std::vector<double> values_on_grid(const SlabField &field) const;
 
     std::size_t global_number(const Place &p) const;
 
@@ -177,8 +180,8 @@ namespace strait
         for (const int periods : {0, -1, 1})
           {
             const int across = levels.wrapped(p.across) + periods * level.n_across;
-            if (const std::size_t k = levels.along_x ? lines.number_of(across, p.along)
-                                                     : lines.number_of(p.along, across);
+            if (const std::size_t k = levels.along_x ? levels.number_of(across, p.along)
+                                                     : levels.number_of(p.along, across);
                 k != none)
               visit(k);
           }
@@ -214,10 +217,10 @@ namespace strait
     const bool   from_is_finest = is_covered.empty() || !is_covered[from];
     // Across the flow the lines wrap around by their ghosts, points of a line here.
     const bool wraps       = p.level == 0 && !levels.along_x;
-    const int  first       = p.level > 0 ? rim : lines.first;
-    const int  end         = p.level > 0 ? level.n_across - rim : lines.end;
-    const int  first_along = wraps ? lines.first : rim;
-    const int  end_along   = wraps ? lines.end : level.n_along - rim;
+    const int  first       = p.level > 0 ? rim : levels.first;
+    const int  end         = p.level > 0 ? level.n_across - rim : levels.end;
+    const int  first_along = wraps ? levels.first : rim;
+    const int  end_along   = wraps ? levels.end : level.n_along - rim;
     for (int d = 0; d < n_directions; ++d)
       {
         const auto [da, db] = directions[d];

@@ -23,19 +23,21 @@ namespace strait
    */
   constexpr double precision_of_meshes = 1e-6;
 
-  /** What the fluid meets at the outline of a region. */
+  /** What the fluid meets at the outline of a region, in the order of the boundary ids of
+   *  a mesh. */
   enum class OutlineKind : std::uint8_t
   {
     inlet,
     outlet,
-    wall
+    right_wall, // seen along the flow
+    left_wall
   };
 
   /** A straight piece of the outline of a region, in the scene's unit of length. */
   struct OutlineEdge
   {
     double      x0 = 0., y0 = 0., x1 = 0., y1 = 0.;
-    OutlineKind kind = OutlineKind::wall;
+    OutlineKind kind = OutlineKind::right_wall;
   };
 
   /**

@@ -12,66 +12,15 @@
 namespace strait
 {
   /**
-   * The lines of constant y of a grid, with the outlet's copy of the seam, of which a
-   * rank owns its rows and knows the line before and the one after them, its ghosts.
+   * The points of the grid and its windows as this rank numbers them, turned so that the
+   * flow runs along, from the inlet to the outlet's copy of the seam. A window that
+   * crosses the seam is two levels, whose points all ranks know.
+   *
+   * Of the grid a rank owns the lines of constant y that are its rows, with the outlet's
+   * copy of the seam, and knows the line before and the one after them, its ghosts.
    * Across a flow along x lines follow each other periodically; a ghost may then be the
    * rank's own line as well. Of a region rank 0 owns all lines, which are those of
    * FlowRegion.
-   */
-  class GridLines
-  {
-  public:
-    GridLines(SlabLayoutPtr layout, const FlowDomain &domain);
-
-    int length;    // number of points of a line
-    int first = 0; // line that this rank knows, −1 for that before line 0
-    int end   = 0; // the one after the last
-
-    /** Number of points that this rank knows. */
-    std::size_t
-    size() const
-    {
-      return static_cast<std::size_t>(end - first) * length;
-    }
-
-    /** Whether point @p k is on a line of this rank's own. */
-    bool
-    is_own(const std::size_t k) const
-    {
-      return k >= own[0] && k < own[1];
-    }
-
-    /** Number of no point. */
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-    /** The number of point @p i of line @p line; none if this rank does not know it. */
-    std::size_t
-    number_of(const int line, const int i) const
-    {
-      return line < first || line >= end || i < 0 || i >= length
-               ? none
-               : static_cast<std::size_t>(line - first) * length + i;
-    }
-
-    /** The values of @p field at the points; zero at what does not belong to the region.
-     *  Collective. */
-    std::vector<double> values(const SlabField &field) const;
-
-    /** Call visit(k, number) for each ghost @p k, with what its owner has of @p numbers,
-     *  one for each point. Collective. */
-    template <class Number, class Visit>
-    void for_each_ghost(const std::vector<Number> &numbers, const Visit &visit) const;
-
-  private:
-    SlabLayoutPtr                     layout;
-    std::shared_ptr<const FlowRegion> region; // null: the box
-    // From the first of this rank's own points to before the second.
-    std::array<std::size_t, 2> own = {{0, 0}};
-  };
-
-  /**
-   * The grid and its windows turned so that the flow runs along, from the inlet to the
-   * outlet's copy of the seam. A window that crosses the seam is two levels.
    */
   class LatticeLevels
   {
@@ -113,10 +62,18 @@ namespace strait
       int across;
     };
 
-    /** Numbers of windows' points follow those of @p lines. */
-    LatticeLevels(const SlabLayout &layout,
-                  const FlowDomain &domain,
-                  const GridLines  &lines);
+    LatticeLevels(const SlabLayout &layout, const FlowDomain &domain);
+
+    const bool along_x;     // the flow
+    const bool is_periodic; // across it
+
+    // Of the grid: number of points of a line, the first line that this rank knows, −1
+    // for that before line 0, and the one after the last; number of points on these,
+    // which come before those of windows, the first of them that is on a line of this
+    // rank's own, and the one after the last such.
+    int         length;
+    int         first = 0, end = 0;
+    std::size_t n_on_grid = 0, first_own = 0, end_own = 0;
 
     /** The grid, then the windows, each after its parent. */
     const Level &
@@ -131,14 +88,26 @@ namespace strait
       return static_cast<int>(levels.size());
     }
 
-    /** The number after that of the last point. */
+    /** Number of all points that this rank knows. */
     std::size_t
-    end() const
+    n_points() const
     {
+      const Level &last = levels.back();
       return size() == 1
                ? n_on_grid
-               : levels.back().begin + static_cast<std::size_t>(levels.back().n_along) *
-                                         levels.back().n_across;
+               : last.begin + static_cast<std::size_t>(last.n_along) * last.n_across;
+    }
+
+    /** Number of no point. */
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    /** The number of point @p i of line @p line; none if this rank does not know it. */
+    std::size_t
+    number_of(const int line, const int i) const
+    {
+      return line < first || line >= end || i < 0 || i >= length
+               ? none
+               : static_cast<std::size_t>(line - first) * length + i;
     }
 
     /** The level of point @p k, 0 for the grid. */
@@ -183,36 +152,16 @@ namespace strait
     /** The point of the grid that stands for point @p p. */
     GridPoint on_grid(const GridPoint &p) const;
 
-    const bool along_x;     // the flow
-    const bool is_periodic; // across it
-
   private:
+    void find_lines(const SlabLayout &layout);
     void add_window(const SlabLayout &layout, int w);
 
     /** The level with column @p along of a window, −1 for the grid; of a column on the
      *  seam the copy at the outlet if @p of_outlet, else that at the inlet. */
     int level_with(int window, int along, bool of_outlet) const;
 
-    std::size_t        n_on_grid;
     std::vector<Level> levels;
   };
-
-  template <class Number, class Visit>
-  void
-  GridLines::for_each_ghost(const std::vector<Number> &numbers, const Visit &visit) const
-  {
-    if (region != nullptr)
-      return;
-    std::vector<int> wanted;
-    if (own[0] > 0)
-      wanted.push_back(first);
-    if (own[1] < size())
-      wanted.push_back(end - 1);
-    const std::vector<Number> lines =
-      fetch_rows(*layout, numbers.data() + own[0], length, wanted);
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      visit(i < own[0] ? i : i - own[0] + own[1], lines[i]);
-  }
 } // namespace strait
 
 #endif

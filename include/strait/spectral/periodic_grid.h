@@ -65,6 +65,13 @@ namespace strait
     int exponent = 0;
     int i        = 0;
     int j        = 0;
+
+    /** Of the four that it can be divided into, row by row. */
+    GridCell
+    child(const int number) const
+    {
+      return {exponent - 1, 2 * i + number % 2, 2 * j + number / 2};
+    }
   };
 
   /** A grid point; along the flow, index n stands for the outlet's copy of 0. Or a point
