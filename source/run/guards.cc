@@ -93,7 +93,7 @@ namespace strait
     // The pressures of the last rounds and the harmonic extension, beside contact and
     // flow. Two loads of prm/pressurised_seal.prm take 240 on 1024² points, 58 without
     // feedback.
-    const double of_feedback = scene.fluid.feedback.enabled ? 206. : 0.;
+    const double of_feedback = scene.fluid.feedback.enabled ? 190. : 0.;
     // Windows near the critical load, and the coarser seal that tells their error: 193 in
     // all on the 4096² points of prm/paper/fig2a.prm with 8 roll-off wavelengths.
     const double of_windows = scene.contact.zoom.enabled ? 125. : 0.;

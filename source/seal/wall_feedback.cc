@@ -14,11 +14,11 @@ namespace strait
     // Half as many leave directions out in which the gap and the fluid pull each other
     // along, which takes more rounds; twice as many take twice the memory, for rounds
     // from places where the map was another one.
-    constexpr int rounds_combined = 8;
+    constexpr int rounds_combined = 6;
 
     // Of an iteration; see the class. Half as many give combinations up that would still
     // have paid, twice as many lose as many rounds where none does.
-    constexpr int last_combined = 20;
+    constexpr int last_combined = 30;
 
     // So often the verdict may change before the two sides are enclosed. Half as often,
     // sides are halved where the iteration would have settled on one; twice as often,
@@ -96,12 +96,9 @@ namespace strait
         ++result.iterations;
         // Trapped fluid may have a higher pressure than the reservoirs.
         scale         = std::max(largest_pressure, root_mean_square(now.fluid_pressure));
-        const double change_before =
-          std::exchange(result.change, size(difference(now.fluid_pressure, assumed)));
+        result.change = size(difference(now.fluid_pressure, assumed));
         result.leak_change =
           now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
-        if (change_before > 0.)
-          result.leak_change *= result.change / change_before;
         const bool flips = percolated && *percolated != now.percolates;
         const bool agrees =
           result.agrees_within(goal) ||
@@ -140,7 +137,7 @@ namespace strait
   void
   WallFeedback::propose(const SlabField &image, const int round, const FeedbackGoal &goal)
   {
-    if (round >= last_combined)
+    if ((round > 8 && round % 2 == 1) || round >= last_combined)
       {
         fixed_point.relax_towards(assumed.data(), image.data(), assumed.size());
         return;

@@ -40,8 +40,7 @@ namespace strait
     int    iterations = 0;  // rounds
     double change     = 0;  // of the fluid pressure in the last round, see Tolerance;
                             // where a gap stays ajar of a mixture of the last rounds
-    double leak_change = 0; // of the leak rate, relative, that is to follow: in proportion
-                            // to what the change before this one led to
+    double leak_change = 0; // of the leak rate in these, relative
     bool   converged   = false;
 
     /**
@@ -65,11 +64,12 @@ namespace strait
    * Finds the fluid pressure that contact and flow agree on: that under which the gap
    * is such that the fluid has this pressure.
    *
-   * The first 20 rounds combine those before (FixedPoint). Where the verdict on
-   * percolation changes, the map has jumped: after a few such changes the iteration goes
-   * along the jump (slide()). It also jumps where a gap is ajar, where no combination
-   * helps: in plain rounds the steps become smaller until they stay in one place
-   * (stays_in_place()). What each rule spares is in doc/feedback.md.
+   * The first rounds combine those before (FixedPoint), then every other one does, and
+   * after 30 none, as in alternating Anderson mixing (Banerjee, Suryanarayana, Pask,
+   * Chem. Phys. Lett. 647, 2016). Where the verdict on percolation changes, the map has
+   * jumped: after a few such changes the iteration goes along the jump (slide()). It also
+   * jumps where a gap is ajar: there the steps become smaller until they stay in one
+   * place (stays_in_place()). What each rule spares is in doc/feedback.md.
    */
   class WallFeedback
   {
