@@ -83,6 +83,10 @@ namespace strait
             require(section.size() != deepest,
                     place + ": the subsection '" + squeeze(rest) + "' lies within " +
                       std::to_string(deepest) + " others, and none is known so deep.");
+            require(rest.find('/') == std::string::npos,
+                    place + ": the subsection '" + squeeze(rest) +
+                      "' has a '/' in its name, as overrides have it; in a scene write "
+                      "one subsection within the other.");
             section.push_back(squeeze(rest));
             opened_at.push_back(place);
             entries.push_back({join(section, "/"), "", "", place, folder});
@@ -127,7 +131,8 @@ namespace strait
       part = squeeze(part);
     const std::string name = names.back();
     names.pop_back();
-    require(equals != std::string::npos && !name.empty() && !names.empty(),
+    require(equals != std::string::npos && !name.empty() && !names.empty() &&
+              !names.front().empty(),
             place + ": expected \"Section/Parameter=value\".");
     return {join(names, "/"), name, trim(text.substr(equals + 1)), place, folder};
   }

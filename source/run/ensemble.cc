@@ -173,11 +173,13 @@ namespace strait
     if (!scene.realisations.enabled())
       return simulate(scene, log, resume).converged;
 
-    const RankGroups groups = make_groups(scene.realisations.ranks_each);
-    require_memory(scene, MPI_COMM_WORLD, groups.number);
-    const std::string           folder       = scene.output.directory;
+    const RankGroups            groups       = make_groups(scene.realisations.ranks_each);
     std::vector<RealisationRow> realisations = list_realisations(scene);
-    RunState                    state(scene, MPI_COMM_WORLD, resume);
+    require_memory(scene,
+                   MPI_COMM_WORLD,
+                   std::min(groups.number, static_cast<int>(realisations.size())));
+    const std::string folder = scene.output.directory;
+    RunState          state(scene, MPI_COMM_WORLD, resume);
     if (resume) // before anything is written
       for (const RealisationRow &next : realisations)
         if (const Scene alone = scene_of(next, scene, path, overrides);

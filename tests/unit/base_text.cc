@@ -93,6 +93,9 @@ TEST(SceneText, BrokenStructureNamesTheLine)
   EXPECT_NE(parse_error("set x\n").find("f.prm:1: cannot read"), std::string::npos);
   EXPECT_NE(parse_error("subsection A\nset = 5\nend\n").find("cannot read 'set = 5'"),
             std::string::npos);
+  EXPECT_NE(parse_error("\nsubsection A/B\nend\n")
+              .find("f.prm:2: the subsection 'A/B' has a '/' in its name"),
+            std::string::npos);
 }
 
 TEST(SceneText, AParameterIsSetOnceInAFile)
@@ -103,6 +106,8 @@ TEST(SceneText, AParameterIsSetOnceInAFile)
   EXPECT_EQ(parse_error("subsection A\n set x y = 1\nend\n"
                         "subsection A\n set x  y = 1\nend\n"),
             "f.prm:5: 'A/x y' was set before in line 2; remove one of them.");
+  EXPECT_EQ(parse_error("set x = 1\nset x = 3\n"),
+            "f.prm:2: 'x' was set before in line 1; remove one of them.");
   EXPECT_EQ(parse_error("subsection A\n set x = 1\n"
                         " subsection B\n  set x = 2\n end\nend\n"
                         "subsection B\n set x = 3\nend\n"
@@ -117,6 +122,7 @@ TEST(SceneText, Overrides)
   EXPECT_EQ(entry.name, "Enabled");
   EXPECT_EQ(entry.value, "a=b");
   EXPECT_EQ(entry.folder, "/here");
-  for (const char *wrong : {"Enabled=true", "Contact/Enabled", "", "Contact/=1"})
+  for (const char *wrong :
+       {"Enabled=true", "Contact/Enabled", "", "Contact/=1", "/Size=1"})
     EXPECT_THROW(lex_override(wrong, ""), InputError) << wrong;
 }

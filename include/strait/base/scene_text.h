@@ -16,11 +16,11 @@ namespace strait
     std::string place;   // "FILE:LINE" or "--set ...", for messages
     std::string folder;  // relative paths in the value start here
 
-    /** "Section/Subsection/Name". */
+    /** "Section/Subsection/Name"; "Name" outside every section. */
     std::string
     path() const
     {
-      return section + "/" + name;
+      return section.empty() ? name : section + "/" + name;
     }
   };
 
