@@ -27,7 +27,7 @@ namespace strait
     flattening_traction(GapProblem &problem, const SlabLayoutPtr &layout)
     {
       SlabField traction(layout);
-      problem.apply(problem.heights, traction.data(), no_pass);
+      problem.apply(problem.heights, traction.data());
       return rms(traction);
     }
   } // namespace

@@ -137,11 +137,9 @@ namespace strait
       }
     truncated = maximum(problem.communicator, closing) > 0;
     make_admissible(d);
-    const double work =
-      problem.apply(d, response.data(), [=](const ContactProblem::Block &range) {
-        for (std::size_t i = range.begin; i < range.end; ++i)
-          d[i] -= g[i];
-      });
+    for (std::size_t i = 0, n = problem.size; i < n; ++i)
+      d[i] -= g[i];
+    const double work = problem.apply(d, response.data());
     if (free_work > 0)
       {
         const double share =

@@ -40,7 +40,7 @@ namespace strait
         last              = now;
         for (std::size_t i = 0; i < problem.size; ++i)
           direction[i] = -z[i] + beta * direction[i];
-        const double work  = problem.apply(direction.data(), response.data(), no_pass);
+        const double work  = problem.apply(direction.data(), response.data());
         const auto [local] = weighted_sums<1>(problem, [this](const auto i, auto &sums) {
           const double d = direction[i];
           sums[0] += d * curvature[i] * d;
@@ -76,7 +76,7 @@ namespace strait
         make_admissible(d);
         for (std::size_t i = 0; i < problem.size; ++i)
           d[i] -= g[i];
-        const double work  = problem.apply(d, response.data(), no_pass);
+        const double work  = problem.apply(d, response.data());
         const auto [slope] = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
           sums[0] += d[i] * derivative[i];
         });

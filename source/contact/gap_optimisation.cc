@@ -47,32 +47,26 @@ namespace strait
   GapOptimiser::precondition(double *z)
   {
     closed.resize(problem.size);
-    problem.precondition(z, closed.data(), [&](const ContactProblem::Block &range) {
-      for (std::size_t i = range.begin; i < range.end; ++i)
-        {
-          closed[i] = !is_free(i);
-          z[i]      = is_free(i) ? z[i] : 0.;
-        }
-    });
+    for (std::size_t i = 0; i < problem.size; ++i)
+      {
+        closed[i] = !is_free(i);
+        z[i]      = is_free(i) ? z[i] : 0.;
+      }
+    problem.precondition(z, closed.data());
     project_on_free(z);
   }
 
   void
   GapOptimiser::refresh()
   {
-    const double   *h = problem.heights;
-    double         *g = gap, *w = derivative.data();
-    WeightedSums<1> mean;
-    const double    work =
-      problem.apply(w, elastic.data(), [&](const ContactProblem::Block &range) {
-        mean.run_over(range, [=](const auto i, auto &sums) {
-          w[i] = g[i] + h[i];
-          sums[0] += g[i];
-        });
-      });
-    elastic_energy = .5 * work;
+    double *w         = derivative.data();
+    const auto [mean] = weighted_sums<1>(problem, [=](const auto i, auto &sums) {
+      w[i] = gap[i] + problem.heights[i];
+      sums[0] += gap[i];
+    });
+    elastic_energy    = .5 * problem.apply(w, elastic.data());
     if (!constraint.fixes_mean_gap)
-      elastic_energy += pressure * mean.over_ranks(problem)[0];
+      elastic_energy += pressure * mean;
     evaluate();
   }
 
@@ -104,27 +98,24 @@ namespace strait
   void
   GapOptimiser::evaluate()
   {
-    const double   *g = gap, *e = elastic.data();
-    double         *r     = derivative.data();
-    double          least = std::numeric_limits<double>::infinity();
-    WeightedSums<3> sums; // the energy; of open points, the force and how many they are
+    const double *g = gap, *e = elastic.data();
+    double       *r     = derivative.data();
+    double        least = std::numeric_limits<double>::infinity(), adhesive = 0;
     for (const ContactProblem::Block &block : problem.blocks)
       {
-        const std::size_t     begin = block.begin, n = block.end - begin;
-        std::array<double, 3> of_block{};
-        of_block[0] =
-          problem.adhesion.evaluate(n, g + begin, r + begin, &curvature[begin]);
-        for (std::size_t i = begin; i < block.end; ++i)
-          {
-            r[i] += e[i];
-            of_block[1] += g[i] > 0 ? r[i] : 0.;
-            of_block[2] += g[i] > 0 ? 1. : 0.;
-            least = std::min(least, g[i]);
-          }
-        sums.add(block, of_block);
+        const std::size_t begin = block.begin, n = block.end - begin;
+        adhesive += block.weight *
+                    problem.adhesion.evaluate(n, g + begin, r + begin, &curvature[begin]);
       }
-    const auto [adhesive, open_force, open_area] = sums.over_ranks(problem);
-    adhesive_energy                              = adhesive;
+    adhesive_energy = sum(problem.communicator, adhesive);
+    // Of open points, the force and how many they are.
+    const auto [open_force, open_area] =
+      weighted_sums<2>(problem, [=, &least](const auto i, auto &sums) {
+        r[i] += e[i];
+        sums[0] += g[i] > 0 ? r[i] : 0.;
+        sums[1] += g[i] > 0 ? 1. : 0.;
+        least = std::min(least, g[i]);
+      });
     if (constraint.fixes_mean_gap)
       pressure = open_area > 0 ? -open_force / open_area : 0.;
     const double p0    = pressure;

@@ -131,7 +131,7 @@ namespace strait
               vectors[1][i] = (1 - quotient) * responses[0][i] +
                               curvature[i] * vectors[0][i] - quotient * uniform;
             mask(vectors[1]);
-            problem.precondition(vectors[1].data(), closed.data(), no_pass);
+            problem.precondition(vectors[1].data(), closed.data());
             prepare(vectors[1], responses[1]);
             const double before = quotient;
             descend(k == 0 ? 2 : 3);
@@ -154,7 +154,7 @@ namespace strait
       prepare(std::vector<double> &v, std::vector<double> &stiffness)
       {
         mask(v);
-        problem.apply(v.data(), stiffness.data(), no_pass);
+        problem.apply(v.data(), stiffness.data());
       }
 
       /** Replace v by the best combination of the first @p n vectors. */
@@ -227,7 +227,7 @@ namespace strait
       {
         problem.fill_with_noise(descent.vectors[0].data());
         descent.mask(descent.vectors[0]);
-        problem.precondition(descent.vectors[0].data(), descent.closed.data(), no_pass);
+        problem.precondition(descent.vectors[0].data(), descent.closed.data());
       }
     descent.find_lowest();
     direction = std::move(descent.vectors[0]);

@@ -8,42 +8,16 @@ namespace strait
 {
   namespace
   {
-    /** @p pass for callers that go row by row over the slabs of @p layout; a pass that is
-     *  told the work gets that as well. */
-    template <class Pass>
-    auto
-    by_rows(const SlabLayout &layout, const Pass &pass)
-    {
-      const std::size_t nx     = layout.grid().nx;
-      const double      weight = 1. / static_cast<double>(layout.grid().n_points());
-      return [=, &pass](const std::size_t row, const auto... work) {
-        pass(ContactProblem::Block{row * nx, (row + 1) * nx, weight}, work...);
-      };
-    }
-
-    /** Multiply waves, as BasicFourierTransform::multiply_in_passes(); after() is told
-     * the mean of in·out, which is returned. Collective. */
-    template <class Number, class Symbol, class Before, class After>
+    /** Multiply waves; returns the mean of in·out. Collective. */
+    template <class Number, class Symbol>
     double
     multiply(BasicFourierTransform<Number> &transform,
              const Number                  *in,
              Number                        *out,
-             const Symbol                  &symbol,
-             const Before                  &before,
-             const After                   &after)
+             const Symbol                  &symbol)
     {
       interruption_point();
-      double work = 0;
-      transform.multiply_in_passes(
-        in,
-        out,
-        symbol,
-        before,
-        [&](const double local_work) {
-          work = sum(transform.layout().communicator(), local_work);
-        },
-        [&](const int row) { after(row, work); });
-      return work;
+      return sum(transform.layout().communicator(), transform.multiply(in, out, symbol));
     }
   } // namespace
 
@@ -71,49 +45,36 @@ namespace strait
   }
 
   double
-  HalfSpaceProblem::apply(const double   *pressure,
-                          double         *displacement,
-                          const WorkPass &after)
+  HalfSpaceProblem::apply(const double *pressure, double *displacement)
   {
     // Either transform needs its buffer only while it is in use.
     release();
-    const double work = multiply(
-      transform,
-      pressure,
-      displacement,
-      wave_compliance<double>(transform.layout().grid(), modulus),
-      [](int) {},
-      by_rows(transform.layout(), after));
+    const double work =
+      multiply(transform,
+               pressure,
+               displacement,
+               wave_compliance<double>(transform.layout().grid(), modulus));
     transform.release();
     return work;
   }
 
   double
-  HalfSpaceProblem::respond(const float    *step,
-                            float          *response,
-                            const Pass     &before,
-                            const WorkPass &after)
+  HalfSpaceProblem::respond(const float *step, float *response)
   {
     return multiply(of_steps,
                     step,
                     response,
-                    wave_compliance<float>(of_steps.layout().grid(), modulus),
-                    by_rows(of_steps.layout(), before),
-                    by_rows(of_steps.layout(), after));
+                    wave_compliance<float>(of_steps.layout().grid(), modulus));
   }
 
   void
-  HalfSpaceProblem::precondition(float              *values,
-                                 const std::uint8_t *marks,
-                                 const Pass         &before,
-                                 const Pass         &after)
+  HalfSpaceProblem::precondition(float *values, const std::uint8_t *marks)
   {
-    extension.gather(values, marks, by_rows(of_steps.layout(), before));
+    extension.gather(values, marks);
     extension.spread(values, marks);
     stiffness.on_boxes(extension.finest().values.own.data());
-    stiffness.on_points(values,
-                        [&](const int row) { extension.take(row, values, marks); });
-    extension.extend_adjoint(values, marks, by_rows(of_steps.layout(), after));
+    stiffness.on_points(values);
+    extension.extend_adjoint(values, marks);
   }
 
   GapProblem::GapProblem(const SlabField   &heights,
@@ -141,41 +102,30 @@ namespace strait
   }
 
   double
-  GapProblem::apply(const double *displacement, double *traction, const Pass &before)
+  GapProblem::apply(const double *displacement, double *traction)
   {
     return multiply(transform,
                     displacement,
                     traction,
-                    wave_stiffness(transform.layout().grid(), modulus),
-                    by_rows(transform.layout(), before),
-                    [](int, double) {});
+                    wave_stiffness(transform.layout().grid(), modulus));
   }
 
   void
-  GapProblem::precondition(double *values, const std::uint8_t *closed, const Pass &before)
+  GapProblem::precondition(double *values, const std::uint8_t *closed)
   {
-    const SlabLayout &layout = transform.layout();
-    float            *v      = moved.data();
-    extension.gather(v, closed, by_rows(layout, [=, &before](const Block &range) {
-                       before(range);
-                       std::copy(values + range.begin,
-                                 values + range.end,
-                                 v + range.begin);
-                     }));
-    for (int row = 0; row < layout.n_rows(); ++row)
-      extension.take(row, v, closed);
-    extension.extend_adjoint(v, closed, by_rows(layout, [=](const Block &range) {
-                               for (std::size_t i = range.begin; i < range.end; ++i)
-                                 v[i] = static_cast<float>(values[i]) - v[i];
-                             }));
+    float *v = moved.data();
+    std::copy(values, values + size, v);
+    extension.gather(v, closed);
+    extension.extend_adjoint(v, closed);
+    for (std::size_t i = 0; i < size; ++i)
+      v[i] = static_cast<float>(values[i]) - v[i];
     move();
-    extension.gather(v, closed, by_rows(layout, [=](const Block &range) {
-                       for (std::size_t i = range.begin; i < range.end; ++i)
-                         {
-                           values[i] = closed[i] ? 0. : v[i];
-                           v[i]      = closed[i] ? v[i] : 0.f;
-                         }
-                     }));
+    for (std::size_t i = 0; i < size; ++i)
+      {
+        values[i] = closed[i] ? 0. : v[i];
+        v[i]      = closed[i] ? v[i] : 0.f;
+      }
+    extension.gather(v, closed);
     extension.spread(v, closed);
     for (std::size_t i = 0; i < size; ++i)
       values[i] -= closed[i] ? 0. : v[i];
@@ -196,11 +146,13 @@ namespace strait
     boxes.values.send();
     compliance.on_boxes(boxes.values.own.data());
     boxes.values.fetch();
-    compliance.on_points(moved.data(), [&](const int row) {
-      boxes.interpolate(row, line.data(), unmarked.data());
-      for (std::size_t i = 0; i < nx; ++i)
-        moved[row * nx + i] += line[i];
-    });
+    compliance.on_points(moved.data());
+    for (int row = 0; row < transform.layout().n_rows(); ++row)
+      {
+        boxes.interpolate(row, line.data(), unmarked.data());
+        for (std::size_t i = 0; i < nx; ++i)
+          moved[row * nx + i] += line[i];
+      }
   }
 
   void

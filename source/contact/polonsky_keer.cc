@@ -36,7 +36,7 @@ namespace strait
     const WithinLimits              limit = within_limits(problem, constraint, all, p);
     for (std::size_t i = 0; i < problem.size; ++i)
       p[i] = limit(p[i], true);
-    problem.apply(p, g, no_pass);
+    problem.apply(p, g);
     for (std::size_t i = 0; i < problem.size; ++i)
       g[i] += constraint.displacement() - h[i];
   }
@@ -64,7 +64,7 @@ namespace strait
   bool
   PolonskyKeer::step()
   {
-    problem.apply(t.data(), r.data(), no_pass);
+    problem.apply(t.data(), r.data());
     const auto [g_t, r_t, sum_r, sum_t, area] =
       weighted_sums<5>(problem, [&](const auto i, auto &sums) {
         const double pressed = p[i] > 0 ? 1. : 0.;
@@ -96,7 +96,7 @@ namespace strait
     const double u0 = constraint.displacement(), *h = problem.heights;
     const bool   same_contact = truncated == 0 && added == 0;
     if (!same_contact)
-      problem.apply(p, g, no_pass);
+      problem.apply(p, g);
     // A step within one contact set is linear: no second application is needed.
     // (Any constant in g drops out with centre_gap(), or is kept by factor = 1.)
     for (std::size_t i = 0; i < problem.size; ++i)
@@ -106,5 +106,12 @@ namespace strait
                             : factor * g[i] + u0 - h[i];
       }
     return true;
+  }
+
+  ContactSolution
+  find_pressure(const ContactMethod method, const DualTask &task)
+  {
+    return method == ContactMethod::polonsky_keer ? PolonskyKeer(task).solve()
+                                                  : DualConjugateGradients(task).solve();
   }
 } // namespace strait

@@ -20,17 +20,12 @@ namespace strait
 
   template <class Has>
   void
-  PyramidExtension::gather(const float *values, const Has *has, const RowPass &before)
+  PyramidExtension::gather(const float *values, const Has *has)
   {
     finest().values.clear();
     for (const auto &boxes : levels)
       boxes->sums.clear();
-    const auto nx = static_cast<std::size_t>(layout->grid().nx);
-    for (int row = 0; row < layout->n_rows(); ++row)
-      {
-        before(row);
-        finest().add_row(row, values + row * nx, has + row * nx);
-      }
+    pass_points(values, has, &GridBoxes::add_row<Has>);
     climb(&GridBoxes::add_row<float>, [](GridBoxes &boxes) {
       boxes.values.send();
       boxes.sums.send();
@@ -43,26 +38,17 @@ namespace strait
   void
   PyramidExtension::spread(float *values, const Has *has)
   {
-    const auto nx = static_cast<std::size_t>(layout->grid().nx);
     descend([](GridBoxes &boxes) { boxes.values.fetch(); },
             &GridBoxes::interpolate<float>);
-    for (int row = 0; row < layout->n_rows(); ++row)
-      finest().interpolate(row, values + row * nx, has + row * nx);
+    pass_points(values, has, &GridBoxes::interpolate<Has>);
     finest().values.clear_others();
   }
 
   template <class Has>
   void
-  PyramidExtension::take(const int row, float *values, const Has *has)
+  PyramidExtension::extend_adjoint(float *values, const Has *has)
   {
-    const std::size_t first = row * static_cast<std::size_t>(layout->grid().nx);
-    finest().interpolate_adjoint(row, values + first, has + first);
-  }
-
-  template <class Has>
-  void
-  PyramidExtension::extend_adjoint(float *values, const Has *has, const RowPass &after)
-  {
+    pass_points(values, has, &GridBoxes::interpolate_adjoint<Has>);
     climb(&GridBoxes::interpolate_adjoint<float>,
           [](GridBoxes &boxes) { boxes.values.send(); });
     descend(
@@ -71,12 +57,7 @@ namespace strait
         boxes.values.fetch();
       },
       &GridBoxes::add_boxes<float>);
-    const auto nx = static_cast<std::size_t>(layout->grid().nx);
-    for (int row = 0; row < layout->n_rows(); ++row)
-      {
-        finest().add_boxes(row, values + row * nx, has + row * nx);
-        after(row);
-      }
+    pass_points(values, has, &GridBoxes::add_boxes<Has>);
   }
 
   /** Let each level take what the finer one's boxes have, by add(row, values, weights),
@@ -122,14 +103,20 @@ namespace strait
     });
   }
 
-  template void
-  PyramidExtension::gather(const float *, const std::uint8_t *, const RowPass &);
-  template void PyramidExtension::gather(const float *, const float *, const RowPass &);
+  /** Hand the local rows of the points to the finest level. */
+  template <class Numbers, class Has, class Pass>
+  void
+  PyramidExtension::pass_points(Numbers *values, const Has *has, const Pass &pass)
+  {
+    const auto nx = static_cast<std::size_t>(layout->grid().nx);
+    for (int row = 0; row < layout->n_rows(); ++row)
+      (finest().*pass)(row, values + row * nx, has + row * nx);
+  }
+
+  template void PyramidExtension::gather(const float *, const std::uint8_t *);
+  template void PyramidExtension::gather(const float *, const float *);
   template void PyramidExtension::spread(float *, const std::uint8_t *);
   template void PyramidExtension::spread(float *, const float *);
-  template void PyramidExtension::take(int, float *, const std::uint8_t *);
-  template void PyramidExtension::take(int, float *, const float *);
-  template void
-  PyramidExtension::extend_adjoint(float *, const std::uint8_t *, const RowPass &);
-  template void PyramidExtension::extend_adjoint(float *, const float *, const RowPass &);
+  template void PyramidExtension::extend_adjoint(float *, const std::uint8_t *);
+  template void PyramidExtension::extend_adjoint(float *, const float *);
 } // namespace strait

@@ -102,7 +102,7 @@ namespace strait
   }
 
   void
-  TwoScaleOperator::on_points(float *values, const std::function<void(int)> &after) const
+  TwoScaleOperator::on_points(float *values) const
   {
     const int        nx = layout->grid().nx, n_rows = layout->n_rows();
     std::vector<int> outside;
@@ -132,7 +132,6 @@ namespace strait
         side[nx] = side[0];
         for (int i = 0; i < nx; ++i)
           here[i] += side[i - 1] + side[i + 1];
-        after(row);
       }
   }
 

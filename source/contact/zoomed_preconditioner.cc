@@ -29,17 +29,14 @@ namespace strait
       sums[i] = marks[i] ? GridBoxes::full : 0.f;
     for (int w = n_windows; w-- > 0;)
       take_means(w, values);
-    const auto no_row = [](int) {};
-    extension.gather(values, sums.data(), no_row);
+    extension.gather(values, sums.data());
     extension.spread(values, sums.data());
     for (int w = 0; w < n_windows; ++w)
       refine(w, values);
     stiffen(values, window_stiffness);
     for (int w = n_windows; w-- > 0;)
       refine_adjoint(w, values);
-    for (int row = 0; row < layout->n_rows(); ++row)
-      extension.take(row, values, sums.data());
-    extension.extend_adjoint(values, sums.data(), no_row);
+    extension.extend_adjoint(values, sums.data());
     for (int w = 0; w < n_windows; ++w)
       take_means_adjoint(w, values);
   }
@@ -62,7 +59,7 @@ namespace strait
       in_windows[i] -= room[i];
 
     stiffness.on_boxes(extension.finest().values.own.data());
-    stiffness.on_points(values, [](int) {});
+    stiffness.on_points(values);
     for (int w = 0; w < n_windows; ++w)
       window_stiffness(w, values + layout->start_of_window(w));
 

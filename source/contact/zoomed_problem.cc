@@ -186,62 +186,42 @@ namespace strait
   }
 
   double
-  ZoomedProblem::apply(const double   *pressure,
-                       double         *displacement,
-                       const WorkPass &after)
+  ZoomedProblem::apply(const double *pressure, double *displacement)
   {
     // Either transform needs its buffer only while it is in use.
     of_steps.release();
-    const double work = act(exact, pressure, displacement, after);
+    const double work = act(exact, pressure, displacement);
     exact.release();
     return work;
   }
 
   double
-  ZoomedProblem::respond(const float    *step,
-                         float          *response,
-                         const Pass     &before,
-                         const WorkPass &after)
+  ZoomedProblem::respond(const float *step, float *response)
   {
     // The response may take the place of the step.
-    for (const Block &block : blocks)
-      {
-        before(block);
-        std::copy(step + block.begin, step + block.end, pressed.begin() + block.begin);
-      }
-    return act(of_steps, pressed.data(), response, after);
+    std::copy(step, step + size, pressed.begin());
+    return act(of_steps, pressed.data(), response);
   }
 
   template <class Number>
   double
   ZoomedProblem::act(ZoomedOperator<Number> &compliance,
                      const Number           *pressure,
-                     Number                 *displacement,
-                     const WorkPass         &after)
+                     Number                 *displacement)
   {
     interruption_point();
     std::copy(pressure, pressure + size, displacement);
     compliance.apply(displacement);
-    const auto [work] = weighted_sums<1>(*this, [=](const std::size_t i, auto &sums) {
+    return weighted_sums<1>(*this, [=](const std::size_t i, auto &sums) {
       sums[0] += static_cast<double>(pressure[i]) * displacement[i];
-    });
-    for (const Block &block : blocks)
-      after(block, work);
-    return work;
+    })[0];
   }
 
   void
-  ZoomedProblem::precondition(float              *values,
-                              const std::uint8_t *marks,
-                              const Pass         &before,
-                              const Pass         &after)
+  ZoomedProblem::precondition(float *values, const std::uint8_t *marks)
   {
-    for (const Block &block : blocks)
-      before(block);
     preconditioner.apply(values, marks, [this](const int window, float *own) {
       of_steps.stiffen(window, own);
     });
-    for (const Block &block : blocks)
-      after(block);
   }
 } // namespace strait

@@ -255,25 +255,33 @@ namespace strait
 
   template <class Number>
   void
-  BasicFourierTransform<Number>::load_row(const Number *in, const int row)
+  BasicFourierTransform<Number>::load_rows(const Number *in)
   {
-    // FFTW strides through its input: that costs less in a row that is in the cache.
+    buffer();
     const std::size_t nx = parts->row.size();
-    std::copy_n(in + row * nx, nx, parts->row.data());
-    Fftw<Number>::execute_row_forward(parts->row_forward.get(),
-                                      parts->row.data(),
-                                      as_fftw(parts->modes_of_row(row)));
+    // From the last to the first, for those of scratch() are closer together than modes.
+    for (int row = slab_layout->n_rows() - 1; row >= 0; --row)
+      {
+        // FFTW strides through its input: that costs less in a row that is in the cache.
+        std::copy_n(in + row * nx, nx, parts->row.data());
+        Fftw<Number>::execute_row_forward(parts->row_forward.get(),
+                                          parts->row.data(),
+                                          as_fftw(parts->modes_of_row(row)));
+      }
   }
 
   template <class Number>
   void
-  BasicFourierTransform<Number>::store_row(Number *out, const int row)
+  BasicFourierTransform<Number>::store_rows(Number *out)
   {
     const std::size_t nx = parts->row.size();
-    Fftw<Number>::execute_row_backward(parts->row_backward.get(),
-                                       as_fftw(parts->modes_of_row(row)),
-                                       parts->row.data());
-    std::copy_n(parts->row.data(), nx, out + row * nx);
+    for (int row = 0; row < slab_layout->n_rows(); ++row)
+      {
+        Fftw<Number>::execute_row_backward(parts->row_backward.get(),
+                                           as_fftw(parts->modes_of_row(row)),
+                                           parts->row.data());
+        std::copy_n(parts->row.data(), nx, out + row * nx);
+      }
   }
 
   template <class Number>

@@ -61,38 +61,24 @@ namespace
     }
 
     double
-    apply(const double *p, double *u, const WorkPass &after) override
+    apply(const double *p, double *u) override
     {
-      return act(p, u, after);
+      return act(p, u);
     }
 
     double
-    respond(const float    *step,
-            float          *response,
-            const Pass     &before,
-            const WorkPass &after) override
+    respond(const float *step, float *response) override
     {
-      for (const Block &range : ranges)
-        before(range);
-      return act(step, response, after);
+      return act(step, response);
     }
 
     void
-    precondition(float *values,
-                 const std::uint8_t * /* marks */,
-                 const Pass &before,
-                 const Pass &after) override
+    precondition(float *values, const std::uint8_t * /* marks */) override
     {
-      for (const Block &range : ranges)
-        {
-          before(range);
-          for (std::size_t i = range.begin; i < range.end; ++i)
-            values[i] *= quality == Quality::negative ? -1.f
-                         : quality == Quality::uneven
-                           ? 1.f + 50.f * static_cast<float>(i % 7)
-                           : 1.f;
-          after(range);
-        }
+      for (std::size_t i = 0; i < n; ++i)
+        values[i] *= quality == Quality::negative ? -1.f
+                     : quality == Quality::uneven ? 1.f + 50.f * static_cast<float>(i % 7)
+                                                  : 1.f;
     }
 
     float *
@@ -111,7 +97,7 @@ namespace
     /** The response may replace the step. */
     template <class Number>
     double
-    act(const Number *step, Number *response, const WorkPass &after)
+    act(const Number *step, Number *response)
     {
       const std::vector<double> p(step, step + n);
       double                    work = 0;
@@ -124,8 +110,6 @@ namespace
           work += weight(i) * p[i] * u;
         }
       work = sum(MPI_COMM_WORLD, work);
-      for (const Block &range : ranges)
-        after(range, work);
       ++applications;
       return work;
     }
@@ -152,7 +136,7 @@ namespace
                     {problem, constraint, {tolerance, 1., 3000}, p.data(), g.data()});
     EXPECT_TRUE(solution.converged) << solution.residual;
 
-    problem.apply(p.data(), u.data(), no_pass);
+    problem.apply(p.data(), u.data());
     double total = 0;
     for (std::size_t i = 0; i < p.size(); ++i)
       {

@@ -24,13 +24,11 @@ namespace
                                                              modulus);
     std::vector<float> values(field.begin(), field.end());
     std::vector<std::uint8_t> marks(values.size(), 1);
-    extension.gather(values.data(), marks.data(), [](int) {});
+    extension.gather(values.data(), marks.data());
     extension.spread(values.data(), marks.data());
     stiffness.on_boxes(extension.finest().values.own.data());
-    stiffness.on_points(values.data(), [&](const int row) {
-      extension.take(row, values.data(), marks.data());
-    });
-    extension.extend_adjoint(values.data(), marks.data(), [](int) {});
+    stiffness.on_points(values.data());
+    extension.extend_adjoint(values.data(), marks.data());
     SlabField result(field.layout_pointer());
     std::copy(values.begin(), values.end(), result.begin());
     return result;
@@ -43,7 +41,7 @@ namespace
     GapProblem                problem(field, modulus, {});
     SlabField                 result = field;
     std::vector<std::uint8_t> closed(field.size());
-    problem.precondition(result.data(), closed.data(), no_pass);
+    problem.precondition(result.data(), closed.data());
     return result;
   }
 

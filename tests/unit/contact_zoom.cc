@@ -88,8 +88,8 @@ namespace
     ZoomedProblem       problem(flat, 2.);
     const SlabField     a = rough_values(layout, 1.), b = rough_values(layout, 1.7);
     SlabField           Ga(layout), Gb(layout), Ma(layout), Mb(layout);
-    const double        work = problem.apply(a.data(), Ga.data(), no_pass);
-    problem.apply(b.data(), Gb.data(), no_pass);
+    const double        work = problem.apply(a.data(), Ga.data());
+    problem.apply(b.data(), Gb.data());
     EXPECT_GT(work, 0.);
     EXPECT_NEAR(weighted(problem, a, Ga), work, 1e-14 * work);
     const double Gbb = weighted(problem, b, Gb);
@@ -104,7 +104,7 @@ namespace
       std::vector<float> values(field.begin(), field.end());
       for (std::size_t k = 0; k < values.size(); ++k)
         values[k] *= marks[k];
-      problem.precondition(values.data(), marks.data(), no_pass, no_pass);
+      problem.precondition(values.data(), marks.data());
       for (std::size_t k = 0; k < values.size(); ++k)
         result[k] = marks[k] * values[k];
     };
@@ -124,11 +124,9 @@ namespace
     ZoomedProblem       problem(flat, 2.);
     const SlabField     p = rough_values(layout, 1.);
     SlabField           u(layout);
-    const double        work = problem.apply(p.data(), u.data(), no_pass);
+    const double        work = problem.apply(p.data(), u.data());
     std::vector<float>  step(p.begin(), p.end());
-    EXPECT_NEAR(problem.respond(step.data(), step.data(), no_pass, no_pass),
-                work,
-                1e-6 * work);
+    EXPECT_NEAR(problem.respond(step.data(), step.data()), work, 1e-6 * work);
     const double most = max_value(u);
     for (const ContactProblem::Block &block : problem.blocks)
       for (std::size_t i = block.begin; i < block.end; ++i)
@@ -151,11 +149,11 @@ namespace
     });
     const SlabField flat(layout);
     ZoomedProblem   problem(flat, 1.);
-    problem.apply(p.data(), u.data(), no_pass);
+    problem.apply(p.data(), u.data());
 
     const SlabField fine_p = sampled({3 * n, 3 * n, 1., 1.}, narrow);
     SlabField       fine_u(fine_p.layout_pointer());
-    HalfSpaceProblem(fine_p, 1.).apply(fine_p.data(), fine_u.data(), no_pass);
+    HalfSpaceProblem(fine_p, 1.).apply(fine_p.data(), fine_u.data());
     const std::vector<double> line = fetch_rows(fine_u, {3 * 26});
     const double              most = max_value(fine_u);
     // Row 26 of the grid, at y = 0.4, in the window and beside it.

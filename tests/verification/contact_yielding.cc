@@ -31,7 +31,7 @@ namespace
             const double        hardness)
   {
     SlabField gap(heights.layout_pointer());
-    HalfSpaceProblem(heights, 1.).apply(state.pressure.data(), gap.data(), no_pass);
+    HalfSpaceProblem(heights, 1.).apply(state.pressure.data(), gap.data());
     double least_free = INFINITY, most_free = -INFINITY;
     for (std::size_t i = 0; i < gap.size(); ++i)
       {

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace strait
@@ -25,14 +24,6 @@ namespace strait
       std::size_t end;
       double      weight; // area of one point over the nominal area
     };
-
-    /**
-     * What an optimiser does with a range of points while it is in the cache: before()
-     * just before the problem reads an argument there, which it may write; after() when
-     * the result is complete there. They are called for ranges that cover all points, and
-     * may not communicate.
-     */
-    using Pass = std::function<void(const Block &range)>;
 
     const MPI_Comm      communicator;
     const std::size_t   size;    // of the arrays that fields are on this rank
@@ -57,40 +48,26 @@ namespace strait
 
     virtual ~DualProblem() = default;
 
-    /** A pass that is told the work. */
-    using WorkPass = std::function<void(const Block &range, double work)>;
+    /** u = G p. Returns the work <p, Gp>. Collective. */
+    virtual double apply(const double *pressure, double *displacement) = 0;
 
-    /** u = G p. Returns the work <p, Gp>, which after() is told. Collective. */
-    virtual double
-    apply(const double *pressure, double *displacement, const WorkPass &after) = 0;
-
-    /** The same of a step, to seven digits. In before() the scratch() values of its range
-     *  are as they were. Collective. */
-    virtual double respond(const float    *step,
-                           float          *response,
-                           const Pass     &before,
-                           const WorkPass &after) = 0;
+    /** The same of a step, to seven digits; the response may take its place. Collective.
+     */
+    virtual double respond(const float *step, float *response) = 0;
 
     /**
      * Replace @p values by M values at the points that @p marks are of; what stands at
      * the others before must be 0, and then means nothing. M is symmetric and positive on
-     * the marked points and resembles the inverse of G there, up to a factor. before()
-     * may still write the marks of its range. Collective.
+     * the marked points and resembles the inverse of G there, up to a factor. Collective.
      */
-    virtual void precondition(float              *values,
-                              const std::uint8_t *marks,
-                              const Pass         &before,
-                              const Pass         &after) = 0;
+    virtual void precondition(float *values, const std::uint8_t *marks) = 0;
 
-    /** Room for `size` values that lasts until the next respond(). */
+    /** Room for `size` values that lasts until the next respond(), which may use it. */
     virtual float *scratch() = 0;
 
     /** How often the operator was applied (FFT pairs on a plain grid). */
     virtual long n_applications() const = 0;
   };
-
-  /** Nothing to do before or after, also where the work is told. */
-  inline constexpr auto no_pass = [](const ContactProblem::Block &, auto...) {};
 
   /** When an optimiser stops. */
   struct ContactTolerance
@@ -100,52 +77,23 @@ namespace strait
     int    max_iterations; // one for each direction that is followed
   };
 
-  /** N sums over points, weighted by area. */
-  template <std::size_t N>
-  class WeightedSums
-  {
-  public:
-    /** add_point(i, sums) adds the values of point i of @p range to the N sums. */
-    template <class Add>
-    void
-    run_over(const ContactProblem::Block &range, const Add &add_point)
-    {
-      std::array<double, N> sums{};
-      for (std::size_t i = range.begin; i < range.end; ++i)
-        add_point(i, sums);
-      add(range, sums);
-    }
-
-    /** The same of sums over points of @p range that are known. */
-    void
-    add(const ContactProblem::Block &range, const std::array<double, N> &sums)
-    {
-      for (std::size_t k = 0; k < N; ++k)
-        local[k] += range.weight * sums[k];
-    }
-
-    /** Collective: the sums over all ranks. */
-    std::array<double, N>
-    over_ranks(const ContactProblem &problem) const
-    {
-      std::array<double, N> total = local;
-      sum_in_place(problem.communicator, total);
-      return total;
-    }
-
-  private:
-    std::array<double, N> local{};
-  };
-
-  /** The same over all points at once. Collective. */
+  /** N sums over all points, weighted by area: add_point(i, sums) adds the values of
+   *  point i to them. Collective. */
   template <std::size_t N, class Add>
   std::array<double, N>
-  weighted_sums(const ContactProblem &problem, const Add &add)
+  weighted_sums(const ContactProblem &problem, const Add &add_point)
   {
-    WeightedSums<N> sums;
+    std::array<double, N> total{};
     for (const ContactProblem::Block &block : problem.blocks)
-      sums.run_over(block, add);
-    return sums.over_ranks(problem);
+      {
+        std::array<double, N> sums{};
+        for (std::size_t i = block.begin; i < block.end; ++i)
+          add_point(i, sums);
+        for (std::size_t k = 0; k < N; ++k)
+          total[k] += block.weight * sums[k];
+      }
+    sum_in_place(problem.communicator, total);
+    return total;
   }
 } // namespace strait
 

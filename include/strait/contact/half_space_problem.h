@@ -23,16 +23,9 @@ namespace strait
      */
     HalfSpaceProblem(const SlabField &heights, double contact_modulus);
 
-    double
-    apply(const double *pressure, double *displacement, const WorkPass &after) override;
-    double respond(const float    *step,
-                   float          *response,
-                   const Pass     &before,
-                   const WorkPass &after) override;
-    void   precondition(float              *values,
-                        const std::uint8_t *marks,
-                        const Pass         &before,
-                        const Pass         &after) override;
+    double apply(const double *pressure, double *displacement) override;
+    double respond(const float *step, float *response) override;
+    void   precondition(float *values, const std::uint8_t *marks) override;
 
     float *
     scratch() override
@@ -79,13 +72,13 @@ namespace strait
     const AdhesionLaw adhesion;
 
     /** traction = K w. Returns <w, Kw>. Collective. */
-    double apply(const double *displacement, double *traction, const Pass &before);
+    double apply(const double *displacement, double *traction);
 
     /**
-     * Replace @p values, which are 0 at points that @p closed marks, by M values;
-     * before(range) may still write both. Collective.
+     * Replace @p values, which are 0 at points that @p closed marks, by M values.
+     * Collective.
      */
-    void precondition(double *values, const std::uint8_t *closed, const Pass &before);
+    void precondition(double *values, const std::uint8_t *closed);
 
     /** What stands in M for the stiffness of a uniform gap [pressure/length]. */
     double mean_stiffness() const;

@@ -36,23 +36,15 @@ namespace strait
     ContactSolution solve();
 
   private:
-    using Block = ContactProblem::Block;
-
     void   find_gap();
     double survey();
     double choose_direction();
+    void   form_direction(float *next) const;
     bool   step(double slope);
     void   step_within_limits(double length);
-    void   note_free();
-    void   watch_energy();
-
-    // What is done with a range of points in one pass.
-    double choose_contact(const Block &range);
-    void   measure(const Block &range);
-    void   form_direction(const Block &range, float *next);
-    void   move(const Block &range, double length);
-    void   follow(const Block &range, const float *r, double length);
-    void   measure_free(const Block &range);
+    template <class MovePoint>
+    void move(const MovePoint &move_point);
+    void watch_energy();
 
     using Flags = std::vector<std::uint8_t>;
 
@@ -70,9 +62,6 @@ namespace strait
 
     // The next direction is (z − mean_z) + beta (t − mean_t) on C.
     double mean_z = 0, beta = 0, mean_t = 0;
-
-    WeightedSums<9> on_contact;  // of measure()
-    WeightedSums<3> free_points; // of measure_free()
 
     // The dual energy falls with every step along t, and may rise with one within the
     // limits.

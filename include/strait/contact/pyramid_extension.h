@@ -4,7 +4,6 @@
 
 #include <strait/contact/grid_boxes.h>
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -28,18 +27,15 @@ namespace strait
   class PyramidExtension
   {
   public:
-    using RowPass = std::function<void(int row)>;
-
     /** Collective. */
     explicit PyramidExtension(const SlabLayoutPtr &layout);
 
     /**
      * Take the means of @p values over boxes of all sizes. What the points have, @p has,
-     * are marks, or sums as those of GridBoxes. before(row) may still write both in a
-     * local row. Collective.
+     * are marks, or sums as those of GridBoxes. Collective.
      */
     template <class Has>
-    void gather(const float *values, const Has *has, const RowPass &before);
+    void gather(const float *values, const Has *has);
 
     /** Extend the same values to points without weight. Collective. */
     template <class Has>
@@ -53,15 +49,10 @@ namespace strait
       return *levels.front();
     }
 
-    /** The first part of the adjoint, for each local row in its order, after all of the
-     *  changes to finest(). */
+    /** The adjoint, for the same values, after all of the changes to finest(): points
+     *  without weight end as 0. Collective. */
     template <class Has>
-    void take(int row, float *values, const Has *has);
-
-    /** The rest of it, for the same values: points without weight end as 0, and
-     * after(row) finds the result. Collective. */
-    template <class Has>
-    void extend_adjoint(float *values, const Has *has, const RowPass &after);
+    void extend_adjoint(float *values, const Has *has);
 
   private:
     template <class Add, class Finish>
@@ -70,6 +61,8 @@ namespace strait
     void descend(const Prepare &prepare, const Give &give);
     template <class Pass>
     void pass_rows(std::size_t l, const Pass &pass);
+    template <class Numbers, class Has, class Pass>
+    void pass_points(Numbers *values, const Has *has, const Pass &pass);
 
     const SlabLayoutPtr                     layout;
     std::vector<std::unique_ptr<GridBoxes>> levels; // the finest first

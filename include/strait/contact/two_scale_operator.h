@@ -4,7 +4,6 @@
 
 #include <strait/spectral/fourier_transform.h>
 
-#include <functional>
 #include <vector>
 
 namespace strait
@@ -47,9 +46,8 @@ namespace strait
                                        double               contact_modulus,
                                        double               uniform);
 
-    /** Replace @p values, one a local point, by the stencil's; after(row) finds the
-     *  result in the local row. Collective. */
-    void on_points(float *values, const std::function<void(int)> &after) const;
+    /** Replace @p values, one a local point, by the stencil's. Collective. */
+    void on_points(float *values) const;
 
     /** Replace @p values, one a local box, by what the stencil lacks there. Collective.
      */

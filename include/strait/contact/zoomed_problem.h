@@ -84,16 +84,9 @@ namespace strait
      *  this object; @p contact_modulus is E* > 0. Collective. */
     ZoomedProblem(const SlabField &heights, double contact_modulus);
 
-    double
-    apply(const double *pressure, double *displacement, const WorkPass &after) override;
-    double respond(const float    *step,
-                   float          *response,
-                   const Pass     &before,
-                   const WorkPass &after) override;
-    void   precondition(float              *values,
-                        const std::uint8_t *marks,
-                        const Pass         &before,
-                        const Pass         &after) override;
+    double apply(const double *pressure, double *displacement) override;
+    double respond(const float *step, float *response) override;
+    void   precondition(float *values, const std::uint8_t *marks) override;
 
     float *
     scratch() override
@@ -109,10 +102,8 @@ namespace strait
 
   private:
     template <class Number>
-    double act(ZoomedOperator<Number> &compliance,
-               const Number           *pressure,
-               Number                 *displacement,
-               const WorkPass         &after);
+    double
+    act(ZoomedOperator<Number> &compliance, const Number *pressure, Number *displacement);
 
     ZoomedOperator<double> exact;
     ZoomedOperator<float>  of_steps;

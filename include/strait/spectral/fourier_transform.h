@@ -61,7 +61,8 @@ namespace strait
     }
 
     /**
-     * out = F⁻¹[ symbol(kx, ky) F[in] ]; @p in and @p out may be the same.
+     * out = F⁻¹[ symbol(kx, ky) F[in] ]; @p in and @p out may be the same, and either
+     * may be scratch().
      * @return the local part of Σ_q symbol |f~|², that is of the grid mean of
      * in·out, by Parseval. Collective; one FFT pair.
      */
@@ -69,44 +70,13 @@ namespace strait
     double
     multiply(const Number *in, Number *out, const Symbol &symbol)
     {
-      return multiply_in_passes(
-        in, out, symbol, [](int) {}, [](double) {}, [](int) {});
-    }
-
-    /**
-     * multiply() for callers that would run over the field just before and just
-     * after it, which costs less while a row is in the cache: before(row) is
-     * called before the local row is read and may still write it, between(product)
-     * before the inverse transform with what both functions return, and after(row)
-     * when the row of @p out is complete. before() runs from the last row to the
-     * first: values of its row that lie in scratch() are not overwritten yet.
-     */
-    template <class Symbol, class Before, class Between, class After>
-    double
-    multiply_in_passes(const Number  *in,
-                       Number        *out,
-                       const Symbol  &symbol,
-                       const Before  &before,
-                       const Between &between,
-                       const After   &after)
-    {
-      buffer();
-      for (int row = slab_layout->n_rows() - 1; row >= 0; --row)
-        {
-          before(row);
-          load_row(in, row);
-        }
+      load_rows(in);
       double     product = 0;
       const auto scale   = 1. / static_cast<double>(slab_layout->grid().n_points());
       for_each_column(true, true, [&](const int kx, Complex *modes) {
         product += weight_of(kx) * multiply_column(modes, kx, scale, symbol);
       });
-      between(product * scale);
-      for (int row = 0; row < slab_layout->n_rows(); ++row)
-        {
-          store_row(out, row);
-          after(row);
-        }
+      store_rows(out);
       ++pairs;
       return product * scale;
     }
@@ -127,8 +97,7 @@ namespace strait
         for (int i = 0; i < ny; ++i)
           modes[i] = mode(kx, signed_wave_number(i, ny));
       });
-      for (int row = 0; row < slab_layout->n_rows(); ++row)
-        store_row(out, row);
+      store_rows(out);
     }
 
     /**
@@ -139,9 +108,7 @@ namespace strait
     void
     analyze(const Number *in, const Visit &visit)
     {
-      buffer();
-      for (int row = slab_layout->n_rows() - 1; row >= 0; --row)
-        load_row(in, row);
+      load_rows(in);
       const int  ny    = slab_layout->grid().ny;
       const auto scale = 1. / static_cast<double>(slab_layout->grid().n_points());
       for_each_column(true, false, [&](const int kx, const Complex *modes) {
@@ -163,11 +130,11 @@ namespace strait
     /** The modes of the rows, for which there is room from now on. */
     Complex *buffer();
 
-    /** Transform a row of @p in along x, into the buffer. */
-    void load_row(const Number *in, int row);
+    /** Transform the rows of @p in along x, into the buffer. */
+    void load_rows(const Number *in);
 
-    /** Transform a row of the buffer back along x, into @p out; the buffer's is lost. */
-    void store_row(Number *out, int row);
+    /** Transform the rows of the buffer back along x, into @p out; they are lost. */
+    void store_rows(Number *out);
 
     /** Call visit(kx, modes) for each of this rank's columns, with its ny modes: those of
      *  the rows if @p are_read, and given back to these if @p are_written. Collective. */
