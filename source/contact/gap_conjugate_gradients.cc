@@ -9,12 +9,6 @@ namespace strait
 {
   namespace
   {
-    /** Of the elastic curvature: below it, the attraction is left out. Half and double
-     *  take 156 and 192 FFT pairs a load instead of 171 where the range of the adhesion
-     *  is hardly resolved (a random surface of 256² at a Tabor number of 2), and as many
-     *  at 1; with none of it a saddle on 32² points of a range of 0.4 stagnates. */
-    constexpr double least_curvature = .05;
-
     /** Where the attraction wins, the elastic curvature alone is too cautious. Double of
      *  it leaves a saddle sooner, and is shortened more often; a third of it, the elastic
      *  step, takes a fifth more FFT pairs where the range of the adhesion is hardly
@@ -86,7 +80,7 @@ namespace strait
     double       beta        = 0;
     // Hestenes and Stiefel's beta or, where the energy curves down along d and d is
     // worth keeping all the more, Polak and Ribière's; not where all is rounding.
-    if (!restarts && d_curvature > least_curvature * d_q)
+    if (!restarts && d_curvature > 0)
       beta = std::max(0., (z_q + z_local) / d_curvature);
     else if (!restarts && last_fall > energy_noise * std::abs(energy()))
       beta = std::max(0., (z_q + z_local) / last_fall);
@@ -103,7 +97,7 @@ namespace strait
     // Not less than a tenth of that of the free points, or the step would be wild.
     const double foretold = std::max(stiffness * free_work + fixed_work, .1 * free_work);
     const double whole    = foretold + local;
-    return -reach * slope / (whole > least_curvature * foretold ? whole : foretold);
+    return -reach * slope / (whole > 0 ? whole : foretold);
   }
 
   /** Follow the projected direction as far as the energy falls well. Return whether
@@ -166,7 +160,7 @@ namespace strait
     furthest                = -maximum(problem.communicator, -furthest);
     if (!(d_r < 0))
       return false;
-    const bool   is_convex = work + local > least_curvature * work;
+    const bool   is_convex = work + local > 0;
     const double bold  = work > 0 ? -boldness * d_r / work : 1.; // d uniform, or noise
     const double ideal = is_convex ? -d_r / (work + local) : bold;
     const double length_of_whole = ideal < shorter ? ideal : 1.;
