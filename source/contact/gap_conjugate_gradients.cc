@@ -11,7 +11,7 @@ namespace strait
   {
     /** Where the attraction wins, the elastic curvature alone is too cautious. Double of
      *  it leaves a saddle sooner, and is shortened more often; a third of it, the elastic
-     *  step, takes a fifth more FFT pairs where the range of the adhesion is hardly
+     *  step, takes two fifths more FFT pairs where the range of the adhesion is hardly
      *  resolved (a random surface of 256² at a Tabor number of 2). */
     constexpr double boldness = 3;
 
