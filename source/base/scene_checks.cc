@@ -296,6 +296,10 @@ namespace strait
       warnings.emplace_back(
         "a gas presses on the walls with its absolute pressure, so the loads count from "
         "a vacuum outside the seal.");
+    if (is_theory_only() && (output.surface_map || output.surface_spectrum))
+      warnings.emplace_back(
+        "the theory alone writes neither Output/Surface map nor Surface spectrum; switch "
+        "Contact or Fluid on to have them.");
     return warnings;
   }
 } // namespace strait

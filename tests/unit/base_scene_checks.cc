@@ -166,6 +166,22 @@ TEST(Scene, RollOffLongerThanTheShorterSideIsAWarning)
   EXPECT_EQ(scene_of("", {"Surface/Size=1, 0.4"}).warnings().size(), 1u);
 }
 
+TEST(Scene, TheTheoryAloneHasNoSurfaceToWrite)
+{
+  const Overrides alone = {"Theory/Enabled=true",
+                           "Contact/Enabled=false",
+                           "Fluid/Enabled=false"};
+  EXPECT_TRUE(scene_of("", alone).warnings().empty());
+  for (const char *output : {"Output/Surface map=true", "Output/Surface spectrum=true"})
+    {
+      Overrides wanted = alone;
+      wanted.emplace_back(output);
+      const auto warnings = scene_of("", wanted).warnings();
+      ASSERT_EQ(warnings.size(), 1u) << output;
+      expect_in("the theory alone writes neither", warnings[0]);
+    }
+}
+
 TEST(Scene, UnreadableFiles)
 {
   EXPECT_THROW(read_scene("/no/such/scene.prm"), InputError);
