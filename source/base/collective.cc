@@ -169,4 +169,18 @@ namespace strait
   {
     return reduce(comm, value, MPI_LONG_LONG, MPI_SUM);
   }
+
+  void
+  sum_in_place(MPI_Comm comm, double *values, const std::size_t count)
+  {
+    MPI_Allreduce(
+      MPI_IN_PLACE, values, static_cast<int>(count), MPI_DOUBLE, MPI_SUM, comm);
+  }
+
+  void
+  sum_in_place(MPI_Comm comm, float *values, const std::size_t count)
+  {
+    MPI_Allreduce(
+      MPI_IN_PLACE, values, static_cast<int>(count), MPI_FLOAT, MPI_SUM, comm);
+  }
 } // namespace strait

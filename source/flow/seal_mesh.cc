@@ -17,7 +17,8 @@ namespace strait
   {
     using dealii::Point;
 
-    constexpr int inlet_id = 0, outlet_id = 1;
+    constexpr int inlet_id  = static_cast<int>(OutlineKind::inlet),
+                  outlet_id = static_cast<int>(OutlineKind::outlet);
 
     /** Makes a SealMesh, step by step. */
     class Builder

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
-#include <numeric>
 
 namespace strait
 {
@@ -49,15 +48,14 @@ namespace strait
             result[k] = whole[k / levels.length % ny * nx + k % levels.length % nx];
         return result;
       }
-    std::vector<int> wanted(levels.end - levels.first);
-    std::iota(wanted.begin(), wanted.end(), levels.first);
-    const std::vector<double> rows = fetch_rows(field, wanted);
-    auto                      line = result.begin();
-    for (auto row = rows.begin(); row != rows.end(); row += nx)
+    const RowsAround rows(field);
+    auto             next = result.begin();
+    for (int line = levels.first; line < levels.end; ++line)
       {
-        line = std::copy_n(row, nx, line);
+        const double *row = rows[line - layout->first_row()];
+        next              = std::copy_n(row, nx, next);
         if (levels.length > nx) // the seam's copy
-          *line++ = *row;
+          *next++ = *row;
       }
     return result;
   }

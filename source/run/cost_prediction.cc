@@ -101,6 +101,7 @@ namespace strait
       const double spacing =
         std::max(scene.surface.size[0] / scene.contact.grid_points[0],
                  scene.surface.size[1] / scene.contact.grid_points[1]);
+      // Both numbers were computed.
       if (scene.surface.kind == SurfaceKind::square_saddle)
         return ThroatLaw{.228605, .212 * scene.surface.size[0] / spacing};
       // Of random critical loads the mean, 0.24, less one standard deviation: to be

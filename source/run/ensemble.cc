@@ -21,31 +21,39 @@ namespace strait
   namespace
   {
     /** The ranks of MPI_COMM_WORLD in groups that work beside each other. */
-    struct RankGroups
+    class RankGroups
     {
-      int      n_each; // ranks of a group
-      int      number; // of groups
-      int      mine;   // the group of this rank
-      MPI_Comm comm;   // of this rank's group, for the rest of the run
-    };
+    public:
+      /** Groups of @p ranks_each ranks; empty: one of all ranks. Throws InputError if it
+       * does not divide the number of ranks. Collective. */
+      explicit RankGroups(const std::vector<int> &ranks_each)
+      {
+        const int my_rank = rank_in(MPI_COMM_WORLD);
+        const int n_ranks = n_ranks_in(MPI_COMM_WORLD);
+        n_each            = ranks_each.empty() ? n_ranks : ranks_each.front();
+        require(n_ranks % n_each == 0,
+                format("Realisations/Ranks each = %d does not divide the number of "
+                       "ranks, %d.",
+                       n_each,
+                       n_ranks));
+        number = n_ranks / n_each;
+        mine   = my_rank / n_each;
+        MPI_Comm_split(MPI_COMM_WORLD, mine, my_rank, &comm);
+      }
 
-    /** Groups of @p ranks_each ranks; empty: one of all ranks. Throws InputError if it
-     *  does not divide the number of ranks. Collective. */
-    RankGroups
-    make_groups(const std::vector<int> &ranks_each)
-    {
-      const int my_rank = rank_in(MPI_COMM_WORLD);
-      const int n_ranks = n_ranks_in(MPI_COMM_WORLD);
-      const int n_each  = ranks_each.empty() ? n_ranks : ranks_each.front();
-      require(n_ranks % n_each == 0,
-              format("Realisations/Ranks each = %d does not divide the number of ranks, "
-                     "%d.",
-                     n_each,
-                     n_ranks));
-      RankGroups groups{n_each, n_ranks / n_each, my_rank / n_each, MPI_COMM_NULL};
-      MPI_Comm_split(MPI_COMM_WORLD, groups.mine, my_rank, &groups.comm);
-      return groups;
-    }
+      ~RankGroups()
+      {
+        MPI_Comm_free(&comm);
+      }
+
+      RankGroups(const RankGroups &)            = delete;
+      RankGroups &operator=(const RankGroups &) = delete;
+
+      int      n_each = 1;             // ranks of a group
+      int      number = 1;             // of groups
+      int      mine   = 0;             // the group of this rank
+      MPI_Comm comm   = MPI_COMM_NULL; // of this rank's group
+    };
 
     /** All of them, before they are run. */
     std::vector<RealisationRow>
@@ -173,7 +181,7 @@ namespace strait
     if (!scene.realisations.enabled())
       return simulate(scene, log, resume).converged;
 
-    const RankGroups            groups       = make_groups(scene.realisations.ranks_each);
+    const RankGroups            groups(scene.realisations.ranks_each);
     std::vector<RealisationRow> realisations = list_realisations(scene);
     require_memory(scene,
                    MPI_COMM_WORLD,

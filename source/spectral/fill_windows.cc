@@ -134,11 +134,8 @@ namespace strait
             window.add_wave(ky, weight * amplitude);
         });
     end_column();
-    MPI_Allreduce(MPI_IN_PLACE,
-                  field.data() + layout.n_local_points(),
-                  static_cast<int>(field.size() - layout.n_local_points()),
-                  MPI_DOUBLE,
-                  MPI_SUM,
-                  layout.communicator());
+    sum_in_place(layout.communicator(),
+                 field.data() + layout.n_local_points(),
+                 field.size() - layout.n_local_points());
   }
 } // namespace strait

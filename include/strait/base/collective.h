@@ -66,18 +66,18 @@ namespace strait
   /** The sum of whole numbers over all ranks. Collective. */
   long long sum(MPI_Comm comm, long long value);
 
-  /** Collective: sums of several values, double or float, with one message. */
+  /** Collective: sums of several values with one message. */
+  void sum_in_place(MPI_Comm comm, double *values, std::size_t count);
+
+  /** The same in single precision. */
+  void sum_in_place(MPI_Comm comm, float *values, std::size_t count);
+
+  /** The same of all values of a container. */
   template <typename Values>
   void
   sum_in_place(MPI_Comm comm, Values &values)
   {
-    const bool is_double = std::is_same_v<typename Values::value_type, double>;
-    MPI_Allreduce(MPI_IN_PLACE,
-                  values.data(),
-                  static_cast<int>(values.size()),
-                  is_double ? MPI_DOUBLE : MPI_FLOAT,
-                  MPI_SUM,
-                  comm);
+    sum_in_place(comm, values.data(), values.size());
   }
 
   /** Σ a[k] b[k] over the values of all ranks, in double precision. Collective. */

@@ -32,10 +32,9 @@ namespace strait
   gap_histogram(const SlabField &gap, std::vector<double> edges, double closed = 0.);
 
   /** 12 η K_e of an effective medium in which @p gaps are distributed at random
-   *  [length³]: the K_e at which ∫ dK P(K) (K − K_e)/(K + (n−1) K_e) = 0, to rounding.
-   * Zero where the contact reaches 1 − 1/n of the area, which may add up to one to
-   * rounding.
-   *  @p n > 1; two is Bruggeman's theory in the plane. */
+   *  [length³]: the K_e at which ∫ dK P(K) (K − K_e)/(K + (n−1) K_e) = 0, to rounding;
+   *  the sum of all shares may be one to rounding. Zero where the contact reaches
+   *  1 − 1/n of the area. @p n > 1; two is Bruggeman's theory in the plane. */
   double effective_cubed_gap(const GapDistribution &gaps, double n);
 } // namespace strait
 
