@@ -7,6 +7,17 @@
 
 namespace strait
 {
+  namespace
+  {
+    using Place = DualConjugateGradients::Place;
+
+    Place
+    place_of(const double pressure, const double limit)
+    {
+      return pressure == 0 ? Place::none : pressure == limit ? Place::full : Place::free;
+    }
+  } // namespace
+
   ContactSolution
   DualConjugateGradients::solve()
   {
@@ -55,7 +66,7 @@ namespace strait
       }
 
     for (std::size_t i = 0, n = problem.size; i < n; ++i)
-      gap[i] -= shift;
+      gap[i] -= gap_shift + tolerance.unit * shift;
     return solution;
   }
 
@@ -63,6 +74,11 @@ namespace strait
   void
   DualConjugateGradients::find_gap()
   {
+    // What follows is conjugate to no step that led to another gap; and their room is
+    // needed.
+    direction = std::vector<float>();
+    response  = std::vector<float>();
+
     double            *p = pressure, *g = gap;
     const double      *h     = problem.heights;
     const WithinLimits limit = within_limits(problem, constraint, in_contact, p);
@@ -74,12 +90,23 @@ namespace strait
     });
     const double u0          = constraint.displacement();
     const double p_Gp        = problem.apply(p, g);
-    move([=](const std::size_t i) { g[i] += u0 - h[i]; });
+    const auto [sum_g, area] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
+      g[i] += u0 - h[i];
+      places[i] = place_of(p[i], constraint.limit);
+      if (places[i] != Place::free)
+        return;
+      sums[0] += g[i];
+      sums[1] += 1;
+    });
+    gap_shift                = constraint.excess(sum_g, area);
+    float *y                 = gap_in_units.data();
+    move([=, s = gap_shift, unit = 1. / tolerance.unit](const std::size_t i) {
+      y[i] = static_cast<float>(unit * (g[i] - s));
+    });
     gap_is_exact = true;
     truncated    = false;
-    // What follows is conjugate to no step that led to another gap.
-    std::fill(direction.begin(), direction.end(), 0.f);
-    std::fill(response.begin(), response.end(), 0.f);
+    direction.resize(problem.size);
+    response.resize(problem.size);
 
     const double elastic = 0.5 * p_Gp;
     const double work    = p_h - u0 * mean;
@@ -111,24 +138,31 @@ namespace strait
   double
   DualConjugateGradients::survey()
   {
-    const double *p = pressure, *g = gap;
-    float        *y = problem.scratch();
-    std::uint8_t *c = in_contact.data();
-    const double  s = shift, unit = 1. / tolerance.unit, limit = constraint.limit;
+    const float  *y     = gap_in_units.data();
+    const Place  *place = places.data();
+    float        *z     = problem.scratch();
+    std::uint8_t *c     = in_contact.data();
+    const auto    s     = static_cast<float>(shift);
     const bool    grows = !truncated;
-    double        worst = 0;
+    float         worst = 0;
     for (const ContactProblem::Block &block : problem.blocks)
-      for (std::size_t i = block.begin; i < block.end; ++i)
-        {
-          const double centred  = g[i] - s;
-          const bool   is_free  = (p[i] != 0) & (p[i] != limit);
-          const bool   is_wrong = is_free | (p[i] == 0 ? centred < 0 : centred > 0);
-          c[i]                  = is_free | (grows & is_wrong);
-          y[i]                  = c[i] ? static_cast<float>(unit * centred) : 0.f;
-          worst                 = std::max(worst, is_wrong ? std::abs(centred) : 0.);
-        }
-    problem.precondition(y, c);
-    return maximum(problem.communicator, worst) / tolerance.unit;
+      {
+        // Without a branch, and the largest in any order: four points at a time.
+#pragma omp simd reduction(max : worst)
+        for (std::size_t i = block.begin; i < block.end; ++i)
+          {
+            const float centred  = y[i] - s;
+            const bool  is_free  = place[i] == Place::free;
+            const bool  is_wrong = is_free | ((place[i] == Place::none) & (centred < 0)) |
+                                  ((place[i] == Place::full) & (centred > 0));
+            const bool counts = is_free | (grows & is_wrong);
+            c[i]              = counts;
+            z[i]              = counts ? centred : 0.f;
+            worst             = std::max(worst, is_wrong ? std::abs(centred) : 0.f);
+          }
+      }
+    problem.precondition(z, c);
+    return maximum(problem.communicator, worst);
   }
 
   /**
@@ -138,16 +172,15 @@ namespace strait
   double
   DualConjugateGradients::choose_direction()
   {
-    const double *g = gap;
-    const float  *t = direction.data(), *r = response.data();
-    float        *z = problem.scratch();
-    const auto   *c = in_contact.data();
-    const double  s = shift, unit = 1. / tolerance.unit;
+    const float *y = gap_in_units.data(), *t = direction.data(), *r = response.data();
+    float       *z = problem.scratch();
+    const auto  *c = in_contact.data();
+    const auto   s = static_cast<float>(shift);
     const auto [area, sum_z, sum_t, sum_y, sum_r, z_r, t_r, y_z, y_t] =
       weighted_sums<9>(problem, [=](const auto i, auto &sums) {
         if (!c[i])
           return;
-        const double z_i = z[i], t_i = t[i], r_i = r[i], y_i = unit * (g[i] - s);
+        const double z_i = z[i], t_i = t[i], r_i = r[i], y_i = y[i] - s;
         sums[0] += 1;
         sums[1] += z_i;
         sums[2] += t_i;
@@ -166,7 +199,7 @@ namespace strait
       {
         // M is not positive on this C: do without it.
         const auto [y_y] = weighted_sums<1>(problem, [=](const auto i, auto &sums) {
-          z[i] = c[i] ? static_cast<float>(unit * (g[i] - s)) : 0.f;
+          z[i] = c[i] ? y[i] - s : 0.f;
           sums[0] += static_cast<double>(z[i]) * z[i];
         });
         mean_z           = constraint.excess(sum_y, area);
@@ -181,34 +214,39 @@ namespace strait
     return gradient;
   }
 
-  /** Write the next direction to @p next, which is that of before or z. */
-  void
-  DualConjugateGradients::form_direction(float *next) const
+  /** The next direction, point by point. */
+  auto
+  DualConjugateGradients::next_direction() const
   {
-    const float *z = problem.scratch(), *t = direction.data();
-    const auto  *c  = in_contact.data();
-    const auto   z0 = static_cast<float>(mean_z), b = static_cast<float>(beta),
-               t0 = static_cast<float>(mean_t);
-    for (std::size_t i = 0, n = problem.size; i < n; ++i)
-      next[i] = c[i] ? (z[i] - z0) + b * (t[i] - t0) : 0.f;
+    return [z  = problem.scratch(),
+            t  = direction.data(),
+            c  = in_contact.data(),
+            z0 = static_cast<float>(mean_z),
+            b  = static_cast<float>(beta),
+            t0 = static_cast<float>(mean_t)](const std::size_t i) {
+      return c[i] ? (z[i] - z0) + b * (t[i] - t0) : 0.f;
+    };
   }
 
   /** Form t and go to the minimum along it. Return whether there is one. */
   bool
   DualConjugateGradients::step(const double slope)
   {
-    form_direction(direction.data());
-    const double curvature = problem.respond(direction.data(), response.data());
+    float     *t = direction.data(), *r = response.data(), *y = gap_in_units.data();
+    const auto next = next_direction();
+    for (std::size_t i = 0, n = problem.size; i < n; ++i)
+      t[i] = next(i);
+    const double curvature = problem.respond(t, r);
     const bool   is_convex = curvature > 0;
     const double length    = is_convex ? slope / curvature : 0.;
-    double      *p = pressure, *g = gap;
-    const float *t = direction.data(), *r = response.data();
-    const auto  *c   = in_contact.data();
-    const double far = tolerance.unit * length;
-    move([=, s = shift](const std::size_t i) {
+    double      *p         = pressure;
+    const auto  *c         = in_contact.data();
+    const double far       = tolerance.unit * length;
+    const auto   s = static_cast<float>(shift), l = static_cast<float>(length);
+    move([=](const std::size_t i) {
       if (c[i])
         p[i] -= far * t[i];
-      g[i] = (g[i] - s) - far * r[i];
+      y[i] = (y[i] - s) - l * r[i];
     });
     if (!is_convex)
       return false;
@@ -230,29 +268,33 @@ namespace strait
   void
   DualConjugateGradients::step_within_limits(const double length)
   {
-    double       *p = pressure, *g = gap;
-    std::uint8_t *c   = in_contact.data();
-    float        *d   = problem.scratch(); // z, the direction, the step, its response
+    double       *p     = pressure;
+    float        *y     = gap_in_units.data();
+    std::uint8_t *c     = in_contact.data();
+    Place        *place = places.data();
+    float        *d     = problem.scratch(); // z, the direction, the step, its response
     const double  far = .5 * tolerance.unit * length, unit = 1. / tolerance.unit;
-    form_direction(d);
+    const auto    next = next_direction();
     for (std::size_t i = 0, n = problem.size; i < n; ++i)
-      if (c[i])
-        p[i] -= far * d[i];
+      {
+        d[i] = next(i);
+        if (c[i])
+          p[i] -= far * d[i];
+      }
     const WithinLimits limit = within_limits(problem, constraint, in_contact, p);
-    const auto [slope] =
-      weighted_sums<1>(problem, [=, s = shift](const auto i, auto &sums) {
-        if (!limit.all_move && !c[i])
-          return;
-        const double before = p[i] + far * d[i];
-        p[i]                = limit(p[i], c[i] != 0);
-        d[i]                = static_cast<float>(unit * (before - p[i]));
-        c[i]                = p[i] != 0;
-        sums[0] += unit * (g[i] - s) * d[i];
-      });
-    const double d_r = problem.respond(d, d);
-    move([=, s = shift, u = tolerance.unit](const std::size_t i) {
-      g[i] = (g[i] - s) - u * d[i];
+    const auto         s     = static_cast<float>(shift);
+    const auto [slope]       = weighted_sums<1>(problem, [=](const auto i, auto &sums) {
+      if (!limit.all_move && !c[i])
+        return;
+      const double before = p[i] + far * d[i];
+      p[i]                = limit(p[i], c[i] != 0);
+      d[i]                = static_cast<float>(unit * (before - p[i]));
+      c[i]                = p[i] != 0;
+      place[i]            = Place::none; // until move() finds what is in contact
+      sums[0] += static_cast<double>(y[i] - s) * d[i];
     });
+    const double d_r         = problem.respond(d, d);
+    move([=](const std::size_t i) { y[i] = (y[i] - s) - d[i]; });
     gap_is_exact = false;
     truncated    = true;
     energy -= (tolerance.unit * tolerance.unit) * (slope - .5 * d_r);
@@ -265,21 +307,24 @@ namespace strait
   void
   DualConjugateGradients::move(const MovePoint &move_point)
   {
-    const double *p = pressure, *g = gap;
+    const double *p     = pressure;
+    const float  *y     = gap_in_units.data();
     const auto   *c     = in_contact.data();
+    Place        *place = places.data();
     const double  limit = constraint.limit;
-    const auto [beyond, sum_g, area] =
+    const auto [beyond, sum_y, area] =
       weighted_sums<3>(problem, [=](const auto i, auto &sums) {
         move_point(i);
         if (!c[i])
           return;
-        const double is_free = ((p[i] != 0) & (p[i] != limit)) ? 1. : 0.;
+        place[i]             = place_of(p[i], limit);
+        const double is_free = place[i] == Place::free ? 1. : 0.;
         sums[0] += ((p[i] < 0) | (p[i] > limit)) ? 1. : 0.;
-        sums[1] += is_free * g[i];
+        sums[1] += is_free * y[i];
         sums[2] += is_free;
       });
     any_beyond = beyond > 0;
-    shift      = constraint.excess(sum_g, area);
+    shift      = constraint.excess(sum_y, area);
     if (area > 0 || !constraint.is_limited())
       return;
     // Every pressure is at a limit: between the gaps that let points leave either.
@@ -287,10 +332,10 @@ namespace strait
     double most_pressed = -least_open;
     for (const ContactProblem::Block &block : problem.blocks)
       for (std::size_t i = block.begin; i < block.end; ++i)
-        if (pressure[i] == 0)
-          least_open = std::min(least_open, gap[i]);
+        if (place[i] == Place::none)
+          least_open = std::min<double>(least_open, y[i]);
         else
-          most_pressed = std::max(most_pressed, gap[i]);
+          most_pressed = std::max<double>(most_pressed, y[i]);
     shift = .5 * (maximum(problem.communicator, most_pressed) -
                   maximum(problem.communicator, -least_open));
   }

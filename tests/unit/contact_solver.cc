@@ -306,6 +306,16 @@ namespace
       }
   }
 
+  TEST(ContactSolver, ReachesRoundingIfAsked)
+  {
+    const SlabField    heights = rough_heights({256, 256, 1., 1.}, 32);
+    ContactSolver      solver(contact_parameters(1e-13), heights);
+    const ContactState state = solver.solve(0.2);
+    EXPECT_TRUE(state.converged);
+    EXPECT_LE(state.residual, 1e-13);
+    EXPECT_LE(state.fft_pairs, 40);
+  }
+
   TEST(ContactSolver, HoldsAtMost48BytesAPoint)
   {
     const SlabField heights = rough_heights({256, 240, 1., 1.}, 32);

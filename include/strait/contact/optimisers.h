@@ -26,7 +26,15 @@ namespace strait
   class DualConjugateGradients : private DualTask
   {
   public:
-    /** Needs 9 B a local point beside the two fields. */
+    /** Where a pressure is: at a limit or between them (or beyond). */
+    enum class Place : std::uint8_t
+    {
+      none,
+      free,
+      full
+    };
+
+    /** Needs 14 B a local point beside the two fields. */
     explicit DualConjugateGradients(const DualTask &task)
       : DualTask(task)
     {
@@ -39,7 +47,7 @@ namespace strait
     void   find_gap();
     double survey();
     double choose_direction();
-    void   form_direction(float *next) const;
+    auto   next_direction() const;
     bool   step(double slope);
     void   step_within_limits(double length);
     template <class MovePoint>
@@ -48,13 +56,17 @@ namespace strait
 
     using Flags = std::vector<std::uint8_t>;
 
-    // The gaps y, the directions and what these make of the gap are in units of
-    // tolerance.unit, so that they are of the order of one in any units.
-    std::vector<float> direction  = std::vector<float>(problem.size); // t
-    std::vector<float> response   = std::vector<float>(problem.size); // r = G t
+    // On the way the gap y, the directions and what these make of the gap are in units of
+    // tolerance.unit, so that they are of the order of one in any units, and have seven
+    // digits: what is left of a gap that shrinks has seven digits of its own.
+    std::vector<float> gap_in_units = std::vector<float>(problem.size); // y
+    std::vector<float> direction;                                       // t
+    std::vector<float> response;                                        // r = G t
+    std::vector<Place> places     = std::vector<Place>(problem.size);   // of p
     Flags              in_contact = Flags(problem.size, 0); // 1 where p may change: C
 
-    double shift        = 0;     // by which the gap is too large
+    double gap_shift    = 0;     // by which the exact gap is larger than y was at first
+    double shift        = 0;     // by which y is too large
     bool   any_beyond   = false; // pressure, its limits
     bool   gap_is_exact = false; // and not the sum of responses
     bool   truncated    = false; // by the last step, after which what is open stays so
