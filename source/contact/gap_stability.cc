@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/contact/gap_optimisation.h>
 
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,84 +13,17 @@ namespace strait
      *  and misses these. */
     constexpr double settled = .03;
 
-    using Matrix = std::array<std::array<double, 3>, 3>;
-    using Vector = std::array<double, 3>;
-
-    /** x with |x| = 1 that makes x·Ax least, by Jacobi's rotations. */
-    Vector
-    lowest_eigenvector(Matrix a, const int n)
+    /** A field and K of it. */
+    struct Response
     {
-      Matrix v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-      for (int sweep = 0; sweep < 30; ++sweep)
-        for (int p = 0; p < n; ++p)
-          for (int q = p + 1; q < n; ++q)
-            if (a[p][q] != 0)
-              {
-                const double theta  = .5 * std::atan2(2 * a[p][q], a[q][q] - a[p][p]);
-                const auto   rotate = [c = std::cos(theta),
-                                     s = std::sin(theta)](double &x, double &y) {
-                  const double old = x;
-                  x                = c * old - s * y;
-                  y                = s * old + c * y;
-                };
-                for (int k = 0; k < n; ++k)
-                  {
-                    rotate(a[k][p], a[k][q]);
-                    rotate(v[k][p], v[k][q]);
-                  }
-                for (int k = 0; k < n; ++k)
-                  rotate(a[p][k], a[q][k]);
-              }
-      int least = 0;
-      for (int k = 1; k < n; ++k)
-        least = a[k][k] < a[least][least] ? k : least;
-      return {v[0][least], v[1][least], v[2][least]};
-    }
+      std::vector<double> of, stiffness;
+    };
 
-    /** The combination of n vectors that makes the quotient of A and B least, by
-     *  Gram and Schmidt in the inner product B; 0 for a vector that depends on those
-     *  before it. */
-    Vector
-    best_combination(const Matrix &a, const Matrix &b, const int n)
+    /** What stands over and under a quotient. */
+    struct Products
     {
-      std::array<Vector, 3> basis{};
-      int                   n_basis = 0;
-      const auto product = [n](const Matrix &m, const Vector &x, const Vector &y) {
-        double result = 0;
-        for (int i = 0; i < n; ++i)
-          for (int j = 0; j < n; ++j)
-            result += x[i] * m[i][j] * y[j];
-        return result;
-      };
-      for (int k = 0; k < n; ++k)
-        {
-          Vector x{};
-          x[k] = 1;
-          for (int twice = 0; twice < 2; ++twice)
-            for (int l = 0; l < n_basis; ++l)
-              {
-                const double share = product(b, basis[l], x);
-                for (int i = 0; i < n; ++i)
-                  x[i] -= share * basis[l][i];
-              }
-          const double norm = product(b, x, x);
-          if (!(norm > 1e-12 * b[k][k]))
-            continue;
-          for (double &value : x)
-            value /= std::sqrt(norm);
-          basis[n_basis++] = x;
-        }
-      Matrix small{};
-      for (int k = 0; k < n_basis; ++k)
-        for (int l = 0; l < n_basis; ++l)
-          small[k][l] = product(a, basis[k], basis[l]);
-      const Vector y = lowest_eigenvector(small, n_basis);
-      Vector       x{};
-      for (int l = 0; l < n_basis; ++l)
-        for (int i = 0; i < n; ++i)
-          x[i] += y[l] * basis[l][i];
-      return x;
-    }
+      double over, under;
+    };
 
     /** A descent of the quotient at one gap; see GapOptimiser::smallest_curvature(). */
     struct QuotientDescent
@@ -100,111 +32,109 @@ namespace strait
       const bool    fixes_mean_gap;
       const double *curvature; // γ''
 
-      std::vector<std::uint8_t> closed; // marks of points that are
-
-      // v, its gradient, its last change; K of each.
-      std::array<std::vector<double>, 3> vectors;
-      std::array<std::vector<double>, 3> responses = vectors;
-      double                             quotient  = 0;
+      std::vector<std::uint8_t> closed;   // marks of points that are not free
+      Response                  v, d;     // the eigenvector; the direction, at first 0
+      std::vector<double>       z;        // the preconditioned gradient
+      double                    fall = 0; // of the quotient along z, at first 0
 
       void
-      find_lowest()
-      {
-        prepare(vectors[0], responses[0]);
-        descend(1);
-        if (!std::isfinite(quotient)) // no point is free
-          {
-            problem.fill_with_noise(vectors[0].data());
-            quotient = 1;
-            return;
-          }
-        int n_settled = 0;
-        for (int k = 0; n_settled < 2; ++k)
-          {
-            // The gradient of the quotient, preconditioned.
-            const auto [mean] =
-              weighted_sums<1>(problem, [this](const auto i, auto &sums) {
-                sums[0] += vectors[0][i];
-              });
-            const double uniform = problem.mean_stiffness() * mean;
-            for (std::size_t i = 0; i < problem.size; ++i)
-              vectors[1][i] = (1 - quotient) * responses[0][i] +
-                              curvature[i] * vectors[0][i] - quotient * uniform;
-            mask(vectors[1]);
-            problem.precondition(vectors[1].data(), closed.data());
-            prepare(vectors[1], responses[1]);
-            const double before = quotient;
-            descend(k == 0 ? 2 : 3);
-            n_settled =
-              before - quotient > settled * std::abs(quotient) ? 0 : n_settled + 1;
-          }
-      }
-
-      void
-      mask(std::vector<double> &v) const
+      mask(std::vector<double> &values) const
       {
         project(
           problem,
           [this](const std::size_t i) { return !closed[i]; },
           fixes_mean_gap,
-          v.data());
+          values.data());
       }
 
+      /** Project the field and find K of it. */
       void
-      prepare(std::vector<double> &v, std::vector<double> &stiffness)
+      respond(Response &x)
       {
-        mask(v);
-        problem.apply(v.data(), stiffness.data());
+        mask(x.of);
+        problem.apply(x.of.data(), x.stiffness.data());
       }
 
-      /** Replace v by the best combination of the first @p n vectors. */
-      void
-      descend(const int n)
+      Products
+      products(const Response &x, const std::vector<double> &y) const
       {
-        // Of each pair of vectors <v, Kv>, <v, γ''v>; and the means.
-        const auto sums = weighted_sums<15>(problem, [&](const auto i, auto &terms) {
-          if (closed[i])
-            return;
-          int term = 0;
-          for (int k = 0; k < n; ++k)
-            {
-              const double v = vectors[k][i];
-              for (int l = 0; l <= k; ++l)
-                {
-                  terms[term++] += v * responses[l][i];
-                  terms[term++] += v * curvature[i] * vectors[l][i];
-                }
-              terms[12 + k] += v;
-            }
+        const auto [elastic, local, mean_x, mean_y] =
+          weighted_sums<4>(problem, [&](const auto i, auto &sums) {
+            if (closed[i])
+              return;
+            sums[0] += x.stiffness[i] * y[i];
+            sums[1] += curvature[i] * x.of[i] * y[i];
+            sums[2] += x.of[i];
+            sums[3] += y[i];
+          });
+        return {elastic + local, elastic + problem.mean_stiffness() * mean_x * mean_y};
+      }
+
+      /** The least quotient found; v is on return where it is. */
+      double
+      find_lowest()
+      {
+        respond(v);
+        Products vv = products(v, v.of);
+        if (!(vv.under > 0)) // no point is free
+          {
+            problem.fill_with_noise(v.of.data());
+            return 1;
+          }
+        double quotient = vv.over / vv.under;
+        for (int n_settled = 0; n_settled < 2;)
+          {
+            choose_direction(quotient, vv.under);
+            respond(d);
+            const Products dd = products(d, d.of), vd = products(v, d.of);
+            // The quotient at v + s d is least where s² a + s b + c = 0, with a plus
+            // before the root.
+            const double a = dd.over * vd.under - vd.over * dd.under,
+                         b = dd.over * vv.under - vv.over * dd.under,
+                         c = vd.over * vv.under - vv.over * vd.under;
+            const double s = -2 * c / (b + std::sqrt(std::max(0., b * b - 4 * a * c)));
+            if (!std::isfinite(s)) // no direction is left
+              break;
+            for (std::size_t i = 0; i < problem.size; ++i)
+              {
+                v.of[i] += s * d.of[i];
+                v.stiffness[i] += s * d.stiffness[i];
+              }
+            vv                  = {vv.over + s * (2 * vd.over + s * dd.over),
+                                   vv.under + s * (2 * vd.under + s * dd.under)};
+            const double before = std::exchange(quotient, vv.over / vv.under);
+            n_settled =
+              before - quotient > settled * std::abs(quotient) ? 0 : n_settled + 1;
+          }
+        return quotient;
+      }
+
+      /** Let d go down the preconditioned gradient, conjugate to the last d; @p norm is
+       *  the square of v's. */
+      void
+      choose_direction(const double quotient, const double norm)
+      {
+        const auto [mean] = weighted_sums<1>(problem, [this](const auto i, auto &sums) {
+          sums[0] += v.of[i];
         });
-        Matrix     a{}, b{};
-        int        term = 0;
-        for (int k = 0; k < n; ++k)
-          for (int l = 0; l <= k; ++l)
-            {
-              const double elastic = sums[term++], local = sums[term++];
-              a[k][l] = a[l][k] = elastic + local;
-              b[k][l]           = b[l][k] =
-                elastic + problem.mean_stiffness() * sums[12 + k] * sums[12 + l];
-            }
-        const Vector x = best_combination(a, b, n);
-        quotient       = 0;
-        for (int k = 0; k < n; ++k)
-          for (int l = 0; l < n; ++l)
-            quotient += x[k] * a[k][l] * x[l];
-        if (x == Vector{})
-          quotient = NAN;
-
-        // The new v and its change, and K of both.
-        for (std::vector<double> *fields : {vectors.data(), responses.data()})
-          for (std::size_t i = 0; i < problem.size; ++i)
-            {
-              double change = 0;
-              for (int k = 1; k < n; ++k)
-                change += x[k] * fields[k][i];
-              fields[2][i] = change;
-              fields[0][i] = x[0] * fields[0][i] + change;
-            }
+        const double uniform  = problem.mean_stiffness() * mean;
+        const auto   gradient = [this, quotient, uniform, norm](const std::size_t i) {
+          return ((1 - quotient) * v.stiffness[i] + curvature[i] * v.of[i] -
+                  quotient * uniform) /
+                 norm;
+        };
+        for (std::size_t i = 0; i < problem.size; ++i)
+          z[i] = gradient(i);
+        mask(z);
+        problem.precondition(z.data(), closed.data());
+        mask(z);
+        const auto [g_z]    = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
+          sums[0] += closed[i] ? 0. : gradient(i) * z[i];
+        });
+        const double before = std::exchange(fall, g_z);
+        const double beta   = before > 0 ? g_z / before : 0.;
+        for (std::size_t i = 0; i < problem.size; ++i)
+          d.of[i] = beta * d.of[i] - z[i];
       }
     };
   } // namespace
@@ -218,19 +148,21 @@ namespace strait
                             constraint.fixes_mean_gap,
                             curvature.data(),
                             std::vector<std::uint8_t>(problem.size),
-                            {{field(), field(), field()}}};
+                            {field(), field()},
+                            {field(), field()},
+                            field()};
     for (std::size_t i = 0; i < problem.size; ++i)
       descent.closed[i] = !(gap[i] > 0);
     if (is_known)
-      descent.vectors[0] = std::move(direction);
+      descent.v.of = std::move(direction);
     else
       {
-        problem.fill_with_noise(descent.vectors[0].data());
-        descent.mask(descent.vectors[0]);
-        problem.precondition(descent.vectors[0].data(), descent.closed.data());
+        problem.fill_with_noise(descent.v.of.data());
+        descent.mask(descent.v.of);
+        problem.precondition(descent.v.of.data(), descent.closed.data());
       }
-    descent.find_lowest();
-    direction = std::move(descent.vectors[0]);
-    return descent.quotient;
+    const double curvature_found = descent.find_lowest();
+    direction                    = std::move(descent.v.of);
+    return curvature_found;
   }
 } // namespace strait

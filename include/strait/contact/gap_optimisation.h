@@ -98,14 +98,13 @@ namespace strait
      * where the gap is positive, for the others are held by the wall. All v have the mean
      * 0 if that of the gap is held.
      *
-     * It is sought by a descent of the Rayleigh quotient in the space of v, its
-     * preconditioned gradient and the last change of v (LOBPCG for one vector, Knyazev
-     * 2001). It is at most 1; a minimum has μ > 0. The quotient bounds μ from above, so a
-     * negative one is proof that the gap is no minimum.
+     * It is sought by preconditioned conjugate gradients on the Rayleigh quotient, each
+     * time to the least along the line. It is at most 1; a minimum has μ > 0. The quotient
+     * bounds μ from above, so a negative one is proof that the gap is no minimum.
      *
      * The solution is that of the last solve(), whose gap must be as it was left.
      * @p direction is a start for v, noise if it is empty on all ranks, and v on return.
-     * Needs six fields with it. Collective.
+     * Needs five fields with it. Collective.
      */
     double smallest_curvature(std::vector<double> &direction) const;
 
