@@ -57,9 +57,11 @@ namespace strait
           }
         else if (!step(slope))
           {
-            if (gap_is_exact) // nothing is left to improve: one point, say
-              break;
+            const bool is_all =
+              gap_is_exact; // nothing is left to improve: one point, say
             find_gap();
+            if (is_all)
+              break;
           }
         watch_energy();
         solution.iterations += followed ? 1 : 0;
@@ -74,11 +76,6 @@ namespace strait
   void
   DualConjugateGradients::find_gap()
   {
-    // What follows is conjugate to no step that led to another gap; and their room is
-    // needed.
-    direction = std::vector<float>();
-    response  = std::vector<float>();
-
     double            *p = pressure, *g = gap;
     const double      *h     = problem.heights;
     const WithinLimits limit = within_limits(problem, constraint, in_contact, p);
@@ -105,8 +102,6 @@ namespace strait
     });
     gap_is_exact = true;
     truncated    = false;
-    direction.resize(problem.size);
-    response.resize(problem.size);
 
     const double elastic = 0.5 * p_Gp;
     const double work    = p_h - u0 * mean;
@@ -172,7 +167,10 @@ namespace strait
   double
   DualConjugateGradients::choose_direction()
   {
-    const float *y = gap_in_units.data(), *t = direction.data(), *r = response.data();
+    // What follows is conjugate to no step that led to another gap.
+    if (gap_is_exact)
+      std::fill_n(direction, 2 * problem.size, 0.f);
+    const float *y = gap_in_units.data(), *t = direction, *r = response;
     float       *z = problem.scratch();
     const auto  *c = in_contact.data();
     const auto   s = static_cast<float>(shift);
@@ -219,7 +217,7 @@ namespace strait
   DualConjugateGradients::next_direction() const
   {
     return [z  = problem.scratch(),
-            t  = direction.data(),
+            t  = direction,
             c  = in_contact.data(),
             z0 = static_cast<float>(mean_z),
             b  = static_cast<float>(beta),
@@ -232,7 +230,7 @@ namespace strait
   bool
   DualConjugateGradients::step(const double slope)
   {
-    float     *t = direction.data(), *r = response.data(), *y = gap_in_units.data();
+    float *t = direction, *r = response, *y = gap_in_units.data();
     const auto next = next_direction();
     for (std::size_t i = 0, n = problem.size; i < n; ++i)
       t[i] = next(i);

@@ -84,7 +84,7 @@ namespace strait
     // prm/paper/fig1_full.prm takes 64 on 4096² points where this says 68.
     const double gap      = 8.;
     const double of_metal = scene.contact.yields ? 24. : 0.;
-    const double solved   = scene.contact.adhesion.enabled ? 113. : 48. + of_metal;
+    const double solved   = scene.contact.adhesion.enabled ? 113. : 44. + of_metal;
     const double kept     = scene.contact.adhesion.enabled ? 113. : 28. + of_metal;
     const double flow =
       2 * 8. / 12 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;

@@ -316,7 +316,7 @@ namespace
     EXPECT_LE(state.fft_pairs, 40);
   }
 
-  TEST(ContactSolver, HoldsAtMost48BytesAPoint)
+  TEST(ContactSolver, HoldsAtMost44BytesAPoint)
   {
     const SlabField heights = rough_heights({256, 240, 1., 1.}, 32);
     forget_most_allocated_memory();
@@ -327,7 +327,7 @@ namespace
     const double bytes = sum(MPI_COMM_WORLD, local);
     // Several ranks have messages beside, and rows that are not dealt out evenly.
     const bool is_alone = n_ranks_in(MPI_COMM_WORLD) == 1;
-    EXPECT_LE(bytes / heights.grid().n_points(), is_alone ? 48. : 54.);
+    EXPECT_LE(bytes / heights.grid().n_points(), is_alone ? 44. : 52.);
     EXPECT_GE(bytes / heights.grid().n_points(), 42.);
   }
 

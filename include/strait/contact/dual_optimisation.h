@@ -115,7 +115,7 @@ namespace strait
     const ContactConstraint constraint;
     const ContactTolerance  tolerance;
     double *const           pressure; // on the way also beyond its limits
-    double *const           gap;      // on the way off by a constant
+    double *const           gap;      // on the way anything
   };
 } // namespace strait
 

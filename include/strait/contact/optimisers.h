@@ -34,7 +34,7 @@ namespace strait
       full
     };
 
-    /** Needs 14 B a local point beside the two fields. */
+    /** Needs 6 B a local point beside the two fields. */
     explicit DualConjugateGradients(const DualTask &task)
       : DualTask(task)
     {
@@ -60,9 +60,13 @@ namespace strait
     // tolerance.unit, so that they are of the order of one in any units, and have seven
     // digits: what is left of a gap that shrinks has seven digits of its own.
     std::vector<float> gap_in_units = std::vector<float>(problem.size); // y
-    std::vector<float> direction;                                       // t
-    std::vector<float> response;                                        // r = G t
-    std::vector<Place> places     = std::vector<Place>(problem.size);   // of p
+
+    // In the room of the gap, which is needed in all digits before the first step and
+    // after the last.
+    float *const direction = reinterpret_cast<float *>(gap); // t
+    float *const response  = direction + problem.size;       // r = G t
+
+    std::vector<Place> places     = std::vector<Place>(problem.size); // of p
     Flags              in_contact = Flags(problem.size, 0); // 1 where p may change: C
 
     double gap_shift    = 0;     // by which the exact gap is larger than y was at first
