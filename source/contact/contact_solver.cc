@@ -39,21 +39,16 @@ namespace strait
       return step_between(from, target) <= longest_step;
     }
 
-    /** The pressure at @p target by states near to it, that of @p from or, if they are
-     *  @p dry and so lie on a line, further on; nothing where coarser grids know it
-     *  better. */
+    /** The pressure at @p target by states near to it, further on the line of those that
+     *  are @p dry or that of @p from; nothing where coarser grids know it better. */
     std::optional<SlabField>
     foretell(const ContactState &from, const double target, const bool dry)
     {
-      // The step times the points of a side says how far the edges of the contact move.
-      // With half and double of this bound steps next to it cost about as much.
-      constexpr double    still_there = 100.;
-      const PeriodicGrid &grid        = from.pressure.grid();
-      const double        moved = step_between(from, target) * std::max(grid.nx, grid.ny);
       if (dry && std::abs(from.approach.steps_to(target)) <= 2.)
         return from.approach.extrapolated(from.pressure, target);
-      // Rounds of contact and flow are to go on from each other, whatever that costs.
-      if (!dry || moved <= still_there)
+      // Rounds of contact and flow are to go on from each other, and coarser grids know
+      // nothing of windows.
+      if (!dry || !from.pressure.layout().windows().empty())
         return from.pressure;
       return {};
     }
