@@ -101,7 +101,10 @@ namespace strait
     file.close();
     if (file)
       return;
-    if (!error) // Half a row would be worse than none.
+    // Half a row would be worse than none, and no table better than one without a header.
+    if (is_new)
+      std::filesystem::remove(file_name, error);
+    else if (!error)
       std::filesystem::resize_file(file_name, size, error);
     throw_unfinished("The file '" + file_name + "'");
   }

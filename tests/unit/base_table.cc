@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
 #include <strait/base/table.h>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -50,6 +53,28 @@ namespace
       again.open(folder.path());
       again.append({4, 1.});
       EXPECT_EQ(text_in(path), "step,value\n3,0.125\n4,1\n");
+    });
+  }
+
+  TEST(Table, LeavesNoFileWhoseHeaderDidNotFit)
+  {
+    const test::TemporaryFolder folder;
+    run_on_root(MPI_COMM_WORLD, [&]() {
+      const std::string path = folder.path() + "/table.csv";
+      Table<Row>        table("table.csv", {"", true}, "for a test");
+      table.add(&Row::step, "step [1]: number");
+      rlimit before{};
+      getrlimit(RLIMIT_FSIZE, &before);
+      const auto   default_action = std::signal(SIGXFSZ, SIG_IGN);
+      const rlimit no_room        = {2, before.rlim_max};
+      setrlimit(RLIMIT_FSIZE, &no_room);
+      EXPECT_THROW(table.open(folder.path()), ComputationError);
+      setrlimit(RLIMIT_FSIZE, &before);
+      std::signal(SIGXFSZ, default_action);
+      EXPECT_FALSE(std::filesystem::exists(path));
+      table.open(folder.path());
+      table.append({1, 0.});
+      EXPECT_EQ(text_in(path), "step\n1\n");
     });
   }
 } // namespace

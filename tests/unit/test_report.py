@@ -105,6 +105,13 @@ class Report(unittest.TestCase):
         self.assertEqual(page.count("<script>"), 1)
         self.assertIn("default-src 'none'", page)
 
+    def test_the_theory_alone(self):
+        (self.folder / "leakage.csv").write_text(
+            "step,pressure,theory_leak_rate,status\n1,2e5,6.5e-6,ok\n", encoding="utf-8")
+        shown = self.text().split("All columns")[0]
+        self.assertIn("theory leak rate", shown)
+        self.assertIn("6.5e-06", shown)
+
     def test_a_run_that_goes_on(self):
         (self.folder / "run.json").unlink()
         self.assertIn("run not complete", self.text())

@@ -103,15 +103,17 @@ namespace strait
   gather_all(MPI_Comm comm, const std::vector<Item> &mine)
   {
     static_assert(std::is_trivially_copyable<Item>::value, "is sent as bytes");
-    constexpr int    size    = sizeof(Item);
-    const int        n_ranks = n_ranks_in(comm);
+    const int        n_ranks = n_ranks_in(comm), n = static_cast<int>(mine.size());
     std::vector<int> counts(n_ranks), starts(n_ranks + 1, 0);
-    const int        n = static_cast<int>(mine.size()) * size;
     MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
     std::partial_sum(counts.begin(), counts.end(), starts.begin() + 1);
-    std::vector<Item> all(starts.back() / size);
+    std::vector<Item> all(starts.back());
+    MPI_Datatype type; // so that counts are of items: bytes may be too many for an int
+    MPI_Type_contiguous(sizeof(Item), MPI_BYTE, &type);
+    MPI_Type_commit(&type);
     MPI_Allgatherv(
-      mine.data(), n, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, comm);
+      mine.data(), n, type, all.data(), counts.data(), starts.data(), type, comm);
+    MPI_Type_free(&type);
     return all;
   }
 
