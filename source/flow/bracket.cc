@@ -167,10 +167,10 @@ namespace strait
     // fraction of the mean. Half of it refines more cells on each mesh and ends with
     // more unknowns than it takes; double of it takes more meshes.
     constexpr double marking_level = .7;
-    // … but no more than hold this many times the excess, and a little. Refined cells
-    // keep a quarter of what they contribute: half of it takes a mesh more nearly each
-    // time, with double of it the last mesh is finer than was asked.
-    constexpr double excess_factor = 1.6, least_share = .1;
+    // … but no more than hold this many times the excess. Refined cells keep a quarter of
+    // what they contribute: half of it takes a mesh more nearly each time, with double of
+    // it the last mesh is finer than was asked.
+    constexpr double excess_factor = 1.6;
     // By how much the level rises at a time: its root and its square find alike.
     constexpr double rise = 1.25;
     using dealii::Utilities::MPI::sum;
@@ -185,8 +185,7 @@ namespace strait
       return sum(local, comm);
     };
     double contribution = marking_level * width / n_cells;
-    while (held_by_more_than(rise * contribution) >
-           (excess_factor * excess + least_share) * width)
+    while (held_by_more_than(rise * contribution) > excess_factor * excess * width)
       contribution *= rise;
     // Another channel is about as long as the first one, and coarse cells may bar it, or
     // let the pressure leak through a barrier, in as many places as that has

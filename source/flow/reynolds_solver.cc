@@ -8,11 +8,6 @@ namespace strait
 {
   namespace
   {
-    // How much smaller than the target accuracy the linear solver's error is. Double of
-    // it saves a fraction of an iteration, as half of it costs one; the bounds feel
-    // neither.
-    constexpr double linear_tolerance_factor = 1e-12;
-
     // What rounding may do to bounds of the same quantity, relative. Both ends would be
     // wrong by far more if the solver failed, so that half and double find the same.
     constexpr double rounding = 1e-6;
@@ -102,8 +97,9 @@ namespace strait
   LinearAccuracy
   ReynoldsSolver::accuracy() const
   {
-    return {parameters.preconditioner,
-            linear_tolerance_factor * parameters.target_accuracy};
+    // The error of an energy is the square of that of its potential. Double of it saves a
+    // fraction of an iteration, as half of it costs one; the bounds feel neither.
+    return {parameters.preconditioner, rounding * rounding * parameters.target_accuracy};
   }
 
   LinearSolve
@@ -145,9 +141,6 @@ namespace strait
   double
   ReynoldsSolver::change_in(const GapField &other)
   {
-    // What the linear solver may leave of the change: half and double of it are an
-    // iteration more and less.
-    const double change_tolerance = 1e-3 * parameters.target_accuracy;
     // Cells that are coarse for the other gap raise both energies, and the ratio hardly.
     double change = 1.;
     for (const PotentialProblem *problem : {&pressure_problem, &stream_problem})
@@ -158,7 +151,7 @@ namespace strait
         changed.take_coefficient(other);
         changed.set_weights(pressure_problem.weights());
         changed.start_from(*problem);
-        if (!changed.solve({parameters.preconditioner, change_tolerance}).converged)
+        if (!changed.solve(accuracy()).converged)
           return std::numeric_limits<double>::infinity();
         const double ratio = std::sqrt(changed.energy() / problem->energy());
         change *= problem->is_pressure() ? ratio : 1. / ratio;
@@ -218,10 +211,7 @@ namespace strait
     widths.push_back(std::log(leakage.upper / leakage.lower));
     if (!flow_mesh.can_be_refined())
       return "the smallest cells cannot be divided any further";
-    // Below this the next meshes cost next to nothing, and may yet find the channel: half
-    // and double of it matter only where there is none to be found.
-    constexpr unsigned long long many_unknowns = 50000;
-    if (leakage.unknowns > many_unknowns && widths.size() > patience &&
+    if (widths.size() > patience &&
         widths.back() > progress * widths[widths.size() - 1 - patience])
       return "the bracket no longer narrows: the grid of the contact does not resolve "
              "the narrowest constriction";

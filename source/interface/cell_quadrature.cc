@@ -13,13 +13,9 @@ namespace strait
     // prepare and the bounds are the same; with 4 points might pass by a peak of 1/K that
     // is 60 times as high as what they see. With the second
     // no integral over a random cell is too small by more than 2e-4; with an excess of
-    // 0.2 it is 8e-4.
+    // 0.2 it is 8e-4. Where it does not bend p + 1 points integrate a gap as even as that
+    // to 10⁻⁶ (1/K, at p = 1), which need not be asked of more.
     constexpr double trusted_ratio = 2.5, trusted_ratio_with_bend = 1.05;
-
-    // … and of one that p + 1 points integrate to 10⁻⁵ (1/K, at p = 1), which need not be
-    // asked of more. With half of the excess less is saved, with double of it what is not
-    // added is 10⁻⁴.
-    constexpr double even_ratio = 1.1;
 
     // What a part may add to the integral over the cell without being halved, relative.
     // It limits what quadrature adds to the width of the bracket where cells are larger
@@ -74,7 +70,7 @@ namespace strait
       const bool       has_no_end =
         square.edge >= small_cell && range.lowest <= rounding * range.highest;
       if (!quadrature.rigorous && !range.bends &&
-          range.highest <= even_ratio * range.lowest)
+          range.highest <= trusted_ratio_with_bend * range.lowest)
         {
           sample(part, quadrature.coarse, values);
           add_values(part, quadrature.coarse, values, 0.);

@@ -178,10 +178,10 @@ namespace strait
     const std::vector<double> factors =
       best_factors(parts, weights, potentials, is_largest);
     // The extremes are close to these pressures, unless the mobility varies with the
-    // logarithm of the pressure, where they need others in between. With steps twice as
-    // large the bounds miss 2·10⁻⁵ of the leak rate, with a thousand times the lowest
-    // pressure 6·10⁻⁵, and with less nothing.
-    constexpr double    step = 1.15, lowest = 1e-9;
+    // logarithm of the pressure, where they need others in between, down to where nothing
+    // is left of the pressure. With steps twice as large the bounds miss 2·10⁻⁵ of the
+    // leak rate.
+    constexpr double    step = 1.15, lowest = std::numeric_limits<double>::epsilon();
     std::vector<double> samples{low};
     std::vector<double> values{gas.mobility(reference_gap, low) * factors[0]};
     for (std::size_t i = 1; i < pressures.size(); ++i)

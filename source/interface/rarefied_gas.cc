@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace strait
 {
@@ -55,10 +56,11 @@ namespace strait
   double
   RarefiedGas::mobility(const double gap, const double p) const
   {
-    constexpr double thinnest = 1e-6;
     if (kind != Rarefaction::transitional)
       return p + (kind == Rarefaction::slip ? 6. * scale * slip / gap : 0.);
-    return 6. * scale / gap * poiseuille_coefficient(std::max(p * gap / scale, thinnest));
+    // In a vacuum the coefficient has no end.
+    constexpr double least = std::numeric_limits<double>::min();
+    return 6. * scale / gap * poiseuille_coefficient(std::max(p * gap / scale, least));
   }
 
   double

@@ -6,6 +6,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace strait
@@ -82,11 +83,7 @@ namespace strait
   std::vector<double>
   FixedPoint::best_weights() const
   {
-    // Rounds that say almost the same as others must not fight each other. Half and
-    // double of it treat alike all but rounds that are just that close; much less is the
-    // rounding of single precision, squared.
-    constexpr double       dependent = 1e-8;
-    const std::size_t      m         = differences.size();
+    const std::size_t      m = differences.size();
     dealii::Vector<double> b(m), weights(m);
     if (m > 0)
       {
@@ -98,7 +95,8 @@ namespace strait
                 product(comm, differences[i].residual, differences[j].residual);
             b(i) = product(comm, differences[i].residual, last_residual);
           }
-        A.compute_inverse_svd(dependent);
+        // Rounds that say almost the same as others must not fight each other.
+        A.compute_inverse_svd(std::numeric_limits<float>::epsilon());
         A.vmult(weights, b);
       }
     return {weights.begin(), weights.end()};

@@ -112,7 +112,7 @@ namespace strait
     if (scene.programme.find_threshold || scene.programme.find_blow_out)
       // The verdict must not depend on what the solver leaves over.
       parameters.tolerance =
-        std::min(parameters.tolerance, .01 * scene.programme.threshold_tolerance);
+        std::min(parameters.tolerance, looseness * scene.programme.threshold_tolerance);
     if (!scene.contact.enabled || !scene.contact.adhesion.enabled)
       return parameters;
     const auto know = [&](const double energy) {

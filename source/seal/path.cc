@@ -21,11 +21,9 @@ namespace strait
      */
     constexpr double shortest = 1.5 / 16;
 
-    // How many times faster than in the last step the contact area, and the mean gap
-    // (or, under gap control, the pressure) may change; of the area how much more. Half
-    // of any of them halves steps that are smooth, which costs contact problems; double
-    // of it lets jumps pass that change the area or the gap by as little.
-    constexpr double steeper_area = 3., free_change_of_area = .01;
+    // How many times faster than in the last step the mean gap (or, under gap control,
+    // the pressure) may change. Half of it halves steps that are smooth, which costs
+    // contact problems; double of it lets jumps pass that change the gap by as little.
     constexpr double steeper = 1.3;
 
     /** Between the change of the energy and the trapezoidal rule, in units of the
@@ -77,7 +75,6 @@ namespace strait
       const double     slope_after  = slope_of_energy(after, rule.control);
       const double     change       = after.target - before.target;
       const double     rise         = after.energy - before.energy;
-      const double     area         = after.contact_area - before.contact_area;
       const double     steepening   = slope_after - slope_before;
       const double     rounding =
         energy_noise * std::max(std::abs(before.energy), std::abs(after.energy));
@@ -93,10 +90,8 @@ namespace strait
         std::abs(rise - middle) > largest_skewness * (most - least) + noise;
       const bool is_as_before =
         !trend.is_known ||
-        (std::abs(area) <=
-           free_change_of_area + steeper_area * std::abs(trend.area * change) &&
-         std::abs(steepening) <=
-           slope_noise * trend.largest_slope + steeper * std::abs(trend.slope * change));
+        std::abs(steepening) <=
+          slope_noise * trend.largest_slope + steeper * std::abs(trend.slope * change);
       Stride stride = {after.detached ||
                          (rule.jump_tolerance > 0 && (is_steep || !is_as_before)),
                        {},
@@ -110,7 +105,6 @@ namespace strait
       if (change != 0)
         {
           stride.trend.is_known = true;
-          stride.trend.area     = area / change;
           stride.trend.slope    = steepening / change;
         }
       return stride;

@@ -45,7 +45,7 @@ namespace strait
                        fluid.lifted_off);
       }
     PathTrend &trend = state.trend;
-    archive.values(trend.is_known, trend.area, trend.slope, trend.largest_slope);
+    archive.values(trend.is_known, trend.slope, trend.largest_slope);
     Costs &costs = state.costs; // but for the time that another run has spent
     archive.values(costs.iterations, costs.fft_pairs, costs.rounds);
   }

@@ -129,15 +129,14 @@ namespace strait
 
     /** What to ask as long as all answers are on one side. */
     double
-    value_outside(const Known &known, const SearchStart &first)
+    value_outside(const Known &known, const SearchStart &first, const double tolerance)
     {
-      // Factors. Steps half as long ask more often until the transition is between two
+      // A factor. Steps half as long ask more often until the transition is between two
       // values, steps twice as long leave a wider bracket, and the contact problems at
       // its far end start from less similar ones.
-      const double              smallest_step = 1. + .1 * first.step;
-      constexpr double          largest_step  = 1.6;
-      const bool                upwards       = known.sealed.empty();
-      const std::vector<Point> &side          = upwards ? known.open : known.sealed;
+      constexpr double          largest_step = 1.6;
+      const bool                upwards      = known.sealed.empty();
+      const std::vector<Point> &side         = upwards ? known.open : known.sealed;
       if (side.empty())
         return first.value;
       const double edge   = side.back().value;
@@ -147,7 +146,7 @@ namespace strait
         if (const double aim = edge + 1.1 * (guess->value - edge),
             towards          = upwards ? aim / edge : edge / aim;
             towards > 1)
-          factor = std::clamp(towards, smallest_step, largest_step);
+          factor = std::clamp(towards, 1. + tolerance, largest_step);
       // Half of the way to the end is left to the next steps.
       return upwards ? std::min(edge * factor, .5 * (edge + first.end)) : edge / factor;
     }
@@ -209,7 +208,7 @@ namespace strait
         const double reach = guess ? guess->reach : 0.;
         const double value = known.has_both()
                                ? value_between(known, guess, n_astray, tolerance)
-                               : value_outside(known, first);
+                               : value_outside(known, first, tolerance);
         const bool   ends =
           known.sealed.empty() && !known.open.empty() && known.open.back().value == value;
         if (ends ||

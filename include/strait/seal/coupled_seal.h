@@ -30,11 +30,11 @@ namespace strait
 
   /**
    * How much the way to a state may decide of it, of the accuracy that is asked for: how
-   * closely contact and flow agree while the mesh is being found and for a verdict, and
-   * how much of the load may hang on when in a step fluid was cut off. Half of it takes
-   * more rounds on meshes that are left again and halves more steps; with double of it
-   * what the rounds leave over is taken for an error of the mesh, and the step decides
-   * about as much more of what trapped fluid carries.
+   * closely contact and flow agree while the mesh is being found and for a verdict, as
+   * the contact does by itself, and how much of the load may hang on when in a step fluid
+   * was cut off. Half of it takes more rounds on meshes that are left again and halves
+   * more steps; with double of it what the rounds leave over is taken for an error of the
+   * mesh, and the step decides about as much more of what trapped fluid carries.
    */
   constexpr double looseness = .1;
 

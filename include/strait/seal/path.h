@@ -80,11 +80,11 @@ namespace strait
    * dH/dp = mean gap, so that a smooth step changes it by no less than the smaller of the
    * mean gaps at its ends times the change of the load (under gap control the same with
    * the pressure, −p). Less is proof of a jump. A change far from the trapezoidal rule is
-   * suspicious, and so is a contact area or mean gap that changes much faster than
-   * before. Such a step is halved, from its first state, until the halves are smooth or
-   * shorter than the tolerance. Where a fluid presses on the walls there is no such
-   * energy. There a step is halved, down to a sixteenth, while too much of the load hangs
-   * on when in the step fluid was cut off.
+   * suspicious, and so is a mean gap that changes much faster than before. Such a step is
+   * halved, from its first state, until the halves are smooth or shorter than the
+   * tolerance. Where a fluid presses on the walls there is no such energy. There a step
+   * is halved, down to a sixteenth, while too much of the load hangs on when in the step
+   * fluid was cut off.
    */
   Arrival follow(const SealModel &model,
                  const Control   &to,

@@ -38,7 +38,6 @@ namespace strait
   struct PathTrend
   {
     bool   is_known      = false; // not at the first state of a path
-    double area          = 0.;    // change of the contact area with the load
     double slope         = 0.;    // change of the slope of the energy with the load
     double largest_slope = 0.;    // of the energy, on the path so far
   };
