@@ -51,14 +51,19 @@ namespace strait
   void
   FlowStage::read_mesh(const SlabLayoutPtr &layout)
   {
-    const PeriodicGrid &grid = layout->grid();
-    seal                     = std::make_shared<const SealMesh>(
+    // Of the shape factor, which effective gaps are computed with, and for which no
+    // bracket is written: half and double of it change these by a third of it, and take
+    // the mesh of uniform gap finer or coarser.
+    constexpr double    shape_accuracy = 1e-4;
+    const PeriodicGrid &grid           = layout->grid();
+    seal                               = std::make_shared<const SealMesh>(
       read_seal_mesh(parameters.mesh_file, grid, layout->communicator()));
     flow_domain = FlowDomain(std::make_shared<const FlowRegion>(
       grid, seal->outline(.25 * std::min(grid.dx(), grid.dy())), layout->communicator()));
 
     FluidParameters fluid    = parameters;
     fluid.element_degree     = 2; // where the solution is smooth
+    fluid.target_accuracy    = std::min(fluid.target_accuracy, shape_accuracy);
     fluid.uniform_refinement = false;
     fluid.inlet_pressure     = 1.;
     fluid.outlet_pressure    = 0.;
