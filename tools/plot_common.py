@@ -34,6 +34,16 @@ def use_style():
     matplotlib.rcParams.update(STYLE)
 
 
+def save(figure, path):
+    """The picture of a figure, whole or not at all: a full disk leaves an earlier one as it is."""
+    partial = path.with_suffix(".part")
+    try:
+        figure.savefig(partial, format="png")
+        partial.replace(path)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
 def with_unit(text, name, units):
     """An axis label with the unit of quantity @p name."""
     unit = units.get(name) if units else "scene units"

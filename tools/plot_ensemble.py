@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, nearest_slip,
-                         readable, realisations, scientific, with_unit)
+                         readable, realisations, save, scientific, with_unit)
 from strait_results import Table, read_table
 
 LARGEST_SUPERPOSED = 0.3
@@ -146,4 +146,4 @@ def draw_ensemble(path, units):
         draw_curves(panels.pop(0), curves, units)
     for axes, strip in zip(panels, strips):
         draw_strip(axes, *strip)
-    return figure.savefig(path.with_suffix(".png"))
+    return save(figure, path.with_suffix(".png"))

@@ -4,7 +4,7 @@ import h5py
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import COLOURS, RED, numbered, scientific, with_unit
+from plot_common import COLOURS, RED, numbered, save, scientific, with_unit
 
 MOST_STEPS = 4
 
@@ -64,4 +64,4 @@ def draw_gaps(folder, units):
         axes.set_ylim(max(low, 1e-7 * high), high)
     axes.grid(True)
     axes.legend()
-    return figure.savefig(folder / "gaps.png")
+    return save(figure, folder / "gaps.png")

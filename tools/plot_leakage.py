@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from plot_common import (COLOURS, GREEN, VERMILLION, is_trusted, is_uncertain, label_axis,
-                         scientific, wanted_leak_rate, with_unit)
+                         save, scientific, wanted_leak_rate, with_unit)
 from plot_theory import draw_theory
 from strait_results import read_table
 
@@ -90,7 +90,8 @@ def keep_in_view(axes, trusted):
 
 
 def draw_leak_rate(axes, table, units, _):
-    """Leak rate (log) against load; steps that do not percolate are marked on the axis."""
+    """Leak rate (log) against load; steps that do not percolate are marked on the axis, those
+    where nothing limits the leak at the top."""
     leak, pressure = table["leak_rate"], table["pressure"]
     percolates = column(table, "percolates", np.nan)
     sealed = np.where(np.isfinite(percolates), percolates == 0, leak == 0)
@@ -99,10 +100,12 @@ def draw_leak_rate(axes, table, units, _):
         draw_theory(axes, table, "pressure")
     else:
         axes.set_yticks([])
-    if sealed.any():
-        axes.plot(pressure[sealed], np.full(sealed.sum(), 0.035), "v", color=VERMILLION,
-                  markersize=7, fillstyle="none", transform=axes.get_xaxis_transform(),
-                  label="sealed")
+    for rows, height, marker, label in ((sealed, 0.035, "v", "sealed"),
+                                        (np.isinf(leak), 0.965, "^", "walls apart, no limit")):
+        if rows.any():
+            axes.plot(pressure[rows], np.full(rows.sum(), height), marker, color=VERMILLION,
+                      markersize=7, fillstyle="none", transform=axes.get_xaxis_transform(),
+                      label=label)
     label_axis(axes.xaxis, "Nominal pressure", "pressure", units, pressure.max(initial=0))
     axes.set_ylabel(leak_rate_label(table, units))
 
@@ -123,7 +126,8 @@ def draw_contact(axes, table, units, _):
                       np.zeros(rows.sum(), bool), marker=marker, color=colour)
         draw_theory(scale, table, "pressure", f"theory_{name}", None if i else "theory")
         if name == "mean_gap":
-            label_axis(scale.yaxis, label, "length", units, np.nanmax(table[name], initial=0))
+            label_axis(scale.yaxis, label, "length", units,
+                       np.max(table[name], initial=0, where=np.isfinite(table[name])))
             label = scale.get_ylabel()
         scale.set_ylabel(label, color=colour)
         scale.tick_params(axis="y", colors=colour)
@@ -223,4 +227,4 @@ def draw_leakage(path, units):
         axes.grid(True)
         if axes.get_legend_handles_labels()[0]:
             axes.legend()
-    return figure.savefig(path.with_suffix(".png"))
+    return save(figure, path.with_suffix(".png"))

@@ -7,7 +7,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize
 from matplotlib.figure import Figure
 
-from plot_common import label_axis, scientific, wanted_leak_rate, with_best_unit
+from plot_common import label_axis, save, scientific, wanted_leak_rate, with_best_unit
 
 CONTACT, POCKET, PATH = (0, 0, 0), (62, 76, 97), (150, 190, 205)  # open = 0, 1, 2
 OUTSIDE = (236, 236, 236)  # open = 3: no part of the mesh
@@ -214,4 +214,4 @@ def draw_picture(path, units):
                            y=1 - 0.12 / figure.get_figheight(), fontsize=12, linespacing=1.5)
     room = 0.98 * figure.bbox.width / head.get_window_extent().width
     head.set_fontsize(12 * min(1, room))  # many words of validity on a narrow figure
-    figure.savefig(path.with_suffix(".png"))
+    save(figure, path.with_suffix(".png"))

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import BLUE, VERMILLION, label_axis
+from plot_common import BLUE, VERMILLION, label_axis, save
 from strait_results import read_table
 
 
@@ -60,4 +60,4 @@ def draw_seal(path, units):
                     ("scene units" if unit in ("", "nan") else unit) + ")")
     axes.grid(True)
     axes.legend()
-    return figure.savefig(path.with_suffix(".png"))
+    return save(figure, path.with_suffix(".png"))

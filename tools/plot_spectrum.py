@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import BLUE, VERMILLION
+from plot_common import BLUE, VERMILLION, save
 from strait_results import read_table
 
 
@@ -26,4 +26,4 @@ def draw_spectrum(path, units):
              else "Power spectral density $C(q)$")
     axes.grid(True)
     axes.legend()
-    figure.savefig(path.with_suffix(".png"))
+    save(figure, path.with_suffix(".png"))

@@ -5,10 +5,12 @@ import contextlib
 import importlib
 import io
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import warnings
 
 import h5py
@@ -148,6 +150,17 @@ class Leakage(PlotTest):
         left = [share(pixels[:, :740], vermillion) for pixels in (marked, plain)]
         self.assertGreater(left[0], 0)
         self.assertEqual(left[1], 0)
+
+    def test_parted_walls_are_marked(self):
+        lines = [HEADER, *ROWS, "4,loading,0.01,inf,0,0,1,,inf,0,inf,lifted-off"]
+        for rows in (lines, [HEADER, lines[-1]]):
+            axes = self.axes_of(plot_leakage.draw_leak_rate, *rows)
+            marks = {line.get_label(): list(line.get_xdata()) for line in axes.lines}
+            self.assertEqual(marks["walls apart, no limit"], [0.01])
+            self.assert_draws(*rows)
+        with unittest.mock.patch.object(plot_leakage, "label_axis") as label:
+            self.axes_of(plot_leakage.draw_contact, *lines)
+        self.assertEqual(label.call_args.args[-1], 0.4, "the scale is that of what is finite")
 
     def test_bracket_is_drawn(self):
         wide = ROWS[1].replace("9e-7", "1e-7")
@@ -415,6 +428,21 @@ class Pictures(PlotTest):
                           percolates=0.0)
         self.assert_draws(flat, title=np.bytes_("a $x_{$ b"), direction="y")
         self.assert_draws(channel(2, 5000))
+
+    def test_a_full_disk_leaves_the_earlier_picture(self):
+        write_picture(self.folder, 1, channel(16, 16))
+        self.draw("--only", "pictures")
+        before = (self.folder / "picture-1.png").read_bytes()
+        limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (len(before) // 2, limits[1]))
+        try:
+            status, message = self.draw("--only", "pictures")
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+        self.assertEqual(status, 1)
+        self.assertRegex(message, "cannot draw .*picture-1.h5: OSError: .*too large")
+        self.assertEqual((self.folder / "picture-1.png").read_bytes(), before)
+        self.assertEqual(len(list(self.folder.iterdir())), 2)
 
     def test_missing_and_broken_steps(self):
         write_picture(self.folder, 1, channel(32, 32))
