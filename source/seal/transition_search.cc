@@ -43,7 +43,6 @@ namespace strait
     struct Estimate
     {
       double value;
-      double doubt;    // how far it may be off, about
       double reach;    // from the nearest point of the side
       bool   is_above; // that point lies above
     };
@@ -76,11 +75,7 @@ namespace strait
       const Point &first = side.back(), &second = side[side.size() - 2];
       // Of the gap of a throat, and of the pressure where it is closed.
       const double usual = first.openness > 0 ? 1.2 : .63;
-      const double rough = zero_of(first, second, usual);
-      // With half of it the next value is more often on the same side, with double of it
-      // the bracket stays wider. Likewise below.
-      double doubt = .1 * std::abs(rough - first.value);
-      double zero  = rough;
+      double       zero  = zero_of(first, second, usual);
       if (side.size() > 2 && is_nearer(second, side[side.size() - 3]) &&
           second.openness != 0.)
         {
@@ -92,10 +87,8 @@ namespace strait
                            std::clamp(exponent_of(second, side[side.size() - 3], zero),
                                       .5 * usual,
                                       2. * usual));
-          doubt =
-            std::min(.3 * std::abs(zero - rough), .2 * std::abs(zero - first.value));
         }
-      return Estimate{zero, doubt, std::abs(zero - first.value), first.value > zero};
+      return Estimate{zero, std::abs(zero - first.value), first.value > zero};
     }
 
     Known
@@ -169,10 +162,10 @@ namespace strait
       double       aim    = middle;
       if (guess)
         {
-          const double beyond = n_astray > 0 ? std::ldexp(guess->reach, n_astray - 1)
-                                             : std::max(guess->doubt, .8 * margin);
-          aim                 = guess->value + (guess->is_above ? -beyond : beyond);
-          const bool is_far   = guess->is_above ? aim < middle : aim > middle;
+          const double beyond =
+            n_astray > 0 ? std::ldexp(guess->reach, n_astray - 1) : .8 * margin;
+          aim               = guess->value + (guess->is_above ? -beyond : beyond);
+          const bool is_far = guess->is_above ? aim < middle : aim > middle;
           if (n_astray > 0 && is_far)
             aim = middle;
           else if (!(aim > lower && aim < upper))

@@ -59,7 +59,7 @@ namespace strait
       TransitionSearch far(constriction(1.436, n_far), 1e-6);
       TransitionSearch near(constriction(1.436, n_near), 1e-6);
       far.enclose({1.25}, 0.);
-      const Passage found = near.enclose({1.4365, 5e-4}, 0.);
+      const Passage found = near.enclose({1.43605, 5e-5}, 0.);
       EXPECT_LE(found.before, 1.436);
       EXPECT_GE(found.beyond, 1.436);
       EXPECT_LE(relative_width(found), 1e-6);
