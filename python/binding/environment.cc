@@ -14,6 +14,7 @@
 #include <sc.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <map>
 #include <memory>
 
@@ -51,15 +52,12 @@ namespace strait::python
       sc_finalize();
     }
 
-    /**
-     * Whether the script ends with an exception on one of several ranks: the others may
-     * wait for it for ever.
-     */
-    bool
-    leaves_others_behind()
+    /** Ends all ranks with @p status: others may wait for ever for one that failed. */
+    void
+    end_others(const int status)
     {
-      return n_ranks_in(MPI_COMM_WORLD) > 1 &&
-             py::hasattr(py::module_::import("sys"), "last_type");
+      if (status != 0 && n_ranks_in(MPI_COMM_WORLD) > 1)
+        MPI_Abort(MPI_COMM_WORLD, status);
     }
 
     /** Ten times a second, for Python's other threads must stand still for it. */
@@ -78,15 +76,20 @@ namespace strait::python
     stop()
     {
       at_interruption_points = {};
-      if (leaves_others_behind())
-        MPI_Abort(MPI_COMM_WORLD, 1);
+      end_others(py::hasattr(py::module_::import("sys"), "last_type") ? 1 : 0);
       for (const auto &object : live_objects())
         object.second();
       live_objects().clear();
-      if (own_mpi)
-        own_mpi.reset();
-      else
+      if (!own_mpi)
         leave_mpi();
+    }
+
+    /** After Python's own end, which does not tell stop() of sys.exit(). */
+    void
+    stop_own_mpi(const int status, void *)
+    {
+      end_others(status);
+      own_mpi.reset();
     }
   } // namespace
 
@@ -109,6 +112,7 @@ namespace strait::python
         char **argv = nullptr;
         own_mpi =
           std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
+        on_exit(&stop_own_mpi, nullptr);
       }
     at_interruption_points = check_signals_on_the_way;
     py::module_::import("atexit").attr("register")(py::cpp_function(&stop));
