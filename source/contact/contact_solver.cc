@@ -46,9 +46,10 @@ namespace strait
     {
       if (dry && std::abs(from.approach.steps_to(target)) <= 2.)
         return from.approach.extrapolated(from.pressure, target);
-      // Rounds of contact and flow are to go on from each other, and coarser grids know
-      // nothing of windows.
-      if (!dry || !from.pressure.layout().windows().empty())
+      // Rounds of contact and flow are to go on from each other, a load that is solved
+      // again from itself, and coarser grids know nothing of windows.
+      if (!dry || target == from.approach.target() ||
+          !from.pressure.layout().windows().empty())
         return from.pressure;
       return {};
     }
