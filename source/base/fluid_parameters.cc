@@ -96,6 +96,10 @@ namespace strait
     require(trapped_fluid != TrappedFluidLaw::gas || is_gas,
             "Fluid/Wall feedback/Trapped fluid = gas needs absolute pressures; "
             "set Fluid/State = gas, or Trapped fluid = compressible.");
+    require(!is_gas || trapped_fluid == TrappedFluidLaw::gas ||
+              trapped_fluid == TrappedFluidLaw::drained,
+            "Fluid/Wall feedback/Trapped fluid is a liquid, and Fluid/State = gas; set "
+            "Trapped fluid = gas or drained.");
     require(
       trapped_fluid != TrappedFluidLaw::gas || !(pool_pressure < 0.),
       "Fluid/Wall feedback/Pool pressure is negative, but that of a gas is absolute; "

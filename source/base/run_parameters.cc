@@ -55,6 +55,10 @@ namespace strait
     require(reduced_loads.empty() || find_threshold,
             "Load programme/Reduced loads needs the critical load; set Find "
             "threshold = true.");
+    require(
+      !has_repetitions(reduced_loads),
+      "Load programme/Reduced loads lists a value twice, which would count twice in "
+      "the fits; remove the copy.");
     require(!find_resealing || find_blow_out,
             "Load programme/Find re-sealing looks for the pressure at which a "
             "seal that has blown out closes again; it needs Find blow-out.");

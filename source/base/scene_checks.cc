@@ -257,7 +257,7 @@ namespace strait
       "Output/Error budget repeats the flow on coarser grids, which Fluid/Mesh does not "
       "support; switch one of them off.");
     require(
-      !has_mesh || !theory.enabled,
+      fluid.mesh_file.empty() || !theory.enabled,
       "Theory/Enabled predicts the leak rate of the whole box and not of Fluid/Mesh; "
       "switch one of them off.");
     require(
@@ -289,10 +289,10 @@ namespace strait
                            ": its columns are those of a dry contact without adhesion, "
                            "and of viscous flow.");
     };
-    ignores(fluid.enabled && fluid.rarefaction != Rarefaction::none, "Fluid/Rarefaction");
-    ignores(fluid.enabled && fluid.feedback.enabled, "Fluid/Wall feedback");
+    ignores(fluid.rarefaction != Rarefaction::none, "Fluid/Rarefaction");
+    ignores(fluid.feedback.enabled, "Fluid/Wall feedback");
     ignores(contact.adhesion.enabled, "Contact/Adhesion");
-    if (fluid.enabled && fluid.is_gas && fluid.feedback.enabled)
+    if (fluid.is_gas && fluid.feedback.enabled)
       warnings.emplace_back(
         "a gas presses on the walls with its absolute pressure, so the loads count from "
         "a vacuum outside the seal.");

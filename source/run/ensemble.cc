@@ -104,7 +104,9 @@ namespace strait
       set("Seal/Two in a row", yes_or_no(scene.has_two_boxes()));
       set("Output/Directory",
           scene.output.directory + "/realisation-" + std::to_string(realisation.number));
-      return read_scene(path, overrides);
+      Scene one          = read_scene(path, overrides);
+      one.without_effect = scene.without_effect; // the Seal has one, for all together
+      return one;
     }
 
     /** The same on all ranks of @p comm. */

@@ -74,6 +74,8 @@ namespace strait
     advice_to(const char *what, Scene scene, const std::function<void(Scene &)> &change)
     {
       change(scene);
+      scene.seal.two_in_a_row =
+        false; // which a seal's patches do without where they must
       try
         {
           scene.check();

@@ -70,6 +70,8 @@ TEST(Scene, ThresholdAndReducedLoads)
   EXPECT_EQ(scene.programme.path, LoadPath::unloading);
   expect_in("above 0 and below 1",
             error_of(text, {"Load programme/Reduced loads=0.1, 1"}));
+  expect_in("remove the copy",
+            error_of(text, {"Load programme/Reduced loads=0.1, 0.05, 0.1"}));
   expect_in("needs the critical load",
             error_of(text,
                      {"Load programme/Find threshold=false",
@@ -180,6 +182,20 @@ TEST(Scene, TheTheoryAloneHasNoSurfaceToWrite)
       ASSERT_EQ(warnings.size(), 1u) << output;
       expect_in("the theory alone writes neither", warnings[0]);
     }
+}
+
+TEST(Scene, TheTheoryAloneIsOfViscousFlow)
+{
+  const auto warnings = scene_of("",
+                                 {"Theory/Enabled=true",
+                                  "Contact/Enabled=false",
+                                  "Fluid/Enabled=false",
+                                  "Fluid/State=gas",
+                                  "Fluid/Molar mass=0.004",
+                                  "Fluid/Rarefaction=slip"})
+                          .warnings();
+  ASSERT_EQ(warnings.size(), 1u);
+  expect_in("the theory knows nothing of Fluid/Rarefaction", warnings[0]);
 }
 
 TEST(Scene, UnreadableFiles)

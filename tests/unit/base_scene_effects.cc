@@ -30,6 +30,10 @@ TEST(Scene, MeshAndWhatGoesWithIt)
                             "Theory/Enabled=true",
                             "Output/Error budget=true"})
     expect_in("Fluid/Mesh", error_of("", {mesh, other}));
+  expect_in(
+    "Fluid/Mesh",
+    error_of(
+      "", {mesh, "Theory/Enabled=true", "Contact/Enabled=false", "Fluid/Enabled=false"}));
 }
 
 TEST(Scene, TrappedFluidNeedsWhatItsLawNeeds)
@@ -42,6 +46,9 @@ TEST(Scene, TrappedFluidNeedsWhatItsLawNeeds)
   expect_in("needs absolute pressures", error_of("", gas));
   const Overrides is_gas = gas + Overrides{"Fluid/State=gas"};
   EXPECT_EQ(scene_of("", is_gas).fluid.feedback.trapped_fluid, TrappedFluidLaw::gas);
+  for (const std::string law : {"incompressible", "compressible"})
+    expect_in("set Trapped fluid = gas or drained",
+              error_of("", is_gas + Overrides{feedback + "Trapped fluid=" + law}));
   expect_in("Pool pressure is negative",
             error_of("", is_gas + Overrides{feedback + "Pool pressure=-1"}));
 

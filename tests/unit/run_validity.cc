@@ -208,7 +208,9 @@ namespace
     const std::string excluded = ", which this scene excludes: Contact/";
     for (const std::string effect :
          {"Contact/Yielding", "Fluid/Wall feedback", "Contact/Zoom"})
-      expect_in("switch on " + effect + "\n", advice({}));
+      for (const std::string two_boxes : {"false", "true"})
+        expect_in("switch on " + effect + "\n",
+                  advice({"Seal/Two in a row=" + two_boxes}));
     const std::string zoomed = advice({"Contact/Zoom/Enabled=true"});
     expect_in("Contact/Yielding" + excluded, zoomed);
     expect_in("Fluid/Wall feedback" + excluded, zoomed);
