@@ -230,7 +230,7 @@ namespace strait
   bool
   DualConjugateGradients::step(const double slope)
   {
-    float *t = direction, *r = response, *y = gap_in_units.data();
+    float     *t = direction, *r = response, *y = gap_in_units.data();
     const auto next = next_direction();
     for (std::size_t i = 0, n = problem.size; i < n; ++i)
       t[i] = next(i);

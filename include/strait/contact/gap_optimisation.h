@@ -99,8 +99,9 @@ namespace strait
      * 0 if that of the gap is held.
      *
      * It is sought by preconditioned conjugate gradients on the Rayleigh quotient, each
-     * time to the least along the line. It is at most 1; a minimum has μ > 0. The quotient
-     * bounds μ from above, so a negative one is proof that the gap is no minimum.
+     * time to the least along the line. It is at most 1; a minimum has μ > 0. The
+     * quotient bounds μ from above, so a negative one is proof that the gap is no
+     * minimum.
      *
      * The solution is that of the last solve(), whose gap must be as it was left.
      * @p direction is a start for v, noise if it is empty on all ranks, and v on return.
