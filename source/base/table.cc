@@ -102,7 +102,7 @@ namespace strait
     if (file)
       return;
     // Half a row would be worse than none, and no table better than one without a header.
-    if (is_new)
+    if (!error && is_new)
       std::filesystem::remove(file_name, error);
     else if (!error)
       std::filesystem::resize_file(file_name, size, error);

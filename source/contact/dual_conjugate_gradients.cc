@@ -57,10 +57,10 @@ namespace strait
           }
         else if (!step(slope))
           {
-            const bool is_all =
-              gap_is_exact; // nothing is left to improve: one point, say
+            // Nothing is left to improve if that was the exact gap: one point, say.
+            const bool is_solved = gap_is_exact;
             find_gap();
-            if (is_all)
+            if (is_solved)
               break;
           }
         watch_energy();

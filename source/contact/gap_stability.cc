@@ -47,11 +47,10 @@ namespace strait
           values.data());
       }
 
-      /** Project the field and find K of it. */
+      /** Find K of the field. */
       void
       respond(Response &x)
       {
-        mask(x.of);
         problem.apply(x.of.data(), x.stiffness.data());
       }
 
@@ -74,6 +73,7 @@ namespace strait
       double
       find_lowest()
       {
+        mask(v.of);
         respond(v);
         Products vv = products(v, v.of);
         if (!(vv.under > 0)) // no point is free
@@ -127,7 +127,7 @@ namespace strait
           z[i] = gradient(i);
         mask(z);
         problem.precondition(z.data(), closed.data());
-        mask(z);
+        mask(z); // so that d stays among the admissible fields
         const auto [g_z]    = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
           sums[0] += closed[i] ? 0. : gradient(i) * z[i];
         });

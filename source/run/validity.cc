@@ -74,8 +74,8 @@ namespace strait
     advice_to(const char *what, Scene scene, const std::function<void(Scene &)> &change)
     {
       change(scene);
-      scene.seal.two_in_a_row =
-        false; // which a seal's patches do without where they must
+      // A seal's patches do without it where they must.
+      scene.seal.two_in_a_row = false;
       try
         {
           scene.check();

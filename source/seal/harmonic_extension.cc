@@ -149,8 +149,11 @@ namespace strait
   {
     // Of the boundary values' own residual, in the norm of the preconditioner: as exactly
     // as FixedPoint remembers the pressures of earlier rounds.
-    constexpr double       tolerance = std::numeric_limits<float>::epsilon();
-    const SlabLayoutPtr    layout    = pressure.layout_pointer();
+    constexpr double tolerance = std::numeric_limits<float>::epsilon();
+    // It only ends what would go on for ever: half of it would be enough where the
+    // preconditioner works, double of it fails later.
+    constexpr int          max_iterations = 1000;
+    const SlabLayoutPtr    layout         = pressure.layout_pointer();
     const ExtensionProblem problem(flow_gap, direction);
 
     // Boundary values and springs alone, which are the right-hand side.
@@ -188,7 +191,7 @@ namespace strait
     double r_z       = precondition();
     double beta      = 0.;
     int    iteration = 0;
-    while (r_z > enough)
+    while (r_z > enough && iteration < max_iterations)
       {
         for (std::size_t k = 0; k < t.size(); ++k)
           t[k] = z[k] + beta * t[k];

@@ -31,15 +31,22 @@ namespace
     return text.str();
   }
 
+  Table<Row>
+  table_of_rows()
+  {
+    Table<Row> table("table.csv", {"", true}, "for a test");
+    table.add(&Row::step, "step [1]: number");
+    table.add(&Row::value, "value [1]: number");
+    return table;
+  }
+
   // An editor that saves by renaming, or removes the file, takes no later row away.
   TEST(Table, GoesOnInTheFileOfItsName)
   {
     const test::TemporaryFolder folder;
     run_on_root(MPI_COMM_WORLD, [&]() {
-      const std::string path = folder.path() + "/table.csv";
-      Table<Row>        table("table.csv", {"", true}, "for a test");
-      table.add(&Row::step, "step [1]: number");
-      table.add(&Row::value, "value [1]: number");
+      const std::string path  = folder.path() + "/table.csv";
+      Table<Row>        table = table_of_rows();
       std::ofstream(path) << "of an earlier run\n";
       table.write_rows(folder.path(), {{1, .5}});
       std::filesystem::copy(path, path + ".saved");
@@ -60,10 +67,9 @@ namespace
   {
     const test::TemporaryFolder folder;
     run_on_root(MPI_COMM_WORLD, [&]() {
-      const std::string path = folder.path() + "/table.csv";
-      Table<Row>        table("table.csv", {"", true}, "for a test");
-      table.add(&Row::step, "step [1]: number");
-      rlimit before{};
+      const std::string path  = folder.path() + "/table.csv";
+      Table<Row>        table = table_of_rows();
+      rlimit            before{};
       getrlimit(RLIMIT_FSIZE, &before);
       const auto   default_action = std::signal(SIGXFSZ, SIG_IGN);
       const rlimit no_room        = {2, before.rlim_max};
@@ -74,7 +80,7 @@ namespace
       EXPECT_FALSE(std::filesystem::exists(path));
       table.open(folder.path());
       table.append({1, 0.});
-      EXPECT_EQ(text_in(path), "step\n1\n");
+      EXPECT_EQ(text_in(path), "step,value\n1,0\n");
     });
   }
 } // namespace
