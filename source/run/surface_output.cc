@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 #include <strait/run/field_output.h>
 #include <strait/run/guards.h>
@@ -72,6 +73,11 @@ namespace strait
                surface.lowest,
                surface.highest));
       check_slope(scene, surface.rms_slope, log);
+      require(!scene.contact.enabled || scene.surface.kind == SurfaceKind::flat ||
+                surface.highest > surface.lowest,
+              "The surface has the same height everywhere and would seal under any load; "
+              "mend Surface/File, Expression or the wavelengths that are kept, or choose "
+              "Kind = flat.");
       const PeriodicGrid &grid = heights.grid();
       if (scene.surface.kind == SurfaceKind::self_affine)
         log.line(

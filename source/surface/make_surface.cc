@@ -108,23 +108,37 @@ namespace strait
     };
 
     /** Note in @p remarks if the formula @p height of an expression does not repeat with
-     *  the box, which is a step at the seam larger than any between the points of
-     *  @p field. Collective. */
+     *  the box, or is not resolved: it has steps at the seam, or between the points of
+     *  @p field, that are larger than any from one point to the next. Collective. */
     void
-    check_period(const Formula &height, const SlabField &field, Remarks &remarks)
+    check_steps(const Formula &height, const SlabField &field, Remarks &remarks)
     {
-      const PeriodicGrid &grid    = field.grid();
-      const int           n_rows  = field.layout().n_rows();
-      double              largest = 0.; // step
+      const PeriodicGrid &grid   = field.grid();
+      const int           n_rows = field.layout().n_rows();
+      double largest = 0., beside = 0.; // step, and that to a third of the way
       for (int row = 0; row < n_rows; ++row)
         for (int ix = 0; ix < grid.nx; ++ix)
           {
+            const double x     = ix * grid.dx();
+            const double y     = (field.layout().first_row() + row) * grid.dy();
+            const double value = field(ix, row);
+            const double below = row > 0 ? field(ix, row - 1) : height(x, y - grid.dy());
+            largest            = std::max(largest, std::abs(value - below));
             if (ix > 0)
-              largest = std::max(largest, std::abs(field(ix, row) - field(ix - 1, row)));
-            if (row > 0)
-              largest = std::max(largest, std::abs(field(ix, row) - field(ix, row - 1)));
+              largest = std::max(largest, std::abs(value - field(ix - 1, row)));
+            beside =
+              std::max(beside,
+                       std::abs(height(x + grid.dx() / 3, y + grid.dy() / 3) - value));
           }
-      largest         = maximum(field.layout().communicator(), largest);
+      largest = maximum(field.layout().communicator(), largest);
+      if (maximum(field.layout().communicator(), beside) > largest)
+        {
+          remarks.warnings.emplace_back(
+            "Surface/Expression varies more between the points of the grid than from one "
+            "to the next, so that they miss waves or peaks of it; raise Contact/Grid "
+            "points");
+          return; // Steps at the seam cannot be compared with those of the grid.
+        }
       double across_x = 0., across_y = 0.;
       for (int iy = 0; iy < grid.ny; ++iy)
         across_x = std::max(across_x,
@@ -164,7 +178,7 @@ namespace strait
       });
       throw_if_any(layout->communicator(), error);
       if (parameters.kind == SurfaceKind::expression)
-        check_period(height, field, remarks);
+        check_steps(height, field, remarks);
       return field;
     }
 

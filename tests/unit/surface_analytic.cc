@@ -136,7 +136,7 @@ namespace
       EXPECT_TRUE(mentions(message(text), "gives x or y another value")) << text;
   }
 
-  TEST(AnalyticSurface, ExpressionThatDoesNotRepeatIsPointedOut)
+  TEST(AnalyticSurface, ExpressionThatTheBoxOrTheGridCutsIsPointedOut)
   {
     const auto warnings = [](const std::string &text, const bool rotate = false) {
       SurfaceParameters parameters = expression(text, 2., 1.);
@@ -156,6 +156,12 @@ namespace
     EXPECT_TRUE(warnings("cos(pi*x)").empty());
     EXPECT_EQ(warnings("cos(pi*x)", true).size(), 1U);
     EXPECT_TRUE(warnings("sin(2*pi*x/lx)", true).empty());
+    // Seven waves look like one on eight points.
+    for (const char *text : {"cos(7*pi*x)", "sin(8*pi*x)", "abs(x - 1.1) < 0.1 ? 1 : 0"})
+      {
+        ASSERT_EQ(warnings(text).size(), 1U) << text;
+        EXPECT_TRUE(mentions(warnings(text).front(), "raise Contact/Grid points"));
+      }
   }
 
   TEST(AnalyticSurface, ExpressionMustBeFinite)
