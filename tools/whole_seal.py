@@ -253,6 +253,8 @@ def doubts(seal, patches):
                "let the path end at the loads that the seal works at")
     if seal.n_along * seal.length > 1.5 * seal.width:
         yield f"a patch is longer than the contact is wide ({seal.width:.4g})"
+    if seal.n_around * seal.breadth > 1.5 * seal.circumference:
+        yield f"a patch is broader than the seal is long ({seal.circumference:.4g})"
     if not patches.knows_grid:
         yield ("the error of the contact grid is not in the band; " +
                ("the logs of the patches say why" if patches.knows_budget else

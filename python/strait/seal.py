@@ -95,6 +95,9 @@ def flow_in_gap(gap: np.ndarray, size: float | tuple[float, float] = 1.,
     >>> bool(flow.lower < exact * 1.001), bool(exact < flow.upper * 1.001)
     (True, True)
     """
+    if np.ndim(gap) != 2:
+        raise _core.SceneError(f"The gap must be an array of the shape (ny, nx), but has the shape "
+                               f"{np.shape(gap)}.")
     n_rows, n_columns = np.shape(gap)
     scene = Scene({"Contact/Enabled": False, "Contact/Grid points": (n_columns, n_rows),
                    "Surface/Kind": "flat", "Surface/Size": size}

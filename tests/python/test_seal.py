@@ -153,6 +153,11 @@ class Seals(unittest.TestCase):
         across = strait.flow_in_gap(gap, fluid=dict(direction="y"))
         self.assertTrue(across.percolates)
 
+    def test_a_gap_is_an_array_of_two_dimensions(self):
+        for gap in (0.1, np.ones(32), np.ones((1, 32, 32))):
+            with self.assertRaisesRegex(strait.SceneError, r"the shape \(ny, nx\), but has"):
+                strait.flow_in_gap(gap)
+
     def test_other_threads_run_meanwhile(self):
         counted = []
         done = threading.Event()

@@ -252,6 +252,16 @@ class OfAFolder(unittest.TestCase):
         with open(self.folder / name, encoding="utf-8") as file:
             return list(csv.DictReader(file))
 
+    def test_a_seal_smaller_than_a_patch(self):
+        self.write([[8., 2., 0.5]] * 4)
+        self.assertNotIn("a patch is", self.assess().stdout)
+        scene = self.folder / "parameters.prm"
+        text = scene.read_text().replace("rence = 20", "rence = 0.5").replace("= 4", "= 0.5")
+        scene.write_text(text)
+        said = self.assess().stdout
+        self.assertIn("a patch is longer than the contact is wide (0.5)", said)
+        self.assertIn("a patch is broader than the seal is long (0.5)", said)
+
     def test_equal_patches(self):
         self.write([[8., 2., 0.5]] * 4, wanted=4.)
         result = self.assess()
