@@ -2,8 +2,11 @@
 #include <strait/base/exceptions.h>
 #include <strait/seal/transition_search.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -24,28 +27,23 @@ namespace strait
     {
       std::vector<Point> open;   // ascending
       std::vector<Point> sealed; // descending
-
-      bool
-      has_both() const
-      {
-        return !open.empty() && !sealed.empty();
-      }
-
-      double
-      width() const
-      {
-        return has_both() ? sealed.back().value - open.back().value
-                          : std::numeric_limits<double>::infinity();
-      }
     };
 
-    /** Where a side of the transition says that this is. */
-    struct Estimate
+    // Of its distance from the transition, to which the gap of a throat is proportional.
+    constexpr double power_of_gap = 1.2;
+
+    Known
+    known_at(const std::map<double, Probe> &asked, const double level)
     {
-      double value;
-      double reach;    // from the nearest point of the side
-      bool   is_above; // that point lies above
-    };
+      Known known;
+      for (const auto &[value, probe] : asked)
+        {
+          const double openness = probe.openness - level;
+          (openness > 0 ? known.open : known.sealed).push_back({value, openness});
+        }
+      std::reverse(known.sealed.begin(), known.sealed.end());
+      return known;
+    }
 
     /** Where a power law through two points vanishes. */
     double
@@ -63,9 +61,9 @@ namespace strait
              std::log((zero - far.value) / (zero - near.value));
     }
 
-    /** From points of one side, the nearest last. */
-    std::optional<Estimate>
-    estimate(const std::vector<Point> &side)
+    /** Where a power law says that the transition is, of the last points of one side. */
+    std::optional<double>
+    extrapolate(const std::vector<Point> &side)
     {
       const auto is_nearer = [](const Point &near, const Point &far) {
         return std::abs(near.openness) < std::abs(far.openness);
@@ -73,9 +71,10 @@ namespace strait
       if (side.size() < 2 || !is_nearer(side.back(), side[side.size() - 2]))
         return {};
       const Point &first = side.back(), &second = side[side.size() - 2];
-      // Of the gap of a throat, and of the pressure where it is closed.
-      const double usual = first.openness > 0 ? 1.2 : .63;
-      double       zero  = zero_of(first, second, usual);
+      // Of the pressure where a throat is closed.
+      constexpr double power_of_pressure = .63;
+      const double     usual = first.openness > 0 ? power_of_gap : power_of_pressure;
+      double           zero  = zero_of(first, second, usual);
       if (side.size() > 2 && is_nearer(second, side[side.size() - 3]) &&
           second.openness != 0.)
         {
@@ -88,36 +87,7 @@ namespace strait
                                       .5 * usual,
                                       2. * usual));
         }
-      return Estimate{zero, std::abs(zero - first.value), first.value > zero};
-    }
-
-    Known
-    known_at(const std::map<double, Probe> &asked, const double level)
-    {
-      Known known;
-      for (const auto &[value, probe] : asked)
-        {
-          const double openness = probe.openness - level;
-          (openness > 0 ? known.open : known.sealed).push_back({value, openness});
-        }
-      std::reverse(known.sealed.begin(), known.sealed.end());
-      return known;
-    }
-
-    /** That of the side which has it nearer, if there are two and it lies between. */
-    std::optional<Estimate>
-    estimate(const Known &known)
-    {
-      std::optional<Estimate> nearest;
-      if (!known.has_both())
-        return nearest;
-      for (const std::vector<Point> *side : {&known.open, &known.sealed})
-        if (const auto guess = estimate(*side);
-            guess && guess->value > known.open.back().value &&
-            guess->value < known.sealed.back().value &&
-            !(nearest && nearest->reach < guess->reach))
-          nearest = guess;
-      return nearest;
+      return zero;
     }
 
     /** What to ask as long as all answers are on one side. */
@@ -134,9 +104,9 @@ namespace strait
         return first.value;
       const double edge   = side.back().value;
       double       factor = side.size() > 1 ? largest_step : 1. + first.step;
-      if (const auto guess = estimate(side))
+      if (const auto guess = extrapolate(side))
         // A tenth of the way beyond.
-        if (const double aim = edge + 1.1 * (guess->value - edge),
+        if (const double aim = edge + 1.1 * (*guess - edge),
             towards          = upwards ? aim / edge : edge / aim;
             towards > 1)
           factor = std::clamp(towards, 1. + tolerance, largest_step);
@@ -144,34 +114,16 @@ namespace strait
       return upwards ? std::min(edge * factor, .5 * (edge + first.end)) : edge / factor;
     }
 
-    /**
-     * What to ask between the two sides: beyond @p guess, seen from the side that it
-     * comes from, so that the transition comes to lie between; or the middle. The more
-     * often in a row the last @p n_astray estimates were no good, the farther beyond.
-     */
+    /** What interpolates well: on the open side about proportional to the distance from
+     *  the transition. Finite also where the walls part, and not zero, at which a root
+     *  would be found: that is sealed. */
     double
-    value_between(const Known                   &known,
-                  const std::optional<Estimate> &guess,
-                  const int                      n_astray,
-                  const double                   tolerance)
+    straightened(const double openness)
     {
-      const double lower = known.open.back().value, upper = known.sealed.back().value;
-      const double middle = .5 * (lower + upper);
-      // Two values on both sides of the transition at this distance end the search.
-      const double margin = std::min(.5 * tolerance * upper, .5 * (upper - lower));
-      double       aim    = middle;
-      if (guess)
-        {
-          const double beyond =
-            n_astray > 0 ? std::ldexp(guess->reach, n_astray - 1) : .8 * margin;
-          aim               = guess->value + (guess->is_above ? -beyond : beyond);
-          const bool is_far = guess->is_above ? aim < middle : aim > middle;
-          if (n_astray > 0 && is_far)
-            aim = middle;
-          else if (!(aim > lower && aim < upper))
-            aim = guess->value;
-        }
-      return std::clamp(aim, lower + margin, upper - margin);
+      const double size = std::clamp(std::abs(openness),
+                                     std::numeric_limits<double>::min(),
+                                     double(std::numeric_limits<float>::max()));
+      return std::copysign(std::pow(size, 1. / power_of_gap), openness > 0 ? 1. : -1.);
     }
   } // namespace
 
@@ -192,16 +144,10 @@ namespace strait
   Passage
   TransitionSearch::enclose(const SearchStart first, const double level)
   {
-    int   n_astray = 0;
-    Known known    = known_at(asked, level);
-    auto  guess    = estimate(known);
-    while (!known.has_both() || known.width() > tolerance * known.sealed.back().value)
+    Known known = known_at(asked, level);
+    for (; known.open.empty() || known.sealed.empty(); known = known_at(asked, level))
       {
-        const double width = known.width();
-        const double reach = guess ? guess->reach : 0.;
-        const double value = known.has_both()
-                               ? value_between(known, guess, n_astray, tolerance)
-                               : value_outside(known, first, tolerance);
+        const double value = value_outside(known, first, tolerance);
         const bool   ends =
           known.sealed.empty() && !known.open.empty() && known.open.back().value == value;
         if (ends ||
@@ -212,13 +158,25 @@ namespace strait
             name(value) +
             "; switch the search off to run Load programme/Pressures alone.");
         ask_at(value);
-        known = known_at(asked, level);
-        guess = estimate(known);
-        const bool advances =
-          known.width() <= .5 * width || (guess && guess->reach < .5 * reach);
-        n_astray = advances || !known.has_both() ? 0 : n_astray + 1;
       }
-    return {known.open.back().value, known.sealed.back().value};
+    const auto openness = [&](const double value) {
+      return straightened(ask_at(value).openness - level);
+    };
+    const auto is_narrow = [&](const double lower, const double upper) {
+      return upper - lower <= tolerance * upper;
+    };
+    const Point open = known.open.back(), sealed = known.sealed.back();
+    if (is_narrow(open.value, sealed.value))
+      return {open.value, sealed.value};
+    auto       n_steps = std::numeric_limits<std::uintmax_t>::max();
+    const auto found   = boost::math::tools::toms748_solve(openness,
+                                                         open.value,
+                                                         sealed.value,
+                                                         straightened(open.openness),
+                                                         straightened(sealed.openness),
+                                                         is_narrow,
+                                                         n_steps);
+    return {found.first, found.second};
   }
 
   Passage
