@@ -31,7 +31,11 @@ namespace strait::python
       const Computing computing;
       SlabField       heights;
       if (array)
-        heights = as_field(layout, *array, "heights");
+        {
+          if (scene.surface.invert || scene.surface.rotate)
+            log.warn("Surface/Invert and Rotate do not act on heights that are given");
+          heights = as_field(layout, *array, "heights");
+        }
       else
         {
           Remarks remarks;

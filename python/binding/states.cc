@@ -199,7 +199,9 @@ namespace strait::python
                        "A discontinuity on a path of an adhesive contact.")
         .def_readonly("before", &Jump::before)
         .def_readonly("after", &Jump::after, "Without meaning at a pull-off.")
-        .def_readonly("dissipated", &Jump::dissipated, "Energy per area.")
+        .def_readonly("dissipated",
+                      &Jump::dissipated,
+                      "Energy per area; nan of a pull-off.")
         .def_property_readonly("is_pull_off",
                                &Jump::is_pull_off,
                                "Whether the surfaces part.");

@@ -17,7 +17,8 @@ seal = strait.Seal(strait.Scene(
 loading = seal.follow(np.linspace(0.1, 1.4, 27))
 unloading = seal.follow(np.linspace(1.4, -0.2, 33), from_=loading[-1])
 jumps = loading.jumps + unloading.jumps
-print(f"{len(jumps)} jumps, {sum(jump.dissipated for jump in jumps):.4f} of energy an area lost")
+lost = sum(jump.dissipated for jump in jumps if not jump.is_pull_off)
+print(f"{len(jumps)} jumps, {lost:.4f} of energy an area lost")
 for path, name in (loading, "loading"), (unloading, "unloading"):
     plt.plot(path["nominal_pressure"], path["contact_area"], ".-", label=name)
 for jump in jumps:

@@ -26,6 +26,26 @@ namespace strait
                          "'; check the path and its permissions.");
       return std::string(std::istreambuf_iterator<char>(in), {});
     }
+    /** Defaults are numbers for scenes without units. */
+    template <typename IsGiven>
+    void
+    warn_of_forgotten_numbers(Scene &scene, const IsGiven &is_given)
+    {
+      const bool has_pressure = !scene.units.pressure.empty();
+      const bool has_flow     = scene.fluid.enabled;
+      for (const auto &[counts, name] :
+           {std::pair{has_pressure && scene.contact.enabled &&
+                        !is_given("Contact/Young's moduli"),
+                      "Contact/Effective modulus"},
+            std::pair{has_pressure && has_flow, "Fluid/Inlet pressure"},
+            std::pair{has_pressure && has_flow && !scene.fluid.is_gas &&
+                        !scene.units.time.empty(),
+                      "Fluid/Viscosity"}})
+        if (counts && !is_given(name))
+          scene.oversights.push_back(std::string(name) +
+                                     " is not given and counts as 1 in the scene's "
+                                     "units, which are stated; set it");
+    }
   } // namespace
 
   void
@@ -59,7 +79,7 @@ namespace strait
     for (const SceneEntry &entry : entries)
       table.assign(entry);
     scene.resolved                     = table.scene(false);
-    scene.without_effect               = table.without_effect();
+    scene.oversights                   = table.without_effect();
     scene.surface.map.length_in_metres = scene.units.length_in_metres();
     return scene;
   }
@@ -71,11 +91,13 @@ namespace strait
     scene.contact.take_elastic_constants();
     scene.fluid.take_gas(scene.units);
     scene.check();
-    const bool has_size =
-      std::any_of(entries.begin(), entries.end(), [](const SceneEntry &entry) {
-        return entry.path() == "Surface/Size";
+    const auto is_given = [&entries](const std::string &name) {
+      return std::any_of(entries.begin(), entries.end(), [&](const SceneEntry &entry) {
+        return entry.path() == name;
       });
-    if (!has_size && !scene.units.length.empty() &&
+    };
+    warn_of_forgotten_numbers(scene, is_given);
+    if (!is_given("Surface/Size") && !scene.units.length.empty() &&
         scene.surface.kind != SurfaceKind::file)
       throw InputError("Units/Length = " + scene.units.length +
                        " is stated, but not how large the surface is; set Surface/Size "

@@ -273,7 +273,7 @@ namespace strait
   std::vector<std::string>
   Scene::warnings() const
   {
-    std::vector<std::string> warnings = without_effect;
+    std::vector<std::string> warnings = oversights;
     if (surface.kind == SurfaceKind::self_affine &&
         surface.roll_off_wavelength > std::min(surface.size[0], surface.size[1]))
       warnings.emplace_back(

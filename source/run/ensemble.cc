@@ -88,9 +88,10 @@ namespace strait
       set("Surface/Seed", std::to_string(realisation.seed));
       set("Surface/Invert", yes_or_no(is_inverted));
       set("Surface/Rotate", yes_or_no(is_rotated));
-      if (scene.surface.kind == SurfaceKind::file && is_rotated != scene.surface.rotate)
+      if (scene.surface.kind != SurfaceKind::self_affine &&
+          is_rotated != scene.surface.rotate)
         {
-          // A map turns with its frame.
+          // A surface turns with its frame, unless it is another draw of the same kind.
           const auto &size = scene.surface.size;
           const auto &grid = scene.contact.grid_points;
           set("Surface/Size", to_text(size[1]) + ", " + to_text(size[0]));
@@ -104,8 +105,8 @@ namespace strait
       set("Seal/Two in a row", yes_or_no(scene.has_two_boxes()));
       set("Output/Directory",
           scene.output.directory + "/realisation-" + std::to_string(realisation.number));
-      Scene one          = read_scene(path, overrides);
-      one.without_effect = scene.without_effect; // the Seal has one, for all together
+      Scene one      = read_scene(path, overrides);
+      one.oversights = scene.oversights; // the Seal has one, for all together
       return one;
     }
 

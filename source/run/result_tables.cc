@@ -225,7 +225,7 @@ namespace strait
       .add(&Jump::dissipated,
            "dissipated_energy [pressure length]: per area: what the energy falls short "
            "of the reversible change, half the sum of mean gap × change of load at both "
-           "ends; uncertain by half the difference");
+           "ends; uncertain by half the difference, and `nan` of a pull-off");
     return table;
   }
 

@@ -97,7 +97,7 @@ namespace strait
                        {},
                        trend};
       if (after.detached)
-        stride.jump = Jump{before, after, 0.};
+        stride.jump = Jump{before, after, std::nan("")};    // without a state after it
       else if (stride.leaps && !(rise >= least - rounding)) // and not merely steep
         // The load of the jump is unknown within the step: the middle of the slopes.
         stride.jump = Jump{before, after, middle - rise};

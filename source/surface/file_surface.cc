@@ -83,6 +83,29 @@ namespace strait
       const double n = parameters.map.make_periodic == MakePeriodic::mirror ? 2. : 1.;
       return {{parameters.size[0] / n, parameters.size[1] / n}};
     }
+    /** Of a file that does not state its size, that of the scene may be meant for what it
+     *  was before it was turned or cut. */
+    void
+    warn_of_long_cells(const HeightMap         &map,
+                       const SurfaceParameters &parameters,
+                       const std::string       &file,
+                       Remarks                 &remarks)
+    {
+      const double dx = (*map.size)[0] / map.nx, dy = (*map.size)[1] / map.ny;
+      // A side that is stated to three digits makes cells that are square to that.
+      if (std::abs(dx / dy - 1) <= 1e-2)
+        return;
+      const double spacing =
+        std::max(parameters.size[0], parameters.size[1]) / std::max(map.nx, map.ny);
+      remarks.warnings.push_back(format(
+        "the map '%s' states no size: by Surface/Size, which is that of the surface "
+        "in the scene, turned and cut, its points are %.4g apart along x and %.4g "
+        "along y; if it is the same both ways, set Surface/Size = %s",
+        file.c_str(),
+        dx,
+        dy,
+        scene_pair(parameters, spacing * map.nx, spacing * map.ny).c_str()));
+    }
   } // namespace
 
   Resampled
@@ -151,7 +174,10 @@ namespace strait
       convert_to_scene_units(map, parameters.map, file);
       const bool states_size = map.size.has_value();
       if (!states_size)
-        map.size = sides_of_map(parameters);
+        {
+          map.size = sides_of_map(parameters);
+          warn_of_long_cells(map, parameters, file, remarks);
+        }
       detrend(map, parameters.map.detrend);
       fill_missing_points(map, parameters.map.largest_missing_share, file, remarks);
       make_periodic(map, parameters.map, file, remarks);

@@ -86,6 +86,9 @@ class Seals(unittest.TestCase):
         for call in (lambda: strait.Seal(self.scene, masked), lambda: strait.statistics(masked)):
             with self.assertRaisesRegex(strait.SceneError, "masked points"):
                 call()
+        inverted = self.scene.replace({"Surface/Invert": True})
+        with self.assertWarnsRegex(strait.SceneWarning, "do not act on heights that are given"):
+            strait.Seal(inverted, self.scene.heights())
 
     def test_controls_that_mean_nothing(self):
         for what in ({"slip_length": np.nan}, {"slip_length": -np.inf}, {"slip_length": 1e-3},

@@ -170,6 +170,7 @@ namespace
     ASSERT_EQ(path.jumps.size(), 1u);
     EXPECT_TRUE(path.jumps[0].is_pull_off());
     EXPECT_NEAR(path.jumps[0].before.target, -.5, 1e-3);
+    EXPECT_TRUE(std::isnan(path.jumps[0].dissipated)); // no state follows
     EXPECT_TRUE(path.to(-.4).state);
   }
 

@@ -72,8 +72,9 @@ namespace strait
     /** The scene file, with every default filled in. */
     std::string resolved;
 
-    /** One sentence for each effect that is off but has parameters all the same. */
-    std::vector<std::string> without_effect;
+    /** One sentence for each effect that is off but has parameters all the same, and for
+     *  each number that a scene with units lacks. */
+    std::vector<std::string> oversights;
 
     /** Bind all parameters; this scene must then stay where it is. */
     void bind(ParameterTable &table);

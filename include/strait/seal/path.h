@@ -30,7 +30,7 @@ namespace strait
   {
     PathPoint before;
     PathPoint after;
-    double    dissipated = 0; // energy per area
+    double    dissipated = 0; // energy per area; not a number of a pull-off
 
     /** Whether the surfaces part. */
     bool
