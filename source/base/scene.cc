@@ -26,16 +26,17 @@ namespace strait
                          "'; check the path and its permissions.");
       return std::string(std::istreambuf_iterator<char>(in), {});
     }
+
     /** Defaults are numbers for scenes without units. */
     template <typename IsGiven>
     void
     warn_of_forgotten_numbers(Scene &scene, const IsGiven &is_given)
     {
       const bool has_pressure = !scene.units.pressure.empty();
-      const bool has_flow     = scene.fluid.enabled;
+      const bool has_contact  = scene.contact.enabled || scene.is_theory_only();
+      const bool has_flow     = scene.fluid.enabled || scene.is_theory_only();
       for (const auto &[counts, name] :
-           {std::pair{has_pressure && scene.contact.enabled &&
-                        !is_given("Contact/Young's moduli"),
+           {std::pair{has_pressure && has_contact && !is_given("Contact/Young's moduli"),
                       "Contact/Effective modulus"},
             std::pair{has_pressure && has_flow, "Fluid/Inlet pressure"},
             std::pair{has_pressure && has_flow && !scene.fluid.is_gas &&
