@@ -32,15 +32,15 @@ namespace strait
     void
     warn_of_forgotten_numbers(Scene &scene, const IsGiven &is_given)
     {
-      const bool has_pressure = !scene.units.pressure.empty();
-      const bool has_contact  = scene.contact.enabled || scene.is_theory_only();
-      const bool has_flow     = scene.fluid.enabled || scene.is_theory_only();
+      if (scene.units.pressure.empty())
+        return;
+      const bool has_contact = scene.contact.enabled || scene.is_theory_only();
+      const bool has_flow    = scene.fluid.enabled || scene.is_theory_only();
       for (const auto &[counts, name] :
-           {std::pair{has_pressure && has_contact && !is_given("Contact/Young's moduli"),
+           {std::pair{has_contact && !is_given("Contact/Young's moduli"),
                       "Contact/Effective modulus"},
-            std::pair{has_pressure && has_flow, "Fluid/Inlet pressure"},
-            std::pair{has_pressure && has_flow && !scene.fluid.is_gas &&
-                        !scene.units.time.empty(),
+            std::pair{has_flow, "Fluid/Inlet pressure"},
+            std::pair{has_flow && !scene.fluid.is_gas && !scene.units.time.empty(),
                       "Fluid/Viscosity"}})
         if (counts && !is_given(name))
           scene.oversights.push_back(std::string(name) +

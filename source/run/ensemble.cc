@@ -106,7 +106,7 @@ namespace strait
       set("Output/Directory",
           scene.output.directory + "/realisation-" + std::to_string(realisation.number));
       Scene one      = read_scene(path, overrides);
-      one.oversights = scene.oversights; // the Seal has one, for all together
+      one.oversights = scene.oversights; // the Seal has an effect, for all together
       return one;
     }
 

@@ -96,8 +96,8 @@ namespace strait
                          (rule.jump_tolerance > 0 && (is_steep || !is_as_before)),
                        {},
                        trend};
-      if (after.detached)
-        stride.jump = Jump{before, after, std::nan("")};    // without a state after it
+      if (after.detached) // without a state that the energy could fall to
+        stride.jump = Jump{before, after, std::nan("")};
       else if (stride.leaps && !(rise >= least - rounding)) // and not merely steep
         // The load of the jump is unknown within the step: the middle of the slopes.
         stride.jump = Jump{before, after, middle - rise};

@@ -166,7 +166,7 @@ namespace strait
       return upper - lower <= tolerance * upper;
     };
     const Point open = known.open.back(), sealed = known.sealed.back();
-    if (is_narrow(open.value, sealed.value))
+    if (is_narrow(open.value, sealed.value)) // or in the wrong order: answers disagree
       return {open.value, sealed.value};
     auto       n_steps = std::numeric_limits<std::uintmax_t>::max();
     const auto found   = boost::math::tools::toms748_solve(openness,

@@ -83,6 +83,7 @@ namespace strait
       const double n = parameters.map.make_periodic == MakePeriodic::mirror ? 2. : 1.;
       return {{parameters.size[0] / n, parameters.size[1] / n}};
     }
+
     /** Of a file that does not state its size, that of the scene may be meant for what it
      *  was before it was turned or cut. */
     void

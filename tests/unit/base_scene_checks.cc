@@ -198,6 +198,23 @@ TEST(Scene, TheTheoryAloneIsOfViscousFlow)
   expect_in("the theory knows nothing of Fluid/Rarefaction", warnings[0]);
 }
 
+TEST(Scene, TheTheoryAloneTakesNumbersInUnits)
+{
+  const Overrides units = {"Theory/Enabled=true",
+                           "Contact/Enabled=false",
+                           "Fluid/Enabled=false",
+                           "Units/Length=mm",
+                           "Units/Pressure=MPa",
+                           "Units/Time=s",
+                           "Surface/Size=1"};
+  EXPECT_EQ(scene_of("", units).warnings().size(), 3u);
+  const auto warnings =
+    scene_of("", units + Overrides{"Contact/Effective modulus=2", "Fluid/Viscosity=1"})
+      .warnings();
+  ASSERT_EQ(warnings.size(), 1u);
+  expect_in("Fluid/Inlet pressure is not given", warnings[0]);
+}
+
 TEST(Scene, UnreadableFiles)
 {
   EXPECT_THROW(read_scene("/no/such/scene.prm"), InputError);
