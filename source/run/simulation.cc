@@ -276,8 +276,8 @@ namespace strait
                std::to_string(scene.programme.reduced_loads.size() *
                               scene.fluid.slip_lengths.size()) +
                " steps near it");
-    for (const std::string &line : predict_cost(scene, statistics(heights).rms_slope))
-      log.line(line);
+    if (scene.contact.enabled && scene.fluid.enabled)
+      log.line(limiting_error(scene, statistics(heights).rms_slope));
     if (scene.realisations.enabled())
       log.line(
         std::to_string(std::max<std::size_t>(scene.realisations.seeds.size(), 1) *

@@ -48,12 +48,11 @@ namespace strait
    *  active effects; compute nothing but the surface. Collective. */
   void describe(const Scene &scene, Log &log);
 
-  /** What a run is likely to cost and what will limit its accuracy, without computing
-   *  anything, in lines for the screen: ranges of what comparable runs took
-   *  (doc/accuracy.md, doc/adhesion.md, doc/feedback.md, doc/paper.md), in counts rather
-   *  than seconds. @p rms_slope is that of the heights, which the threshold of a rough
-   *  surface scales with. */
-  std::vector<std::string> predict_cost(const Scene &scene, double rms_slope);
+  /** What will limit the accuracy of a leak rate, without computing anything, in a line
+   *  for the screen: from throats of comparable runs (doc/accuracy.md, doc/paper.md). @p
+   *  rms_slope is that of the heights, which the threshold of a rough surface scales with.
+   */
+  std::string limiting_error(const Scene &scene, double rms_slope);
 } // namespace strait
 
 #endif

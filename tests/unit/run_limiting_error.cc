@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace strait
 {
@@ -23,25 +21,22 @@ namespace strait
       return scene;
     }
 
-    /** Whether a line on @p scene, of rms slope .5, contains @p text. */
+    /** Whether what is said of @p scene, of rms slope .5, contains @p text. */
     bool
     says(const Scene &scene, const std::string &text)
     {
-      for (const std::string &line : predict_cost(scene, .5))
-        if (line.find(text) != std::string::npos)
-          return true;
-      return false;
+      return limiting_error(scene, .5).find(text) != std::string::npos;
     }
 
     // doc/paper.md, 1024²: 15 points at 0.01, 6.8 at 0.0025.
-    TEST(CostPrediction, ThroatOfTheSaddle)
+    TEST(LimitingError, ThroatOfTheSaddle)
     {
       EXPECT_TRUE(says(saddle(1024, .01), "about 15 grid points along the throat"));
       EXPECT_TRUE(says(saddle(512, .0025), "about 3.4 grid points along the throat"));
     }
 
     // The table of sixteen realisations: 3.9 points at 0.2, 1.1 at 0.02.
-    TEST(CostPrediction, ThroatOfARoughSurface)
+    TEST(LimitingError, ThroatOfARoughSurface)
     {
       Scene scene;
       scene.surface.short_cut_off_wavelength = 16. / 512;
@@ -53,7 +48,7 @@ namespace strait
       EXPECT_TRUE(says(scene, "largest error: not predicted"));
     }
 
-    TEST(CostPrediction, NamesTheLargestError)
+    TEST(LimitingError, NamesTheLargestError)
     {
       const std::string is_largest = " to be the largest error";
       EXPECT_TRUE(says(saddle(1024, .01), "the mesh is likely" + is_largest));
@@ -67,32 +62,11 @@ namespace strait
     }
 
     // 3.9 points where 4 are needed: not "1.0 times as many".
-    TEST(CostPrediction, NamesAGridThatWouldDo)
+    TEST(LimitingError, NamesAGridThatWouldDo)
     {
       const Scene scene = saddle(587, .0025);
       EXPECT_TRUE(says(scene, "about 3.9 grid points along the throat"));
       EXPECT_TRUE(says(scene, "Contact/Grid points = 6"));
-    }
-
-    // 10 to 40 FFT pairs a contact.
-    TEST(CostPrediction, CountsContactsAndCapsUnknowns)
-    {
-      Scene scene                  = saddle(1024, .01);
-      scene.fluid.maximum_unknowns = 3000;
-      EXPECT_TRUE(says(scene, "500 to 3000 unknowns a step, at most 3000"));
-      // 3 steps, and 7 to 16 solves of the search.
-      EXPECT_TRUE(says(scene, "100 to 760 in all"));
-      scene.programme.path           = LoadPath::cycle;
-      scene.programme.pressures      = {1., 2., 3.};
-      scene.programme.find_threshold = false;
-      const std::vector<double> near_threshold =
-        std::exchange(scene.programme.reduced_loads, {});
-      EXPECT_TRUE(says(scene, "50 to 200 in all")) << "5 steps";
-      scene.programme.pressures      = {};
-      scene.programme.reduced_loads  = near_threshold;
-      scene.programme.find_threshold = true;
-      scene.fluid.slip_lengths       = {0., -.1, -.2};
-      EXPECT_TRUE(says(scene, "130 to 880 in all")) << "two steps near each threshold";
     }
   } // namespace
 } // namespace strait
