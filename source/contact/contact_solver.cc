@@ -75,9 +75,6 @@ namespace strait
     // What the solid is to carry, or the mean gap that it is to keep.
     const double of_solid = parameters.loads() ? target - wall.fluid_load : target;
     check(target, of_solid);
-    // The highest peak has height 0 here.
-    if (!parameters.loads() && target + wall.mean_height >= 0)
-      return state_without_contact(target);
 
     // Only states under the same fluid lie on a line.
     const bool is_dry  = fluid_pressure == nullptr;
@@ -236,13 +233,10 @@ namespace strait
                                               : target * wall.heights.grid().mean_side() /
                                                   parameters.effective_modulus;
     // The displacement under pressure has the mean 0.
-    const ContactConstraint constraint =
-      parameters.loads()
-        ? ContactConstraint::mean_pressure(target, parameters.largest_pressure())
-        : ContactConstraint::rigid_displacement(target + wall.mean_height);
+    const double held = parameters.loads() ? target : target + wall.mean_height;
     return find_pressure(parameters.method,
                          {on_grid,
-                          constraint,
+                          {parameters.loads(), held, parameters.largest_pressure()},
                           {residual, length, parameters.maximum_iterations},
                           grid_pressure.data(),
                           grid_gap.data()});
@@ -266,16 +260,5 @@ namespace strait
     state.iterations       = solution.iterations;
     state.converged        = solution.converged;
     return state;
-  }
-
-  ContactState
-  ContactSolver::state_without_contact(const double mean_gap) const
-  {
-    SlabField gap(wall.heights.layout_pointer());
-    for (std::size_t i = 0; i < gap.size(); ++i)
-      gap[i] = mean_gap + wall.mean_height - wall.heights[i];
-    ContactSolution solution;
-    solution.converged = true;
-    return state_of(solution, SlabField(wall.heights.layout_pointer()), std::move(gap));
   }
 } // namespace strait

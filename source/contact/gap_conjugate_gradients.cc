@@ -39,20 +39,21 @@ namespace strait
     reach    = 1;
   }
 
-  GapOptimiser::Outcome
+  bool
   GapConjugateGradients::descend(double)
   {
-    trial = derivative;
-    precondition(trial.data());
-    if (go(choose_direction()))
+    while (true)
       {
-        restarts = false;
-        return Outcome::moved;
+        trial = derivative;
+        precondition(trial.data());
+        const bool falls = go(choose_direction());
+        if (falls || restarts) // or rounding is all that is left
+          {
+            restarts = !falls;
+            return falls;
+          }
+        restarts = true;
       }
-    if (restarts) // rounding is all that is left
-      return Outcome::stuck;
-    restarts = true;
-    return Outcome::again;
   }
 
   /** t = −z + β d on the free points. Return how far to go. */

@@ -27,7 +27,7 @@ namespace strait
     steps_forward = 0;
   }
 
-  GapOptimiser::Outcome
+  bool
   GapDynamics::descend(double)
   {
     // Forces over masses; a point that the wall holds stays where it is.
@@ -46,7 +46,7 @@ namespace strait
       }
     make_admissible(gap);
     refresh();
-    return Outcome::moved;
+    return true;
   }
 
   void

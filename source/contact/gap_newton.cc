@@ -7,11 +7,11 @@
 
 namespace strait
 {
-  GapOptimiser::Outcome
+  bool
   GapNewton::descend(const double residual)
   {
     solve_model(residual);
-    return search() ? Outcome::moved : Outcome::stuck;
+    return search();
   }
 
   /** An approximate minimiser of the quadratic model on the free points. */

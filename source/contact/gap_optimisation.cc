@@ -170,11 +170,9 @@ namespace strait
             !std::isfinite(solution.residual) || is_detached() ||
             solution.iterations - last_gain > patience)
           break;
-        const Outcome outcome = descend(solution.residual);
-        if (outcome == Outcome::stuck)
+        if (!descend(solution.residual))
           break;
-        if (outcome == Outcome::moved)
-          ++solution.iterations;
+        ++solution.iterations;
       }
     solution.energy           = energy();
     solution.adhesive_energy  = adhesive_energy;

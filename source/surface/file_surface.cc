@@ -15,17 +15,15 @@ namespace strait
   namespace
   {
     void
-    check_size(const SurfaceParameters     &parameters,
-               const std::array<double, 2> &stated,
-               const std::string           &file)
+    check_size(const HeightMap &map, const SurfaceParameters &parameters)
     {
       for (int d = 0; d < 2; ++d)
-        if (std::abs(parameters.size[d] / stated[d] - 1) > 1e-3)
+        if (std::abs(parameters.size[d] / (*map.size)[d] - 1) > 1e-3)
           reject_height_map(
-            file,
+            map.file,
             "is, processed, of a size other than the scene's: set "
             "Surface/Size = " +
-              scene_pair(parameters, stated[0], stated[1]) +
+              scene_pair(parameters, (*map.size)[0], (*map.size)[1]) +
               " in the scene's unit of length (metres unless Units/Length "
               "says otherwise).");
     }
@@ -35,14 +33,13 @@ namespace strait
     bring_to_grid(HeightMap               &map,
                   const SurfaceParameters &parameters,
                   const PeriodicGrid      &grid,
-                  const std::string       &file,
                   Remarks                 &remarks)
     {
       const double shortest = parameters.map.shortest_wavelength;
       const double longest  = parameters.map.longest_wavelength;
       const bool   is_same  = grid.nx == map.nx && grid.ny == map.ny;
       if (!is_same && !parameters.map.resample)
-        reject_height_map(file,
+        reject_height_map(map.file,
                           "has, processed, " + std::to_string(map.nx) + " x " +
                             std::to_string(map.ny) +
                             " points, and the grid must have as many: set "
@@ -89,7 +86,6 @@ namespace strait
     void
     warn_of_long_cells(const HeightMap         &map,
                        const SurfaceParameters &parameters,
-                       const std::string       &file,
                        Remarks                 &remarks)
     {
       const double dx = (*map.size)[0] / map.nx, dy = (*map.size)[1] / map.ny;
@@ -102,7 +98,7 @@ namespace strait
         "the map '%s' states no size: by Surface/Size, which is that of the surface "
         "in the scene, turned and cut, its points are %.4g apart along x and %.4g "
         "along y; if it is the same both ways, set Surface/Size = %s",
-        file.c_str(),
+        map.file.c_str(),
         dx,
         dy,
         scene_pair(parameters, spacing * map.nx, spacing * map.ny).c_str()));
@@ -166,25 +162,25 @@ namespace strait
     HeightMap map;
     run_on_root(layout->communicator(), [&]() {
       map = read_height_map(file);
-      cut_window(map, parameters, file);
+      cut_window(map, parameters);
       remarks.notes.push_back(format("map '%s': %s, %d × %d points",
                                      file.c_str(),
                                      map.format.c_str(),
                                      map.nx,
                                      map.ny));
-      convert_to_scene_units(map, parameters.map, file);
+      convert_to_scene_units(map, parameters.map);
       const bool states_size = map.size.has_value();
       if (!states_size)
         {
           map.size = sides_of_map(parameters);
-          warn_of_long_cells(map, parameters, file, remarks);
+          warn_of_long_cells(map, parameters, remarks);
         }
       detrend(map, parameters.map.detrend);
-      fill_missing_points(map, parameters.map.largest_missing_share, file, remarks);
-      make_periodic(map, parameters.map, file, remarks);
+      fill_missing_points(map, parameters.map.largest_missing_share, remarks);
+      make_periodic(map, parameters.map, remarks);
       if (states_size)
-        check_size(parameters, *map.size, file);
-      bring_to_grid(map, parameters, layout->grid(), file, remarks);
+        check_size(map, parameters);
+      bring_to_grid(map, parameters, layout->grid(), remarks);
     });
     return scatter_from_root(layout, map.values);
   }

@@ -96,10 +96,7 @@ namespace strait
   } // namespace
 
   void
-  fill_missing_points(HeightMap         &map,
-                      const double       largest_share,
-                      const std::string &file,
-                      Remarks           &remarks)
+  fill_missing_points(HeightMap &map, const double largest_share, Remarks &remarks)
   {
     const std::size_t n_missing = map.n_missing();
     if (n_missing == 0)
@@ -108,7 +105,7 @@ namespace strait
       static_cast<double>(n_missing) / static_cast<double>(map.values.size());
     if (share > largest_share)
       reject_height_map(
-        file,
+        map.file,
         format("lacks %zu of its points, a share of %.3g: fill them in, or set "
                "Surface/Largest missing share to that or more.",
                n_missing,

@@ -120,24 +120,22 @@ namespace strait
   } // namespace
 
   void
-  convert_to_scene_units(HeightMap           &map,
-                         const MapParameters &parameters,
-                         const std::string   &file)
+  convert_to_scene_units(HeightMap &map, const MapParameters &parameters)
   {
     const auto height =
-      factor_of(parameters.height_unit, map.height_unit, parameters, "height", file);
+      factor_of(parameters.height_unit, map.height_unit, parameters, "height", map.file);
     const auto lateral = map.size ? factor_of(parameters.lateral_unit,
                                               map.lateral_unit,
                                               parameters,
                                               "lateral",
-                                              file)
+                                              map.file)
                                   : std::nullopt;
     if (map.size && height && !lateral)
-      reject_height_map(file,
+      reject_height_map(map.file,
                         "states a size without a unit, but has heights with one: set "
                         "Surface/Lateral unit.");
     if (map.size && lateral && !height)
-      reject_height_map(file,
+      reject_height_map(map.file,
                         "states a size with a unit, but no unit of its heights: set "
                         "Surface/Height unit.");
     for (double &value : map.values)
@@ -196,10 +194,7 @@ namespace strait
   }
 
   void
-  make_periodic(HeightMap           &map,
-                const MapParameters &parameters,
-                const std::string   &file,
-                Remarks             &remarks)
+  make_periodic(HeightMap &map, const MapParameters &parameters, Remarks &remarks)
   {
     const Roughness before = roughness(map);
     if (parameters.make_periodic == MakePeriodic::no)
@@ -212,7 +207,7 @@ namespace strait
           remarks.warnings.push_back(format(
             "the map '%s' is taken as one period, but steps at its seams are %.3g times "
             "those between neighbours; set Surface/Make periodic or Detrend",
-            file.c_str(),
+            map.file.c_str(),
             before.seam));
         return;
       }
@@ -240,7 +235,7 @@ namespace strait
   }
 
   void
-  cut_window(HeightMap &map, const SurfaceParameters &parameters, const std::string &file)
+  cut_window(HeightMap &map, const SurfaceParameters &parameters)
   {
     const auto [n_x, n_y] = parameters.map.windows;
     if (n_x == 1 && n_y == 1)
@@ -248,7 +243,7 @@ namespace strait
     parameters.map.check_window(parameters.seed);
     const int nx = map.nx / n_x, ny = map.ny / n_y;
     if (nx == 0 || ny == 0)
-      reject_height_map(file,
+      reject_height_map(map.file,
                         "has fewer points than Surface/Windows asks for windows: give "
                         "fewer of them.");
     const auto          number  = static_cast<int>(parameters.seed - 1);

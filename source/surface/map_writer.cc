@@ -4,71 +4,72 @@
 #include <strait/surface/map_writer.h>
 #include <strait/surface/readers/height_map.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
+#include <initializer_list>
+#include <iterator>
 
 namespace strait
 {
   namespace
   {
     // What the classic format calls its lists.
-    constexpr std::uint64_t list_of_dimensions = 10, list_of_variables = 11,
+    constexpr std::uint32_t list_of_dimensions = 10, list_of_variables = 11,
                             list_of_attributes = 12;
 
+    /** The bytes of @p number, the most significant first. */
+    template <typename Number>
     void
-    append(std::string &to, const std::uint64_t value, const int n_bytes)
+    append(std::string &to, const Number number)
     {
-      for (int shift = 8 * (n_bytes - 1); shift >= 0; shift -= 8)
-        to += static_cast<char>(value >> shift & 0xff);
+      unsigned char bytes[sizeof(Number)];
+      boost::endian::endian_store<Number, sizeof(Number), boost::endian::order::big>(
+        bytes, number);
+      to.append(std::begin(bytes), std::end(bytes));
     }
 
     void
-    append(std::string &to, const double value)
+    append(std::string &to, const std::initializer_list<std::uint32_t> words)
     {
-      std::uint64_t bits;
-      std::memcpy(&bits, &value, sizeof(bits));
-      append(to, bits, 8);
+      for (const std::uint32_t word : words)
+        append(to, word);
     }
 
     /** Length and letters, padded to four bytes. */
     void
     append(std::string &to, const std::string &text)
     {
-      append(to, text.size(), 4);
+      append(to, static_cast<std::uint32_t>(text.size()));
       to += text + std::string((4 - text.size() % 4) % 4, '\0');
     }
 
     /** A variable in a header: its name, its dimensions, and a side's or only a unit. */
     struct VariableEntry
     {
-      std::string           name;
-      std::vector<unsigned> dimensions;
-      double                length; // of a side; 0: it is none
-      std::uint64_t         n_values;
+      std::string                name;
+      std::vector<std::uint32_t> dimensions;
+      double                     length; // of a side; 0: it is none
+      std::uint64_t              n_values;
     };
 
     void
     append_attributes(std::string &to, const double length, const std::string &unit)
     {
-      const unsigned n = (length > 0 ? 2 : 0) + (unit.empty() ? 0 : 1);
-      append(to, n > 0 ? list_of_attributes : 0, 4);
-      append(to, n, 4);
+      const std::uint32_t n = (length > 0 ? 2 : 0) + (unit.empty() ? 0 : 1);
+      append(to, {n > 0 ? list_of_attributes : 0, n});
       if (length > 0)
         {
-          append(to, "length");
-          append(to, type_double, 4);
-          append(to, 1, 4);
+          append(to, std::string("length"));
+          append(to, {type_double, 1});
           append(to, length);
-          append(to, "periodic");
-          append(to, type_int, 4);
-          append(to, 1, 4);
-          append(to, 1, 4);
+          append(to, std::string("periodic"));
+          append(to, {type_int, 1, 1});
         }
       if (!unit.empty())
         {
-          append(to, "unit");
-          append(to, type_char, 4);
+          append(to, std::string("unit"));
+          append(to, {type_char});
           append(to, unit);
         }
     }
@@ -77,33 +78,34 @@ namespace strait
     std::string
     header_of(const PeriodicGrid &grid, const std::string &unit)
     {
-      const auto                       nx          = static_cast<std::uint64_t>(grid.nx);
-      const auto                       ny          = static_cast<std::uint64_t>(grid.ny);
-      const std::vector<VariableEntry> variables   = {{"x", {0}, grid.lx, nx},
-                                                      {"y", {1}, grid.ly, ny},
-                                                      {"heights", {0, 1}, 0., nx * ny}};
-      const auto                       header_with = [&](std::uint64_t begin) {
+      const auto                       nx        = static_cast<std::uint32_t>(grid.nx);
+      const auto                       ny        = static_cast<std::uint32_t>(grid.ny);
+      const std::vector<VariableEntry> variables = {
+        {"x", {0}, grid.lx, nx},
+        {"y", {1}, grid.ly, ny},
+        {"heights", {0, 1}, 0., static_cast<std::uint64_t>(nx) * ny}};
+      const auto header_with = [&](std::uint64_t begin) {
         std::string header("CDF\2\0\0\0\0", 8);
-        append(header, list_of_dimensions, 4);
-        append(header, 2, 4);
-        append(header, "x");
-        append(header, nx, 4);
-        append(header, "y");
-        append(header, ny, 4);
-        append(header, 0, 8); // no attributes of the file
-        append(header, list_of_variables, 4);
-        append(header, variables.size(), 4);
+        append(header, {list_of_dimensions, 2});
+        append(header, std::string("x"));
+        append(header, nx);
+        append(header, std::string("y"));
+        append(header, ny);
+        append(header, {0, 0}); // no attributes of the file
+        append(header, {list_of_variables, 3});
         for (const VariableEntry &variable : variables)
           {
             append(header, variable.name);
-            append(header, variable.dimensions.size(), 4);
-            for (const unsigned dimension : variable.dimensions)
-              append(header, dimension, 4);
+            append(header, static_cast<std::uint32_t>(variable.dimensions.size()));
+            for (const std::uint32_t dimension : variable.dimensions)
+              append(header, dimension);
             append_attributes(header, variable.length, unit);
-            append(header, type_double, 4);
             // The last variable may exceed what fits here; this is then how it is said.
-            append(header, std::min<std::uint64_t>(8 * variable.n_values, 0xffffffff), 4);
-            append(header, begin, 8);
+            append(header,
+                   {type_double,
+                    static_cast<std::uint32_t>(
+                      std::min<std::uint64_t>(8 * variable.n_values, 0xffffffff))});
+            append(header, begin);
             begin += 8 * variable.n_values;
           }
         return header;

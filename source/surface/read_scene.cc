@@ -19,8 +19,8 @@ namespace strait
       std::string size, grid_points, unit;
       run_on_root(MPI_COMM_WORLD, [&]() {
         HeightMap map = read_height_map(surface.map.file);
-        cut_window(map, surface, surface.map.file);
-        convert_to_scene_units(map, surface.map, surface.map.file);
+        cut_window(map, surface);
+        convert_to_scene_units(map, surface.map);
         // Nothing else that is done to a map changes its frame.
         const int n = surface.map.make_periodic == MakePeriodic::mirror ? 2 : 1;
         grid_points = scene_pair(surface, n * map.nx, n * map.ny);

@@ -72,12 +72,9 @@ namespace
     HalfSpaceProblem problem(heights, 1.);
     SlabField        p(heights.layout_pointer(), load), g(heights.layout_pointer());
     const double     start    = seconds();
-    const auto       solution = find_pressure(method,
-                                        {problem,
-                                               ContactConstraint::mean_pressure(load),
-                                               {tolerance, rms(heights), 5000},
-                                               p.data(),
-                                               g.data()});
+    const auto       solution = find_pressure(
+      method,
+      {problem, {true, load}, {tolerance, rms(heights), 5000}, p.data(), g.data()});
     if (!solution.converged)
       std::printf("not converged: %g\n", solution.residual);
     return {problem.n_applications(), seconds() - start};

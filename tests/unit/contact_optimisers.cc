@@ -179,8 +179,8 @@ namespace
   {
     for (const double load : {0.05, 0.5, 5.})
       {
-        const auto constraint = ContactConstraint::mean_pressure(load);
-        const auto expected   = solved(textbook, Quality::none, constraint, load);
+        const ContactConstraint constraint{true, load};
+        const auto expected = solved(textbook, Quality::none, constraint, load);
         for (const Quality quality : {Quality::none, Quality::uneven, Quality::negative})
           expect_equal(solved(dual_cg, quality, constraint, load), expected);
       }
@@ -204,9 +204,9 @@ namespace
                   before[i]   = i % 2 == 0 ? 0. : limit;
                 }
             }
-          std::vector<double> p      = before;
-          const WithinLimits  within = within_limits(
-            problem, ContactConstraint::mean_pressure(mean, limit), may_move, p.data());
+          std::vector<double> p = before;
+          const WithinLimits  within =
+            within_limits(problem, {true, mean, limit}, may_move, p.data());
           for (std::size_t i = 0; i < p.size(); ++i)
             p[i] = within(p[i], may_move[i] != 0);
           // The shift of those between the limits; the others would have gone further.
@@ -239,9 +239,9 @@ namespace
     for (const double load : {.05, .5, 5.})
       for (const double part : {.23, .61, .97})
         {
-          const double limit      = load / part;
-          const auto   constraint = ContactConstraint::mean_pressure(load, limit);
-          const auto   expected   = solved(dual_cg, Quality::none, constraint, load);
+          const double            limit = load / part;
+          const ContactConstraint constraint{true, load, limit};
+          const auto expected = solved(dual_cg, Quality::none, constraint, load);
           for (const Quality quality : {Quality::uneven, Quality::negative})
             expect_equal(solved(dual_cg, quality, constraint, load), expected);
         }
@@ -251,8 +251,8 @@ namespace
   {
     for (const double displacement : {0.9, 0., -2.})
       {
-        const auto constraint = ContactConstraint::rigid_displacement(displacement);
-        const auto expected   = solved(textbook, Quality::none, constraint, 0.);
+        const ContactConstraint constraint{false, displacement};
+        const auto expected = solved(textbook, Quality::none, constraint, 0.);
         for (const Quality quality : {Quality::none, Quality::uneven})
           expect_equal(solved(dual_cg, quality, constraint, 0.), expected);
         solved(dual_cg, Quality::negative, constraint, 0.);

@@ -47,7 +47,7 @@ namespace
         map.lateral_unit = lateral;
         map.height_unit  = height;
         set(parameters);
-        convert_to_scene_units(map, parameters, "map.txt");
+        convert_to_scene_units(map, parameters);
         return map;
       };
     const LengthUnit nothing, um{"um", 1e-6}, nm{"nm", 1e-9}, rad{"rad", {}};
@@ -116,10 +116,9 @@ namespace
       for (int ix = 10; ix < 30; ++ix)
         map.values[iy * 40 + ix] = NAN;
     Remarks remarks;
-    EXPECT_TRUE(
-      mentions(input_error([&]() { fill_missing_points(map, 0.2, "map.txt", remarks); }),
-               "lacks 400 of its points, a share of 0.25"));
-    fill_missing_points(map, 0.25, "map.txt", remarks);
+    EXPECT_TRUE(mentions(input_error([&]() { fill_missing_points(map, 0.2, remarks); }),
+                         "lacks 400 of its points, a share of 0.25"));
+    fill_missing_points(map, 0.25, remarks);
     ASSERT_EQ(remarks.notes.size(), 1U);
     for (std::size_t k = 0; k < exact.size(); ++k)
       EXPECT_NEAR(map.values[k], exact[k], 1e-8);
@@ -135,7 +134,7 @@ namespace
       for (int ix = 6; ix < 15; ++ix)
         map.values[iy * 20 + ix] = NAN;
     Remarks remarks;
-    fill_missing_points(map, 0.25, "map.txt", remarks);
+    fill_missing_points(map, 0.25, remarks);
     for (std::size_t k = 0; k < exact.size(); ++k)
       EXPECT_NEAR(map.values[k], exact[k], 1e-7);
   }
@@ -149,7 +148,7 @@ namespace
     for (int iy = 0; iy < 4; ++iy)
       map.values[iy * 8 + 3] = 7.;
     Remarks remarks;
-    fill_missing_points(map, 0.5, "map.txt", remarks);
+    fill_missing_points(map, 0.5, remarks);
     for (int iy = 0; iy < 4; ++iy)
       EXPECT_NEAR(map.values[iy * 8 + 7], 7., 1e-8);
   }
@@ -160,19 +159,19 @@ namespace
     MapParameters parameters;
     Remarks       remarks;
     HeightMap     as_is = sampled(32, 32, slope);
-    make_periodic(as_is, parameters, "map.txt", remarks);
+    make_periodic(as_is, parameters, remarks);
     ASSERT_EQ(remarks.warnings.size(), 1U);
     EXPECT_TRUE(mentions(remarks.warnings[0], "steps at its seams"));
 
     HeightMap periodic   = sampled(32, 32, slope);
     periodic.is_periodic = true;
-    make_periodic(periodic, parameters, "map.txt", remarks);
+    make_periodic(periodic, parameters, remarks);
     EXPECT_EQ(remarks.warnings.size(), 1U);
 
     // The step at one of the seams counts, however short that seam is.
     HeightMap wall =
       sampled(256, 8, [](double x, double y) { return .1 * x + std::cos(2 * M_PI * y); });
-    make_periodic(wall, parameters, "map.txt", remarks);
+    make_periodic(wall, parameters, remarks);
     ASSERT_EQ(remarks.warnings.size(), 2U);
     EXPECT_TRUE(mentions(remarks.warnings[1], "are 255 times"));
     remarks.warnings.pop_back();
@@ -180,7 +179,7 @@ namespace
     parameters.make_periodic = MakePeriodic::mirror;
     HeightMap mirrored       = sampled(3, 2, slope);
     mirrored.size            = {{1., 1.}};
-    make_periodic(mirrored, parameters, "map.txt", remarks);
+    make_periodic(mirrored, parameters, remarks);
     EXPECT_EQ(mirrored.nx, 6);
     EXPECT_EQ(mirrored.ny, 4);
     EXPECT_EQ((*mirrored.size)[0], 2.);
@@ -190,7 +189,7 @@ namespace
 
     parameters.make_periodic = MakePeriodic::window;
     HeightMap windowed       = sampled(40, 40, slope);
-    make_periodic(windowed, parameters, "map.txt", remarks);
+    make_periodic(windowed, parameters, remarks);
     const double middle = 0.5 * 1.5 - 0.5 / 40 * 3; // mean of the samples
     EXPECT_NEAR(windowed.values[20 * 40], 2 * 0.75 - 1.5 / 40, 0.05);
     EXPECT_EQ(windowed.values[20 * 40 + 20], slope(0.5, 0.5));

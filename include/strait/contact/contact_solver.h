@@ -44,8 +44,7 @@ namespace strait
                        Digits              digits         = Digits::all) override;
 
   private:
-    void         check(double target, double of_solid) const;
-    ContactState state_without_contact(double mean_gap) const;
+    void check(double target, double of_solid) const;
     ContactState
     state_of(const ContactSolution &solution, SlabField pressure, SlabField gap) const;
 

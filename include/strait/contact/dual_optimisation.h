@@ -5,6 +5,7 @@
 #include <strait/contact/contact_problem.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -17,25 +18,9 @@ namespace strait
    */
   struct ContactConstraint
   {
-    static constexpr double unlimited = std::numeric_limits<double>::infinity();
-
     bool   fixes_pressure;
-    double value; // the mean of the pressure, or u0
-    double limit; // of the pressure
-
-    /** Load control with this nominal pressure, which is less than @p limit. */
-    static ContactConstraint
-    mean_pressure(const double pressure, const double limit = unlimited)
-    {
-      return {true, pressure, limit};
-    }
-
-    /** Gap control with this rigid displacement u0. */
-    static ContactConstraint
-    rigid_displacement(const double displacement)
-    {
-      return {false, displacement, unlimited};
-    }
+    double value; // the mean of the pressure, which is less than the limit, or u0
+    double limit = std::numeric_limits<double>::infinity(); // of the pressure
 
     /** The rigid displacement of gap control; 0 where it is unknown. */
     double
@@ -65,7 +50,7 @@ namespace strait
     bool
     is_limited() const
     {
-      return limit < unlimited;
+      return std::isfinite(limit);
     }
   };
 

@@ -110,22 +110,15 @@ namespace strait
     double smallest_curvature(std::vector<double> &direction) const;
 
   protected:
-    /** What a step came to. */
-    enum class Outcome
-    {
-      moved,
-      again, // not moved, but another attempt from the same gap is worth while
-      stuck
-    };
-
     /** Forget what was learned on the way to another solution. */
     virtual void
     begin()
     {
     }
 
-    /** One iteration from the present gap, whose residual is @p residual. */
-    virtual Outcome descend(double residual) = 0;
+    /** One iteration from the present gap, whose residual is @p residual. Returns whether
+     *  the energy fell. */
+    virtual bool descend(double residual) = 0;
 
     /** A field of zeros, for a method to keep. */
     std::vector<double>

@@ -136,8 +136,8 @@ namespace strait
     using GapOptimiser::GapOptimiser;
 
   private:
-    void    begin() override;
-    Outcome descend(double residual) override;
+    void begin() override;
+    bool descend(double residual) override;
 
     double choose_direction();
     double form_step(double length);
@@ -170,7 +170,7 @@ namespace strait
     using GapOptimiser::GapOptimiser;
 
   private:
-    Outcome descend(double residual) override;
+    bool descend(double residual) override;
 
     void solve_model(double residual);
     bool search();
@@ -195,8 +195,8 @@ namespace strait
     using GapOptimiser::GapOptimiser;
 
   private:
-    void    begin() override;
-    Outcome descend(double residual) override;
+    void begin() override;
+    bool descend(double residual) override;
 
     void steer();
 

@@ -50,7 +50,8 @@ namespace strait
 
   /** What will limit the accuracy of a leak rate, without computing anything, in a line
    *  for the screen: from throats of comparable runs (doc/accuracy.md, doc/paper.md). @p
-   *  rms_slope is that of the heights, which the threshold of a rough surface scales with.
+   *  rms_slope is that of the heights, which the threshold of a rough surface scales
+   * with.
    */
   std::string limiting_error(const Scene &scene, double rms_slope);
 } // namespace strait

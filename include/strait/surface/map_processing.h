@@ -24,9 +24,7 @@ namespace strait
    * in the scene's. Throws InputError, naming the parameter that settles it, if a
    * unit is no length, or one of heights and size has a unit and the other none.
    */
-  void convert_to_scene_units(HeightMap           &map,
-                              const MapParameters &parameters,
-                              const std::string   &file);
+  void convert_to_scene_units(HeightMap &map, const MapParameters &parameters);
 
   /** Subtract mean, plane or paraboloid of least squares over the valid points. */
   void detrend(HeightMap &map, Detrend what);
@@ -36,29 +34,21 @@ namespace strait
    * sides of @p map, which must be known.
    * Throws InputError if they are more than @p largest_share of all.
    */
-  void fill_missing_points(HeightMap         &map,
-                           double             largest_share,
-                           const std::string &file,
-                           Remarks           &remarks);
+  void fill_missing_points(HeightMap &map, double largest_share, Remarks &remarks);
 
   /**
    * Make one period of @p map as the scene says, and warn of what that does to
    * rms height and slope; with MakePeriodic::no warn of a step at the seam. Its sides
    * must be known.
    */
-  void make_periodic(HeightMap           &map,
-                     const MapParameters &parameters,
-                     const std::string   &file,
-                     Remarks             &remarks);
+  void make_periodic(HeightMap &map, const MapParameters &parameters, Remarks &remarks);
 
   /**
    * Keep of @p map the window of @p parameters, with the points that it has in the file.
    * Rows and columns that are left over where the windows do not divide the map belong to
    * none. Throws InputError if there is no such window, or no point in it.
    */
-  void cut_window(HeightMap               &map,
-                  const SurfaceParameters &parameters,
-                  const std::string       &file);
+  void cut_window(HeightMap &map, const SurfaceParameters &parameters);
 
   /** A map on another grid, and what it lost. */
   struct Resampled

@@ -81,6 +81,7 @@ namespace strait
     if (start.empty())
       reject_height_map(file, "is empty: copy or export it again.");
     HeightMap map = read_by_content(file, start);
+    map.file      = file;
     check_values(map, file);
     return map;
   }

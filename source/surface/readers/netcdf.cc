@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/surface/readers/height_map.h>
 
-#include <boost/endian/conversion.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -17,21 +15,14 @@ namespace strait
     // What the library of NetCDF writes where nothing was.
     constexpr double usual_fill = 9.969209968386869e36;
 
-    template <typename Number>
-    Number
-    big_endian(const char *bytes)
-    {
-      return boost::endian::
-        endian_load<Number, sizeof(Number), boost::endian::order::big>(
-          reinterpret_cast<const unsigned char *>(bytes));
-    }
+    constexpr auto big = boost::endian::order::big;
 
     double
     decode(const char *bytes, const std::uint64_t type)
     {
-      return type == type_double ? big_endian<double>(bytes)
-             : type == type_int  ? big_endian<std::int32_t>(bytes)
-                                 : big_endian<float>(bytes);
+      return type == type_double ? load<double, big>(bytes)
+             : type == type_int  ? load<std::int32_t, big>(bytes)
+                                 : load<float, big>(bytes);
     }
 
     std::uint64_t
@@ -133,8 +124,8 @@ namespace strait
       number(const int n_bytes)
       {
         const std::string bytes = take(static_cast<std::uint64_t>(n_bytes));
-        return n_bytes == 4 ? big_endian<std::uint32_t>(bytes.data())
-                            : big_endian<std::uint64_t>(bytes.data());
+        return n_bytes == 4 ? load<std::uint32_t, big>(bytes.data())
+                            : load<std::uint64_t, big>(bytes.data());
       }
 
       std::string

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/surface/readers/height_map.h>
 
-#include <boost/endian/conversion.hpp>
-
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -13,21 +11,7 @@ namespace strait
 {
   namespace
   {
-    template <typename Number>
-    Number
-    little_endian(const char *bytes)
-    {
-      return boost::endian::
-        endian_load<Number, sizeof(Number), boost::endian::order::little>(
-          reinterpret_cast<const unsigned char *>(bytes));
-    }
-
-    template <typename Number>
-    double
-    decode(const char *bytes)
-    {
-      return static_cast<double>(little_endian<Number>(bytes));
-    }
+    constexpr auto little = boost::endian::order::little;
 
     /** The text of the dictionary; sets header.begin. */
     std::string
@@ -40,8 +24,8 @@ namespace strait
       if (!stream || version < 1 || version > 3)
         reject_height_map(file, "is a .npy file of an unknown version: save it again.");
       stream.read(start + 8, length_bytes);
-      const std::uint64_t length = version == 1 ? little_endian<std::uint16_t>(start + 8)
-                                                : little_endian<std::uint32_t>(start + 8);
+      const std::uint64_t length = version == 1 ? load<std::uint16_t, little>(start + 8)
+                                                : load<std::uint32_t, little>(start + 8);
       header.begin               = 8 + length_bytes + length;
       if (!stream || header.begin > std::filesystem::file_size(file))
         reject_height_map(file, "ends within its header: copy or save it again.");
@@ -66,12 +50,12 @@ namespace strait
       static const std::regex type("'descr': *'([^']*)'");
       if (!std::regex_search(dictionary, match, type))
         reject_height_map(file, "has no single data type: save a plain array.");
-      static const std::map<std::string, double (*)(const char *)> decoders = {
-        {"<f4", decode<float>},
-        {"<f8", decode<double>},
-        {"<i2", decode<std::int16_t>},
-        {"<i4", decode<std::int32_t>},
-        {"<i8", decode<std::int64_t>}};
+      static const std::map<std::string, decltype(header.decode)> decoders = {
+        {"<f4", load<float, little>},
+        {"<f8", load<double, little>},
+        {"<i2", load<std::int16_t, little>},
+        {"<i4", load<std::int32_t, little>},
+        {"<i8", load<std::int64_t, little>}};
       const auto decoder = decoders.find(match[1]);
       if (decoder == decoders.end())
         reject_height_map(file,

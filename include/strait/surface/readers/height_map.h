@@ -4,6 +4,8 @@
 
 #include <strait/base/units.h>
 
+#include <boost/endian/conversion.hpp>
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -19,6 +21,7 @@ namespace strait
    */
   struct HeightMap
   {
+    std::string         file; // that it was read from, for messages
     int                 nx = 0;
     int                 ny = 0;
     std::vector<double> values;
@@ -90,6 +93,15 @@ namespace strait
   /** Throw InputError: the height map @p file @p complaint; and what imports it. */
   [[noreturn]] void reject_for_import(const std::string &file,
                                       const std::string &complaint);
+
+  /** The number whose bytes, in @p order, are at @p bytes. */
+  template <typename Number, boost::endian::order order>
+  Number
+  load(const char *bytes)
+  {
+    return boost::endian::endian_load<Number, sizeof(Number), order>(
+      reinterpret_cast<const unsigned char *>(bytes));
+  }
 
   /** How the values of a map lie in a file: row by row, or column by column. */
   struct StoredValues
