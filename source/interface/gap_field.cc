@@ -114,10 +114,7 @@ namespace strait
   std::size_t
   GapField::position(const GridPoint &cell) const
   {
-    return layout().start_of_window(cell.window) - layout().n_local_points() +
-           static_cast<std::size_t>(cell.iy) *
-             layout().windows()[cell.window].n_columns() +
-           cell.ix;
+    return layout().index_of(cell) - layout().n_local_points();
   }
 
   GapRows

@@ -16,16 +16,10 @@ namespace strait
     std::vector<NodeState>
     states_of_both_ends(const SlabLayout &layout, const Clusters &clusters)
     {
-      const PeriodicGrid    &grid   = layout.grid();
       std::vector<NodeState> states = clusters.states;
-      for (const auto &[ix, iy, window] : clusters.leaks)
-        if (const int row = iy % grid.ny - layout.first_row(); window >= 0)
-          states[layout.start_of_window(window) +
-                 static_cast<std::size_t>(iy) * layout.windows()[window].n_columns() +
-                 ix] = NodeState::percolating;
-        else if (row >= 0 && row < layout.n_rows())
-          states[static_cast<std::size_t>(row) * grid.nx + ix % grid.nx] =
-            NodeState::percolating;
+      for (const GridPoint &point : clusters.leaks)
+        if (const std::size_t k = layout.index_of(point); k < states.size())
+          states[k] = NodeState::percolating;
       return states;
     }
 

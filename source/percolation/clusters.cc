@@ -127,29 +127,6 @@ namespace strait
         states.push_back(static_cast<NodeState>(static_cast<int>(state)));
       return states;
     }
-
-    /** Call visit(k) with the point of @p lattice for each value of a field on @p layout,
-     *  on the seam that at the inlet; the outermost points of a window stand for those
-     *  inside of them. */
-    template <class Visit>
-    void
-    for_each_value(const SlabLayout  &layout,
-                   const FlowLattice &lattice,
-                   const Visit       &visit)
-    {
-      for (int row = 0; row < layout.n_rows(); ++row)
-        for (int ix = 0; ix < layout.grid().nx; ++ix)
-          visit(lattice.number_at({ix, layout.first_row() + row}));
-      for (int w = 0; w < static_cast<int>(layout.windows().size()); ++w)
-        {
-          const int n_columns = layout.windows()[w].n_columns();
-          const int n_rows    = layout.windows()[w].n_rows();
-          for (int iy = 0; iy < n_rows; ++iy)
-            for (int ix = 0; ix < n_columns; ++ix)
-              visit(lattice.number_at(
-                {std::clamp(ix, 1, n_columns - 2), std::clamp(iy, 1, n_rows - 2), w}));
-        }
-    }
   } // namespace
 
   SlabField
@@ -180,7 +157,15 @@ namespace strait
           states_in_region(labels, *domain.region, open_gap.layout_pointer());
         return clusters;
       }
-    for_each_value(open_gap.layout(), lattice, [&](const std::size_t k) {
+    const SlabLayout &layout = open_gap.layout();
+    layout.for_each_point([&](GridPoint point) {
+      if (point.window >= 0) // whose outermost points stand for those inside of them
+        {
+          const ZoomWindow &window = layout.windows()[point.window];
+          point.ix                 = std::clamp(point.ix, 1, window.n_columns() - 2);
+          point.iy                 = std::clamp(point.iy, 1, window.n_rows() - 2);
+        }
+      const std::size_t k = lattice.number_at(point); // on the seam that at the inlet
       // On the outermost points of windows the gap itself may be closed.
       const bool is_open = open_gap[clusters.states.size()] > 0;
       clusters.states.push_back(is_open ? labels.state(k) : NodeState::closed);

@@ -18,16 +18,10 @@ namespace strait
     is_covered.resize(levels.size() > 1 ? levels.n_points() : 0, false);
     for (int l = 1; l < levels.size(); ++l)
       {
-        const Level      &level     = levels[l];
-        const std::size_t begin     = layout->start_of_window(level.window);
-        const int         n_columns = layout->windows()[level.window].n_columns();
+        const Level &level = levels[l];
         for (int b = 0; b < level.n_across; ++b)
           for (int a = 0; a < level.n_along; ++a)
-            {
-              const auto [ix, iy, window] = levels.point({l, a, b});
-              values.push_back(
-                field[begin + static_cast<std::size_t>(iy) * n_columns + ix]);
-            }
+            values.push_back(field[layout->index_of(levels.point({l, a, b}))]);
         for (int b = 1; b < level.n_across; b += 3)
           for (int a = 1; a < level.n_along; a += 3)
             for_each_copy(levels.parent_of({l, a, b}),

@@ -30,10 +30,7 @@ namespace strait
       at(const int window, const int ix, const int iy)
       {
         if (window >= 0)
-          return open_gap(
-            gap[layout.start_of_window(window) +
-                static_cast<std::size_t>(iy) * layout.windows()[window].n_columns() + ix],
-            slip_length);
+          return open_gap(gap[layout.index_of({ix, iy, window})], slip_length);
         const int         nx    = layout.grid().nx;
         const std::size_t place = static_cast<std::size_t>(iy - first_row) * nx;
         is_complete             = is_complete && iy >= first_row && place < rows.size();

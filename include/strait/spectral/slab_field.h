@@ -123,25 +123,12 @@ namespace strait
   SlabField
   sample(const SlabLayoutPtr &layout, const Height &height)
   {
-    const PeriodicGrid &grid = layout->grid();
-    SlabField           field(layout);
-    for (int row = 0; row < layout->n_rows(); ++row)
-      {
-        const double y = (layout->first_row() + row) * grid.dy();
-        for (int ix = 0; ix < grid.nx; ++ix)
-          field(ix, row) = height(ix * grid.dx(), y);
-      }
-    for (int w = 0; w < static_cast<int>(layout->windows().size()); ++w)
-      {
-        const ZoomWindow &window = layout->windows()[w];
-        std::size_t       k      = layout->start_of_window(w);
-        for (int iy = 0; iy < window.n_rows(); ++iy)
-          for (int ix = 0; ix < window.n_columns(); ++ix)
-            {
-              const auto [x, y] = layout->position(w, ix, iy);
-              field[k++]        = height(x, y);
-            }
-      }
+    SlabField field(layout);
+    double   *next = field.data();
+    layout->for_each_point([&](const GridPoint &point) {
+      const auto [x, y] = layout->position(point.window, point.ix, point.iy);
+      *next++           = height(x, y);
+    });
     return field;
   }
 

@@ -153,6 +153,27 @@ namespace strait
       return starts_of_windows[w];
     }
 
+    /** Where among the values of this rank that at @p point is, whose column and row
+     *  count modulo those of the grid; n_values() if it is another rank's. */
+    std::size_t
+    index_of(const GridPoint &point) const
+    {
+      if (point.window >= 0)
+        return start_of_window(point.window) +
+               static_cast<std::size_t>(point.iy) *
+                 zoom_windows[point.window].n_columns() +
+               point.ix;
+      const int row = point.iy % periodic_grid.ny - first_row();
+      return row < 0 || row >= n_rows()
+               ? n_values()
+               : static_cast<std::size_t>(row) * periodic_grid.nx +
+                   point.ix % periodic_grid.nx;
+    }
+
+    /** Call visit(point) for the points of the values of this rank, in their order. */
+    template <class Visit>
+    void for_each_point(const Visit &visit) const;
+
     /** Spacing of the points of window @p w, −1 for the grid, in x and y. */
     std::array<double, 2> spacing(int w) const;
 
@@ -209,6 +230,21 @@ namespace strait
     std::vector<std::size_t> starts_of_windows;
     std::vector<Range>       own_ranges;
   };
+
+  template <class Visit>
+  void
+  SlabLayout::for_each_point(const Visit &visit) const
+  {
+    const auto visit_all =
+      [&visit](const int w, const int nx, const int begin, const int end) {
+        for (int iy = begin; iy < end; ++iy)
+          for (int ix = 0; ix < nx; ++ix)
+            visit(GridPoint{ix, iy, w});
+      };
+    visit_all(-1, periodic_grid.nx, first_row(), first_row() + n_rows());
+    for (int w = 0; w < static_cast<int>(zoom_windows.size()); ++w)
+      visit_all(w, zoom_windows[w].n_columns(), 0, zoom_windows[w].n_rows());
+  }
 
   template <class Visit>
   void
