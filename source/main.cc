@@ -65,8 +65,7 @@ namespace
       }
     if (!command.force && !command.resume)
       refuse_to_replace_results(scene, MPI_COMM_WORLD);
-    if (!run_all_realisations(
-          command.scene, command.overrides, scene, log, command.resume))
+    if (!run_all_realisations(scene, log, command.resume))
       throw ComputationError(
         "Some steps, or states that a critical load or blow-out pressure rests on, did "
         "not reach what was asked; the column status of the table in '" +

@@ -105,8 +105,7 @@ namespace strait::python
       Log log(MPI_COMM_WORLD, screen, verbose ? Log::Screen::plain : Log::Screen::silent);
       if (!force && !resume)
         refuse_to_replace_results(source.scene, MPI_COMM_WORLD);
-      const bool converged =
-        run_all_realisations(source.path, source.overrides, source.scene, log, resume);
+      const bool converged = run_all_realisations(source.scene, log, resume);
       MPI_Barrier(MPI_COMM_WORLD); // all ranks may read what rank 0 wrote
       return converged;
     }

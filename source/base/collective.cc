@@ -79,14 +79,6 @@ namespace strait
       if (!together)
         MPI_Abort(comm, failure.status);
     }
-
-    template <typename Number>
-    Number
-    reduce(MPI_Comm comm, Number value, MPI_Datatype type, MPI_Op operation)
-    {
-      MPI_Allreduce(MPI_IN_PLACE, &value, 1, type, operation, comm);
-      return value;
-    }
   } // namespace
 
   int
@@ -129,9 +121,9 @@ namespace strait
   void
   throw_if_any(MPI_Comm comm, const std::string &error)
   {
-    const int n_ranks = n_ranks_in(comm);
-    const int first =
-      reduce(comm, error.empty() ? n_ranks : rank_in(comm), MPI_INT, MPI_MIN);
+    const int  n_ranks = n_ranks_in(comm);
+    const auto first =
+      static_cast<int>(minimum(comm, error.empty() ? n_ranks : rank_in(comm)));
     if (first < n_ranks)
       throw InputError(broadcast(comm, error, first));
   }
@@ -147,27 +139,24 @@ namespace strait
   }
 
   double
-  sum(MPI_Comm comm, const double value)
+  sum(MPI_Comm comm, double value)
   {
-    return reduce(comm, value, MPI_DOUBLE, MPI_SUM);
+    sum_in_place(comm, &value, 1);
+    return value;
   }
 
   double
-  maximum(MPI_Comm comm, const double value)
+  maximum(MPI_Comm comm, double value)
   {
-    return reduce(comm, value, MPI_DOUBLE, MPI_MAX);
-  }
-
-  double
-  minimum(MPI_Comm comm, const double value)
-  {
-    return reduce(comm, value, MPI_DOUBLE, MPI_MIN);
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, comm);
+    return value;
   }
 
   long long
-  sum(MPI_Comm comm, const long long value)
+  sum(MPI_Comm comm, long long value)
   {
-    return reduce(comm, value, MPI_LONG_LONG, MPI_SUM);
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_LONG_LONG, MPI_SUM, comm);
+    return value;
   }
 
   void

@@ -79,6 +79,7 @@ namespace strait
     scene.bind(table);
     for (const SceneEntry &entry : entries)
       table.assign(entry);
+    scene.entries                      = entries;
     scene.resolved                     = table.scene(false);
     scene.oversights                   = table.without_effect();
     scene.surface.map.length_in_metres = scene.units.length_in_metres();

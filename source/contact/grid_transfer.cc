@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/collective.h>
 #include <strait/contact/grid_transfer.h>
+#include <strait/contact/window_transfer.h>
 
 #include <algorithm>
 #include <numeric>
@@ -10,36 +10,24 @@ namespace strait
 {
   namespace
   {
-    /** Find @p pressure in its window @p w from that at the points of the parent: linear
-     *  between these, and 0 where the nearest of them does not touch. Collective. */
+    /** Find @p pressure in its window @p w from that at the points of the parent:
+     *  interpolated, and 0 where the nearest of them does not touch. Collective. */
     void
     fill_from_parent(SlabField &pressure, const int w)
     {
-      const SlabLayout   &layout    = pressure.layout();
-      const ZoomWindow   &window    = layout.windows()[w];
-      const int           n_columns = window.nx + 2, n_rows = window.ny + 2;
-      std::vector<double> around(static_cast<std::size_t>(n_columns) * n_rows);
-      layout.for_each_around(w, 1, [&](const int a, const int b, const std::size_t k) {
-        around[static_cast<std::size_t>(b + 1) * n_columns + a + 1] = pressure[k];
-      });
-      if (window.parent < 0)
-        sum_in_place(layout.communicator(), around);
-      const auto at = [&](const int a, const int b) {
-        // The last column and row are only asked for with the weight 0.
-        return around[static_cast<std::size_t>(std::min(b, n_rows - 1)) * n_columns +
-                      std::min(a, n_columns - 1)];
-      };
-      std::size_t k = layout.start_of_window(w);
+      const SlabLayout         &layout = pressure.layout();
+      const ZoomWindow         &window = layout.windows()[w];
+      WindowTransfer<double>    transfer(window);
+      const std::vector<double> patch = transfer.patch_of(layout, w, pressure.data());
+      double                   *value = pressure.data() + layout.start_of_window(w);
+      transfer.interpolate(patch, value);
       for (int iy = 0; iy < window.n_rows(); ++iy)
-        for (int ix = 0; ix < window.n_columns(); ++ix)
+        for (int ix = 0; ix < window.n_columns(); ++ix, ++value)
           {
-            const int    a = (ix + 2) / 3, b = (iy + 2) / 3;
-            const double s = (ix + 2) % 3 / 3., t = (iy + 2) % 3 / 3.;
-            const bool   touches = at(ix / 3 + 1, iy / 3 + 1) > 0;
-            pressure[k++]        = touches
-                                     ? (1 - t) * ((1 - s) * at(a, b) + s * at(a + 1, b)) +
-                                  t * ((1 - s) * at(a, b + 1) + s * at(a + 1, b + 1))
-                                     : 0.;
+            const int nearest = (iy / 3 + ZoomWindow::margin) * transfer.patch_columns() +
+                                ix / 3 + ZoomWindow::margin;
+            const bool touches = patch[nearest] > 0;
+            *value             = touches ? std::max(*value, 0.) : 0.;
           }
     }
 

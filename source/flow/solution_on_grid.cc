@@ -3,10 +3,10 @@
 #include <strait/flow/solution_on_grid.h>
 
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <cmath>
+#include <map>
 
 namespace strait
 {
@@ -67,25 +67,36 @@ namespace strait
     }
   } // namespace
 
-  GridDeposit::Sums
+  SlabField
   potential_on_grid(const ReynoldsSolver &solver, const SlabLayoutPtr &layout)
   {
-    const PotentialProblem         &pressure = solver.pressure();
-    const FiniteElement<2>         &fe       = pressure.dof_handler().get_fe();
-    const std::vector<unsigned int> row_by_row =
-      FETools::lexicographic_to_hierarchic_numbering<2>(fe.degree);
-
-    GridDeposit         deposit(layout, fe.degree);
-    std::vector<double> values, sorted(fe.n_dofs_per_cell());
+    const PotentialProblem            &pressure = solver.pressure();
+    const FiniteElement<2>            &fe       = pressure.dof_handler().get_fe();
+    const PointRows                    points   = rows_of_grid(layout->grid(), 1);
+    std::map<int, std::vector<double>> rows; // that this rank's cells touch
+    std::vector<double>                values;
     for (std::size_t c = 0; c < pressure.cells().size(); ++c)
-      if (pressure.is_active(c))
-        {
-          pressure.cell_values(c, values);
-          for (unsigned int i = 0; i < sorted.size(); ++i)
-            sorted[i] = values[row_by_row[i]];
-          deposit.add(solver.mesh().grid_cell(*pressure.cells()[c]), sorted);
-        }
-    return deposit.collect();
+      {
+        pressure.cell_values(c, values);
+        for (const PointInCell &p :
+             points_in_cell(solver.mesh(), *pressure.cells()[c], points))
+          {
+            std::vector<double> &row = rows[p.iy];
+            row.resize(layout->grid().nx);
+            for (unsigned int i = 0; i < values.size(); ++i)
+              row[p.ix] += values[i] * fe.shape_value(i, {p.s, p.t});
+          }
+      }
+    std::vector<int>    touched;
+    std::vector<double> lines;
+    for (const auto &[row, line] : rows)
+      {
+        touched.push_back(row);
+        lines.insert(lines.end(), line.begin(), line.end());
+      }
+    SlabField result(layout);
+    add_rows(*layout, touched, lines, result.data());
+    return result;
   }
 
   FlowAtPoints

@@ -8,7 +8,6 @@
 #include <strait/run/run_state.h>
 #include <strait/run/scripts.h>
 #include <strait/run/simulation.h>
-#include <strait/surface/read_scene.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -69,20 +68,18 @@ namespace strait
       return all;
     }
 
-    /** That of a realisation alone, of @p scene, which is at @p path. Collective. */
+    /** That of a realisation of @p scene alone. */
     Scene
-    scene_of(const RealisationRow &realisation,
-             const Scene          &scene,
-             const std::string    &path,
-             Overrides             overrides)
+    scene_of(const RealisationRow &realisation, const Scene &scene)
     {
       const Orientation orientation = realisation.orientation;
       const bool        is_inverted = orientation == Orientation::inverted ||
                                orientation == Orientation::inverted_and_rotated;
       const bool is_rotated = orientation == Orientation::rotated ||
                               orientation == Orientation::inverted_and_rotated;
-      const auto set = [&overrides](const std::string &name, const std::string &value) {
-        overrides.push_back(name + "=" + value);
+      std::vector<SceneEntry> entries = scene.entries;
+      const auto set = [&entries](const std::string &name, const std::string &value) {
+        entries.push_back(lex_override(name + "=" + value, ""));
       };
       const auto yes_or_no = [](const bool value) { return value ? "true" : "false"; };
       set("Surface/Seed", std::to_string(realisation.seed));
@@ -105,7 +102,7 @@ namespace strait
       set("Seal/Two in a row", yes_or_no(scene.has_two_boxes()));
       set("Output/Directory",
           scene.output.directory + "/realisation-" + std::to_string(realisation.number));
-      Scene one      = read_scene(path, overrides);
+      Scene one      = make_scene(entries);
       one.oversights = scene.oversights; // the Seal has an effect, for all together
       return one;
     }
@@ -175,11 +172,7 @@ namespace strait
   } // namespace
 
   bool
-  run_all_realisations(const std::string &path,
-                       const Overrides   &overrides,
-                       const Scene       &scene,
-                       Log               &log,
-                       const bool         resume)
+  run_all_realisations(const Scene &scene, Log &log, const bool resume)
   {
     if (!scene.realisations.enabled())
       return simulate(scene, log, resume).converged;
@@ -193,7 +186,7 @@ namespace strait
     RunState          state(scene, MPI_COMM_WORLD, resume);
     if (resume) // before anything is written
       for (const RealisationRow &next : realisations)
-        if (const Scene alone = scene_of(next, scene, path, overrides);
+        if (const Scene alone = scene_of(next, scene);
             has_checkpoint(alone, MPI_COMM_WORLD))
           const RunState of_this_scene(alone, MPI_COMM_WORLD, true);
     const auto lock = begin_results(scene, MPI_COMM_WORLD, log, resume);
@@ -218,7 +211,7 @@ namespace strait
                             realisations.size(),
                             next.seed,
                             name_of(next.orientation).c_str()));
-            scenes.push_back(scene_of(next, scene, path, overrides));
+            scenes.push_back(scene_of(next, scene));
           }
         const std::size_t mine = first + groups.mine;
         if (mine < end)

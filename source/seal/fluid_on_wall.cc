@@ -97,11 +97,11 @@ namespace strait
                       const PoolsInGap *pools) const
   {
     const std::vector<NodeState> &states = fluid_flow.channel.clusters.states;
-    const double inlet = control.inlet_pressure, outlet = scene.fluid.outlet_pressure;
-    const GridDeposit::Sums channel =
+    const double    inlet = control.inlet_pressure, outlet = scene.fluid.outlet_pressure;
+    const SlabField channel =
       fluid_flow.solution
         ? potential_on_grid(*fluid_flow.solution, pressure.layout_pointer())
-        : GridDeposit::Sums();
+        : SlabField();
     for (std::size_t k = 0; k < pressure.size(); ++k)
       {
         if (pools != nullptr && pools->regions[k] >= 0)
@@ -114,12 +114,8 @@ namespace strait
             case NodeState::percolating:
               if (before)
                 break; // it keeps what it had when it was cut off
-              // On the seam the channel may reach one side only; see
-              // extend_under_contact().
-              pressure[k] = channel.area.empty() || channel.area[k] == 0
-                              ? inlet
-                              : fluid_flow.solution->pressure_at(channel.integral[k] /
-                                                                 channel.area[k]);
+              pressure[k] =
+                channel.empty() ? inlet : fluid_flow.solution->pressure_at(channel[k]);
               break;
             case NodeState::inlet_side:
               pressure[k] = inlet;

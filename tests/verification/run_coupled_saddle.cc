@@ -180,7 +180,7 @@ namespace strait
           exponents.push_back(exponent_between(rows[0], rows[1], .05 / .02));
         }
       EXPECT_NEAR(exponents[0], 3.67, .04);
-      EXPECT_NEAR(exponents[1], 3.79, .04);
+      EXPECT_NEAR(exponents[1], 3.86, .04);
     }
   } // namespace
 } // namespace strait

@@ -68,8 +68,7 @@ namespace strait
                      "  set Orientations = as is, inverted\n");
       const Overrides overrides = {"Output/Directory=" + folder + "/all"};
       Log             log(MPI_COMM_WORLD, true);
-      EXPECT_TRUE(run_all_realisations(
-        scene_file, overrides, read_scene(scene_file, overrides), log));
+      EXPECT_TRUE(run_all_realisations(read_scene(scene_file, overrides), log));
       const auto rows = lines_of(folder + "/all/ensemble.csv");
       ASSERT_EQ(rows.size(), 5U);
       EXPECT_EQ(rows[4].substr(0, 13), "4,4,inverted,");
@@ -96,8 +95,7 @@ namespace strait
       // Fewer of them leave nothing of the others behind.
       const Overrides one = {overrides.front(), "Realisations/Seeds=5"};
       Log             anew(MPI_COMM_WORLD, true);
-      EXPECT_TRUE(
-        run_all_realisations(scene_file, one, read_scene(scene_file, one), anew));
+      EXPECT_TRUE(run_all_realisations(read_scene(scene_file, one), anew));
       EXPECT_EQ(lines_of(folder + "/all/ensemble.csv").size(), 3U);
       EXPECT_FALSE(lines_of(folder + "/all/realisation-2/leakage.csv").empty());
       EXPECT_TRUE(lines_of(folder + "/all/realisation-3/leakage.csv").empty());
@@ -140,10 +138,8 @@ namespace strait
                                  "Realisations/Orientations=as is, rotated"};
           overrides.insert(overrides.end(), surface.begin(), surface.end());
           Log log(MPI_COMM_WORLD, true);
-          EXPECT_TRUE(run_all_realisations(folder + "/scene.prm",
-                                           overrides,
-                                           read_scene(folder + "/scene.prm", overrides),
-                                           log));
+          EXPECT_TRUE(
+            run_all_realisations(read_scene(folder + "/scene.prm", overrides), log));
           Row rows[2];
           for (const int number : {1, 2})
             {
@@ -185,8 +181,7 @@ namespace strait
         Overrides overrides = own;
         overrides.push_back("Output/Directory=" + folder + name);
         Log log(MPI_COMM_WORLD, true);
-        EXPECT_TRUE(run_all_realisations(
-          scene_file, overrides, read_scene(scene_file, overrides), log, resume));
+        EXPECT_TRUE(run_all_realisations(read_scene(scene_file, overrides), log, resume));
         MPI_Barrier(MPI_COMM_WORLD);
         return words_of_ensemble(folder + name);
       };
@@ -215,9 +210,8 @@ namespace strait
       const Overrides bad = {"Realisations/Ranks each=1000",
                              "Output/Directory=" + folder + "/bad"};
       Log             log(MPI_COMM_WORLD, true);
-      EXPECT_THROW(
-        run_all_realisations(scene_file, bad, read_scene(scene_file, bad), log, false),
-        InputError);
+      EXPECT_THROW(run_all_realisations(read_scene(scene_file, bad), log, false),
+                   InputError);
     }
 
     TEST(Ensemble, OfTheTheoryAloneKnowsItsLimits)
@@ -237,8 +231,7 @@ namespace strait
                                    "Contact/Grid points=32",
                                    "Realisations/Seeds=1, 2"};
       Log             log(MPI_COMM_WORLD, true);
-      EXPECT_TRUE(run_all_realisations(
-        scene_file, overrides, read_scene(scene_file, overrides), log));
+      EXPECT_TRUE(run_all_realisations(read_scene(scene_file, overrides), log));
       const auto rows = lines_of(folder + "/all/ensemble.csv");
       ASSERT_EQ(rows.size(), 3U);
       EXPECT_NE(rows[1].find("plastic"), std::string::npos) << rows[1];

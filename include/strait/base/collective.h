@@ -61,7 +61,11 @@ namespace strait
   double maximum(MPI_Comm comm, double value);
 
   /** The smallest @p value of all ranks. Collective. */
-  double minimum(MPI_Comm comm, double value);
+  inline double
+  minimum(MPI_Comm comm, const double value)
+  {
+    return -maximum(comm, -value);
+  }
 
   /** The sum of whole numbers over all ranks. Collective. */
   long long sum(MPI_Comm comm, long long value);

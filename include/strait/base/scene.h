@@ -69,6 +69,9 @@ namespace strait
       return (contact.enabled && contact.has_memory()) || fluid.feedback.enabled;
     }
 
+    /** What it was made of. */
+    std::vector<SceneEntry> entries;
+
     /** The scene file, with every default filled in. */
     std::string resolved;
 

@@ -3,7 +3,7 @@
 #define strait_flow_solution_on_grid_h
 
 #include <strait/flow/flow_mesh.h>
-#include <strait/interface/grid_deposit.h>
+#include <strait/spectral/slab_field.h>
 
 #include <vector>
 
@@ -11,12 +11,10 @@ namespace strait
 {
   class ReynoldsSolver;
 
-  /**
-   * The potential of @p solver (1 at the inlet, 0 at the outlet), handed from its open
-   * cells to the points of the grid without loss. Collective.
-   */
-  GridDeposit::Sums potential_on_grid(const ReynoldsSolver &solver,
-                                      const SlabLayoutPtr  &layout);
+  /** The potential of @p solver (1 at the inlet, 0 at the outlet) on a box at the points
+   *  of its grid; it means something where the flow comes from them or goes there.
+   *  Collective. */
+  SlabField potential_on_grid(const ReynoldsSolver &solver, const SlabLayoutPtr &layout);
 
   /** Rows of equally spaced points, in units of the grid's spacings. */
   struct PointRows
