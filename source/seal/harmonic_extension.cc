@@ -19,25 +19,28 @@ namespace strait
       bool is_on_seam(int ix, int local_row) const;
 
       /** −Laplacian times dx·dy, and the springs' pull towards 0, where the pressure is
-       *  sought, zero elsewhere; the seam counts as @p inlet from its one side and as
-       *  @p outlet from the other. Collective. */
+       *  sought; the seam counts as @p inlet from its one side and as @p outlet from the
+       *  other. Collective. */
       void apply(const SlabField &values,
                  double           inlet,
                  double           outlet,
                  SlabField       &result) const;
 
-      /** z = the preconditioner times r, zero where the pressure is known. */
+      /** z = the preconditioner times r where the pressure is sought; elsewhere z must be
+       *  zero. */
       void precondition(const SlabField &r, SlabField &z) const;
 
       // κ dx dy; infinite where the pressure is known.
       std::vector<double> spring;
+
+      std::vector<int> points; // at which it is sought, ascending
 
     private:
       const SlabLayout   &layout;
       const FlowDirection direction;
       const double        weight_x, weight_y; // dy/dx and dx/dy
 
-      // How much of its own equation's residual a point takes; 0 where it is known.
+      // How much of its own equation's residual a point takes.
       std::vector<double> share;
     };
 
@@ -71,6 +74,8 @@ namespace strait
                                    ? sides * ratio * ratio / (1. - ratio)
                                    : std::numeric_limits<double>::infinity();
             share[k]           = over_relaxation / (2. * sides + spring[k]);
+            if (std::isfinite(spring[k]))
+              points.push_back(k);
           }
     }
 
@@ -91,25 +96,23 @@ namespace strait
       const int        begin = layout.first_row(), n_rows = layout.n_rows();
       const bool       along_x = direction == FlowDirection::x;
       const RowsAround rows(values);
+      auto             k = points.begin();
       for (int row = 0; row < n_rows; ++row)
         {
           const double *here = rows[row], *below = rows[row - 1], *above = rows[row + 1];
           const int     iy = begin + row;
-          for (int ix = 0; ix < nx; ++ix)
+          for (; k != points.end() && *k < (row + 1) * nx; ++k)
             {
-              const std::size_t k = static_cast<std::size_t>(row) * nx + ix;
-              result[k]           = 0;
-              if (std::isinf(spring[k]))
-                continue;
+              const int    ix = *k - row * nx;
               const double left =
                 along_x && ix == 1 ? inlet : here[ix == 0 ? nx - 1 : ix - 1];
               const double right =
                 along_x && ix == nx - 1 ? outlet : here[ix == nx - 1 ? 0 : ix + 1];
               const double lower = !along_x && iy == 1 ? inlet : below[ix];
               const double upper = !along_x && iy == ny - 1 ? outlet : above[ix];
-              result[k]          = spring[k] * here[ix] +
-                          weight_x * (2. * here[ix] - left - right) +
-                          weight_y * (2. * here[ix] - lower - upper);
+              result[*k]         = spring[*k] * here[ix] +
+                           weight_x * (2. * here[ix] - left - right) +
+                           weight_y * (2. * here[ix] - lower - upper);
             }
         }
     }
@@ -118,25 +121,20 @@ namespace strait
     ExtensionProblem::precondition(const SlabField &r, SlabField &z) const
     {
       // Neighbours across the edge of the box, and of other ranks, are left out.
-      const int nx = layout.grid().nx, n_rows = layout.n_rows();
-      for (int row = 0, k = 0; row < n_rows; ++row)
-        for (int ix = 0; ix < nx; ++ix, ++k)
-          {
-            z[k] = 0.;
-            if (share[k] == 0.)
-              continue;
-            const double left  = ix > 0 ? z[k - 1] : 0.;
-            const double below = row > 0 ? z[k - nx] : 0.;
-            z[k]               = share[k] * (r[k] + weight_x * left + weight_y * below);
-          }
-      for (int row = n_rows - 1, k = n_rows * nx - 1; row >= 0; --row)
-        for (int ix = nx - 1; ix >= 0; --ix, --k)
-          if (share[k] > 0.)
-            {
-              const double right = ix + 1 < nx ? z[k + 1] : 0.;
-              const double above = row + 1 < n_rows ? z[k + nx] : 0.;
-              z[k] += share[k] * (weight_x * right + weight_y * above);
-            }
+      const int nx = layout.grid().nx, n = nx * layout.n_rows();
+      for (const int k : points)
+        {
+          const double left  = k % nx > 0 ? z[k - 1] : 0.;
+          const double below = k >= nx ? z[k - nx] : 0.;
+          z[k]               = share[k] * (r[k] + weight_x * left + weight_y * below);
+        }
+      for (auto point = points.rbegin(); point != points.rend(); ++point)
+        {
+          const int    k     = *point;
+          const double right = (k + 1) % nx > 0 ? z[k + 1] : 0.;
+          const double above = k + nx < n ? z[k + nx] : 0.;
+          z[k] += share[k] * (weight_x * right + weight_y * above);
+        }
     }
   } // namespace
 
@@ -175,7 +173,7 @@ namespace strait
       return product(r, z);
     };
     problem.apply(boundary_values, inlet_pressure, outlet_pressure, r);
-    for (std::size_t k = 0; k < r.size(); ++k)
+    for (const int k : problem.points)
       r[k] -= load[k];
     const double enough = tolerance * tolerance * precondition();
     if (!(enough > 0))
@@ -185,7 +183,7 @@ namespace strait
         return 0;
       }
     problem.apply(pressure, inlet_pressure, outlet_pressure, r);
-    for (std::size_t k = 0; k < r.size(); ++k)
+    for (const int k : problem.points)
       r[k] = load[k] - r[k];
 
     double r_z       = precondition();
@@ -193,11 +191,11 @@ namespace strait
     int    iteration = 0;
     while (r_z > enough && iteration < max_iterations)
       {
-        for (std::size_t k = 0; k < t.size(); ++k)
+        for (const int k : problem.points)
           t[k] = z[k] + beta * t[k];
         problem.apply(t, 0., 0., q);
         const double alpha = r_z / product(t, q);
-        for (std::size_t k = 0; k < t.size(); ++k)
+        for (const int k : problem.points)
           {
             pressure[k] += alpha * t[k];
             r[k] -= alpha * q[k];
