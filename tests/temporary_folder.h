@@ -3,6 +3,7 @@
 #define strait_tests_temporary_folder_h
 
 #include <strait/base/collective.h>
+#include <strait/base/exceptions.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -19,7 +20,8 @@ namespace strait::test
       run_on_root(MPI_COMM_WORLD, [this]() {
         // mkdtemp() puts what is unique in the place of the six X.
         folder = (std::filesystem::temp_directory_path() / "strait-XXXXXX").string();
-        folder = mkdtemp(folder.data());
+        if (mkdtemp(folder.data()) == nullptr)
+          throw ComputationError("There is no room for a folder '" + folder + "'.");
       });
       folder = broadcast(MPI_COMM_WORLD, folder);
     }

@@ -39,7 +39,7 @@ namespace strait
         lower = std::min(lower, -pressure[i]);
         upper = std::max(upper, limit - pressure[i]);
       }
-    lower = -maximum(problem.communicator, -lower);
+    lower = minimum(problem.communicator, lower);
     upper = maximum(problem.communicator, upper);
     while (true)
       {

@@ -158,7 +158,7 @@ namespace strait
       if (d[i] < 0)
         furthest = std::min(furthest, -g[i] / d[i]);
     });
-    furthest                = -maximum(problem.communicator, -furthest);
+    furthest                = minimum(problem.communicator, furthest);
     if (!(d_r < 0))
       return false;
     const bool   is_convex = work + local > 0;

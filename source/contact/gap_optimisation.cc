@@ -127,7 +127,7 @@ namespace strait
           worst = std::isnan(here) ? std::numeric_limits<double>::infinity() : here;
       }
     largest_violation = maximum(problem.communicator, worst);
-    smallest_gap      = -maximum(problem.communicator, -least);
+    smallest_gap      = minimum(problem.communicator, least);
   }
 
   /** No contact, and the load pulls at least twice as strongly as any point. */

@@ -81,8 +81,7 @@ namespace strait
         for (const PointInCell &p :
              points_in_cell(solver.mesh(), *pressure.cells()[c], points))
           {
-            std::vector<double> &row = rows[p.iy];
-            row.resize(layout->grid().nx);
+            auto &row = rows.try_emplace(p.iy, layout->grid().nx).first->second;
             for (unsigned int i = 0; i < values.size(); ++i)
               row[p.ix] += values[i] * fe.shape_value(i, {p.s, p.t});
           }

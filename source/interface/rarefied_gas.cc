@@ -71,7 +71,8 @@ namespace strait
     const double difference = high - low;
     if (kind != Rarefaction::transitional)
       return difference * mobility(gap, .5 * (low + high));
-    // In t with p = low + (high − low) t⁴, which tames the logarithm at vacuum.
+    // In t with p = low + (high − low) t⁴, which tames the logarithm at
+    // vacuum. These points miss 5·10⁻⁷ of the result, half as many 3·10⁻⁶.
     const auto integrand = [&](const double t) {
       return 4. * t * t * t * mobility(gap, low + difference * std::pow(t, 4));
     };

@@ -45,7 +45,7 @@ namespace
         if (p > 0 && p < hardness)
           least_free = std::min(least_free, gap[i]);
       }
-    least_free   = -maximum(MPI_COMM_WORLD, -least_free);
+    least_free   = minimum(MPI_COMM_WORLD, least_free);
     most_free    = maximum(MPI_COMM_WORLD, most_free);
     double worst = most_free - least_free;
     for (std::size_t i = 0; i < gap.size(); ++i)

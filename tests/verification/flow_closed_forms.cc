@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Leak rates of gaps whose effective conductivity is known in closed form.
+#include <strait/flow/solution_on_grid.h>
+
 #include <gtest/gtest.h>
 
 #include "flow_fixture.h"
@@ -288,6 +290,33 @@ namespace strait
       };
       leak(sample(gap, 128, 128), plain_fluid(2e-3), check);
       EXPECT_GE(n_meshes, 3);
+    }
+
+    // Cells are larger than the grid's, of any degree, and shared by the ranks.
+    TEST(FlowClosedForms, PressureFallsEvenlyInAUniformGapParallel)
+    {
+      for (const unsigned int degree : {1U, 2U})
+        for (const FlowDirection direction : {FlowDirection::x, FlowDirection::y})
+          {
+            FluidParameters fluid = plain_fluid();
+            fluid.element_degree  = degree;
+            fluid.direction       = direction;
+            const SlabField gap =
+              sample([](double, double) { return .1; }, 64, 48, 2., 1.);
+            const GivenGap given(gap, fluid);
+            ReynoldsSolver solver(fluid, given.field);
+            solver.run(given.channel);
+            const SlabField potential = potential_on_grid(solver, gap.layout_pointer());
+            for (int row = 0; row < gap.layout().n_rows(); ++row)
+              for (int ix = 0; ix < 64; ++ix)
+                {
+                  const int iy = gap.layout().first_row() + row;
+                  EXPECT_NEAR(potential(ix, row),
+                              1. - (direction == FlowDirection::x ? ix / 64. : iy / 48.),
+                              1e-8)
+                    << ix << ' ' << iy << ", degree " << degree;
+                }
+          }
     }
   } // namespace
 } // namespace strait

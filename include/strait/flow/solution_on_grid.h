@@ -11,9 +11,9 @@ namespace strait
 {
   class ReynoldsSolver;
 
-  /** The potential of @p solver (1 at the inlet, 0 at the outlet) on a box at the points
-   *  of its grid; it means something where the flow comes from them or goes there.
-   *  Collective. */
+  /** The potential of @p solver (1 at the inlet, 0 at the outlet) on a box, at the points
+   *  of its grid, on the seam that at the inlet. Where the channel does not reach it
+   * means nothing. Collective. */
   SlabField potential_on_grid(const ReynoldsSolver &solver, const SlabLayoutPtr &layout);
 
   /** Rows of equally spaced points, in units of the grid's spacings. */
