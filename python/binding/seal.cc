@@ -116,6 +116,9 @@ namespace strait::python
                             slip_length.value_or(scene.fluid.slip_lengths.front())};
     require(std::isfinite(result.inlet_pressure),
             "The inlet pressure must be a finite number.");
+    require(!scene.fluid.is_gas || result.inlet_pressure >= 0.,
+            "Fluid/State = gas needs absolute pressures, but the inlet pressure is "
+            "negative.");
     require(std::isfinite(result.slip_length) && result.slip_length <= 0.,
             "The slip length must be a finite number of at most 0.");
     return result;
@@ -211,6 +214,8 @@ namespace strait::python
     require_fluid();
     require(scene.programme.find_threshold,
             "A critical load needs Contact/Enabled and Contact/Control = load.");
+    require(std::isfinite(first.value_or(1.)) && first.value_or(1.) > 0.,
+            "The first load of a search must be a finite number above 0.");
     const Use  use(*this);
     SealSearch search(scene, open(), layout, stage->domain(), log);
     search.after_probe = check_signals;

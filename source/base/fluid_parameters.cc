@@ -208,17 +208,21 @@ namespace strait
             "Fluid/Gas and Molar mass are both given; remove one.");
     if (known != nullptr)
       molar_mass = known->molar_mass;
+    require(
+      !(molar_mass > 0.) || units.are_complete(),
+      "Fluid/Gas and Molar mass are in SI units, whatever the scene's are; give the "
+      "section Units, with Length, Pressure and Time.");
     constexpr double gas_constant = 8.314462618; // J/(mol K)
     if (molar_mass > 0.)
       thermal_speed = std::sqrt(2. * gas_constant * temperature / molar_mass) *
-                      seconds_in(units.time).value_or(1.) / units.length_in_metres();
+                      *seconds_in(units.time) / *metres_in(units.length);
     if (known == nullptr || viscosity != FluidParameters().viscosity)
       return;
     require(temperature == FluidParameters().temperature,
             "Fluid/Gas knows the viscosity of " + gas +
               " at 293.15 K only; give Fluid/Viscosity at the temperature.");
-    viscosity = known->viscosity / (pascals_in(units.pressure).value_or(1.) *
-                                    seconds_in(units.time).value_or(1.));
+    viscosity =
+      known->viscosity / (*pascals_in(units.pressure) * *seconds_in(units.time));
   }
 
   void

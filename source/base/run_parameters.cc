@@ -65,7 +65,7 @@ namespace strait
   }
 
   std::string
-  name_of(const Orientation orientation)
+  name_of(const int orientation)
   {
     return orientation_names.text(orientation);
   }

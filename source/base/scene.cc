@@ -82,7 +82,7 @@ namespace strait
     scene.entries                      = entries;
     scene.resolved                     = table.scene(false);
     scene.oversights                   = table.without_effect();
-    scene.surface.map.length_in_metres = scene.units.length_in_metres();
+    scene.surface.map.length_in_metres = metres_in(scene.units.length).value_or(1.);
     return scene;
   }
 

@@ -13,14 +13,6 @@ namespace strait
     check_programme(const Scene &scene)
     {
       const bool by_load = scene.contact.loads();
-      if (scene.contact.enabled)
-        for (const double value : scene.programme.pressures)
-          require(value > 0. || (scene.contact.adhesion.enabled && by_load),
-                  "Load programme/Pressures contains " + to_text(value) +
-                    (by_load
-                       ? ", a load that never makes contact; give positive nominal "
-                         "pressures."
-                       : "; give positive mean gaps (Contact/Control = mean gap)."));
       require(!scene.programme.find_threshold ||
                 (scene.contact.enabled && scene.fluid.enabled && by_load &&
                  scene.surface.kind != SurfaceKind::flat),
@@ -31,12 +23,37 @@ namespace strait
               "Load programme/Find blow-out raises the inlet pressure until the "
               "fluid opens the seal; it needs Fluid/Wall feedback/Enabled and "
               "Contact/Control = load.");
-      if (scene.programme.find_blow_out)
-        for (const double load : scene.programme.pressures)
-          require(load > 0.,
-                  "Load programme/Pressures contains " + to_text(load) +
-                    ", but Find blow-out needs loads that press the seal shut; "
-                    "give positive ones.");
+    }
+
+    void
+    check_pressures(const Scene &scene)
+    {
+      const ContactParameters &contact = scene.contact;
+      const bool               by_load = contact.loads();
+      for (const double value : scene.programme.pressures)
+        {
+          const auto require_here = [value](const bool         condition,
+                                            const std::string &why) {
+            require(condition,
+                    "Load programme/Pressures contains " + to_text(value) + why);
+          };
+          require_here(
+            value > 0. || !contact.enabled || (contact.adhesion.enabled && by_load),
+            by_load
+              ? ", a load that never makes contact; give positive nominal pressures."
+              : "; give positive mean gaps (Contact/Control = mean gap).");
+          require_here(value > 0. || !scene.is_theory_only(),
+                       ", at which the theory has no contact; give positive nominal "
+                       "pressures.");
+          require_here(value > 0. || !scene.programme.find_blow_out,
+                       ", but Find blow-out needs loads that press the seal shut; give "
+                       "positive ones.");
+          require_here(value < contact.hardness || contact.hardness == 0. ||
+                         !contact.yields,
+                       ", which Contact/Hardness = " + to_text(contact.hardness) +
+                         " cannot bear even where all of the area is in contact; give "
+                         "nominal pressures below it.");
+        }
     }
 
     void
@@ -55,20 +72,6 @@ namespace strait
                     " is a throughput of gas; set Fluid/State = gas, or choose a "
                     "volume per time.");
         }
-    }
-
-    /** What a run of the theory alone cannot do without. */
-    void
-    check_theory_alone(const Scene &scene)
-    {
-      require(scene.contact.loads(),
-              "Theory/Enabled without Contact and Fluid takes Load programme/"
-              "Pressures as loads; set Contact/Control = load.");
-      for (const double pressure : scene.programme.pressures)
-        require(pressure > 0.,
-                "Load programme/Pressures contains " + to_text(pressure) +
-                  ", at which the theory has no contact; give positive "
-                  "nominal pressures.");
     }
 
     void
@@ -97,8 +100,9 @@ namespace strait
               "Theory/Dimension parameter = from threshold knows the simulated "
               "contact fraction at the threshold, not what a slip length "
               "blocks; take Gap distribution = persson or no slip length.");
-      if (!simulates)
-        check_theory_alone(scene);
+      require(simulates || scene.contact.loads(),
+              "Theory/Enabled without Contact and Fluid takes Load programme/"
+              "Pressures as loads; set Contact/Control = load.");
     }
 
     /** What a contact that yields cannot be combined with, and why. */
@@ -139,12 +143,6 @@ namespace strait
         "opens the later the larger the load was before: where Load programme/Path = "
         "unloading, a search for the threshold begins with the first of "
         "Load programme/Pressures, which must be the largest.");
-      for (const double pressure : pressures)
-        require(pressure < contact.hardness,
-                "Load programme/Pressures contains " + to_text(pressure) +
-                  ", which Contact/Hardness = " + to_text(contact.hardness) +
-                  " cannot bear even where all of the area is in contact; give "
-                  "nominal pressures below it.");
     }
 
     /** That the realisations of a measured map are windows of it. */
@@ -241,6 +239,7 @@ namespace strait
     check_programme(*this);
     check_theory(*this);
     check_yielding(*this);
+    check_pressures(*this);
     check_zoom(*this);
     check_leak_rate_units(*this);
 
@@ -296,6 +295,9 @@ namespace strait
       warnings.emplace_back(
         "a gas presses on the walls with its absolute pressure, so the loads count from "
         "a vacuum outside the seal.");
+    if (!fluid.enabled && output.error_budget)
+      warnings.emplace_back(
+        "Output/Error budget is of the leak rate, and Fluid/Enabled = false.");
     if (is_theory_only() && (output.surface_map || output.surface_spectrum))
       warnings.emplace_back(
         "the theory alone writes neither Output/Surface map nor Surface spectrum; switch "

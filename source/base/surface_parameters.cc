@@ -135,7 +135,8 @@ namespace strait
     of_law.add("Normalisation", rms_is_of_height, Names{"rms slope", "rms height"})
       .meaning = "what RMS value prescribes.";
     of_law.add("RMS value", rms_value, not_negative).meaning =
-      "rms slope [1] or rms height [length].";
+      "rms slope [1] or rms height [length]; with gaussian amplitudes the root of the mean "
+      "square over all seeds, around which single surfaces scatter.";
     section
       .when("Kind",
             {"square saddle", "triangular peaks", "honeycomb peaks", "sine", "sphere"})

@@ -25,17 +25,14 @@ namespace strait
       for (std::size_t i = 0; i <= a.size(); ++i)
         for (std::size_t j = 0; j <= b.size(); ++j)
           {
-            if (i == 0 || j == 0)
-              {
-                distance[i][j] = static_cast<int>(i + j);
-                continue;
-              }
-            distance[i][j] =
-              std::min({distance[i - 1][j] + 1,
-                        distance[i][j - 1] + 1,
-                        distance[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            int &least = distance[i][j];
+            least      = static_cast<int>(i + j); // all removed and inserted
+            if (i > 0 && j > 0)
+              least = std::min({distance[i - 1][j] + 1,
+                                distance[i][j - 1] + 1,
+                                distance[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-              distance[i][j] = std::min(distance[i][j], distance[i - 2][j - 2] + 1);
+              least = std::min(least, distance[i - 2][j - 2] + 1);
           }
       return distance[a.size()][b.size()];
     }
@@ -87,21 +84,18 @@ namespace strait
   std::string
   nearest_name(const std::string &word, const std::vector<std::string> &candidates)
   {
-    std::string nearest;
-    int         smallest = 0;
-    for (const std::string &candidate : candidates)
-      {
-        const int distance = edit_distance(word, candidate);
-        const int longest  = static_cast<int>(std::max(word.size(), candidate.size()));
-        // A smaller part of the length misses more misspellings, a larger one suggests
-        // names that have nothing to do with the word.
-        if (2 * distance < longest && (nearest.empty() || distance < smallest))
-          {
-            nearest  = candidate;
-            smallest = distance;
-          }
-      }
-    return nearest;
+    const auto nearest =
+      std::min_element(candidates.begin(),
+                       candidates.end(),
+                       [&word](const std::string &a, const std::string &b) {
+                         return edit_distance(word, a) < edit_distance(word, b);
+                       });
+    // A smaller part of the length misses more misspellings, a larger one suggests names
+    // that have nothing to do with the word.
+    const bool is_near = nearest != candidates.end() &&
+                         2 * edit_distance(word, *nearest) <
+                           static_cast<int>(std::max(word.size(), nearest->size()));
+    return is_near ? *nearest : "";
   }
 
   std::string

@@ -3,6 +3,7 @@
 #include <strait/base/timers.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace strait
 {
@@ -26,7 +27,27 @@ namespace strait
   Timers::table() const
   {
     std::vector<Part> rows;
-    append(rows, total_time, "", 0, seconds_since(start));
+
+    const std::function<void(const Node &, const std::string &, int, double)> append =
+      [&](const Node        &node,
+          const std::string &path_of_whole,
+          const int          depth,
+          const double       seconds) {
+        const std::string path = path_of_whole + node.name;
+        rows.push_back({path, depth, seconds});
+        if (node.parts.empty())
+          return;
+        const std::string path_here = depth == 0 ? "" : path + "/";
+        double            rest      = seconds;
+        for (const Node &part : node.parts)
+          {
+            append(part, path_here, depth + 1, part.seconds);
+            rest -= part.seconds;
+          }
+        // A part that is still being timed has less on its clock than its own parts.
+        rows.push_back({path_here + "other", depth + 1, std::max(rest, 0.)});
+      };
+    append(total_time, "", 0, seconds_since(start));
     return rows;
   }
 
@@ -41,27 +62,5 @@ namespace strait
         text += format("%-32s%10.2f s\n", (indent + name).c_str(), part.seconds);
       }
     return text;
-  }
-
-  void
-  Timers::append(std::vector<Part> &rows,
-                 const Node        &node,
-                 const std::string &path_of_whole,
-                 const int          depth,
-                 const double       seconds)
-  {
-    const std::string path = path_of_whole + node.name;
-    rows.push_back({path, depth, seconds});
-    if (node.parts.empty())
-      return;
-    const std::string path_here = depth == 0 ? "" : path + "/";
-    double            rest      = seconds;
-    for (const Node &part : node.parts)
-      {
-        append(rows, part, path_here, depth + 1, part.seconds);
-        rest -= part.seconds;
-      }
-    // A part that is still being timed has less on its clock than its own parts.
-    rows.push_back({path_here + "other", depth + 1, std::max(rest, 0.)});
   }
 } // namespace strait

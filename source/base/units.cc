@@ -87,12 +87,6 @@ namespace strait
     return {name, factor * *unit};
   }
 
-  double
-  UnitParameters::length_in_metres() const
-  {
-    return metres_in(length).value_or(1.);
-  }
-
   bool
   UnitParameters::are_complete() const
   {

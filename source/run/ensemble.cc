@@ -63,7 +63,7 @@ namespace strait
         seeds.push_back(scene.surface.seed);
       std::vector<RealisationRow> all;
       for (const unsigned long long seed : seeds)
-        for (const Orientation orientation : scene.realisations.orientations)
+        for (const int orientation : scene.realisations.orientations)
           all.push_back({{}, static_cast<int>(all.size() + 1), seed, orientation});
       return all;
     }
@@ -72,12 +72,9 @@ namespace strait
     Scene
     scene_of(const RealisationRow &realisation, const Scene &scene)
     {
-      const Orientation orientation = realisation.orientation;
-      const bool        is_inverted = orientation == Orientation::inverted ||
-                               orientation == Orientation::inverted_and_rotated;
-      const bool is_rotated = orientation == Orientation::rotated ||
-                              orientation == Orientation::inverted_and_rotated;
-      std::vector<SceneEntry> entries = scene.entries;
+      const bool              is_inverted = (realisation.orientation & 1) != 0;
+      const bool              is_rotated  = (realisation.orientation & 2) != 0;
+      std::vector<SceneEntry> entries     = scene.entries;
       const auto set = [&entries](const std::string &name, const std::string &value) {
         entries.push_back(lex_override(name + "=" + value, ""));
       };
@@ -96,7 +93,7 @@ namespace strait
               std::to_string(grid[1]) + ", " + std::to_string(grid[0]));
         }
       set("Realisations/Seeds", "");
-      set("Realisations/Orientations", name_of(Orientation::as_is));
+      set("Realisations/Orientations", name_of(0));
       set("Realisations/Ranks each", "");
       set("Seal/Enabled", "false");
       set("Seal/Two in a row", yes_or_no(scene.has_two_boxes()));

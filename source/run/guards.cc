@@ -176,7 +176,7 @@ namespace strait
     if (!scene.units.length.empty())
       for (const double side : scene.surface.size)
         check("Surface/Size",
-              side * scene.units.length_in_metres(),
+              side * metres_in(scene.units.length).value_or(1.),
               1e-8, // a few waves of a length of some atoms
               .1,   // a wave of micrometres is no longer resolved
               "m");

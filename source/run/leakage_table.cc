@@ -146,7 +146,9 @@ namespace strait
       {},
       "One row a step, written as soon as the step is done. Columns of an effect that is "
       "off (`Contact/Enabled = false`, `Fluid/Enabled = false`) are absent.");
-    table.add(&Step::number, "step [1]: number of the load, from 1")
+    table
+      .add(&Step::number,
+           "step [1]: number of the row, from 1: a load with one slip length")
       .when(with_contact)
       .add(&Step::branch,
            "branch: the load path, `loading` or `unloading`; with adhesion, yielding or "

@@ -136,7 +136,10 @@ namespace strait
     refuse_results_of_another_scene(scene, comm);
     try
       {
-        const RunState earlier(scene, comm, true);
+        RunState earlier(scene, comm, false);
+        earlier.files.clear(); // that have changed may be restored
+        StateArchive file(earlier.path, comm, StateArchive::Access::read);
+        earlier.transfer(file);
         if (earlier.finished || !earlier.has_begun)
           return;
       }

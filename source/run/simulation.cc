@@ -107,8 +107,8 @@ namespace strait
       log.line(
         format("theory of the spectrum from q = %.5g to %.5g: rms height %.5g, rms "
                "slope %.5g",
-               spectrum.smallest_wave_number(),
-               spectrum.largest_wave_number(),
+               spectrum.sections.front().from,
+               spectrum.sections.back().to,
                std::sqrt(spectrum.height_square()),
                std::sqrt(spectrum.slope_square())));
     }

@@ -53,14 +53,6 @@ namespace strait
     // with 2.9 points along the throat; by 10 to 27 % with 1.4 to 2.3, by 0.5 % with 6.
     constexpr double least_points_along_throat = 3.;
 
-    /** Note @p check of a step, with @p advice. */
-    void
-    add(Step &step, ValidityCheck check, const std::string &advice)
-    {
-      check.advice = advice;
-      step.checks.push_back(std::move(check));
-    }
-
     /** What a pressure of the fluid is of the load; under tension any is too much. */
     double
     part_of_load(const Step &step, const double pressure)
@@ -94,10 +86,12 @@ namespace strait
     add_slope(Step &step, const Scene &scene, const double rms_slope)
     {
       if (scene.has_physical_modulus())
-        add(step,
-            {"steep", rms_slope, most_slope},
-            format("the rms slope of the surface is %.3g, and small slopes are assumed",
-                   rms_slope));
+        step.checks.push_back(
+          {"steep",
+           rms_slope,
+           most_slope,
+           format("the rms slope of the surface is %.3g, and small slopes are assumed",
+                  rms_slope)});
     }
 
     void
@@ -118,22 +112,26 @@ namespace strait
       const double of_hardness = in_contact / scene.contact.hardness;
       const double of_modulus  = in_contact / scene.contact.effective_modulus;
       if (scene.contact.hardness > 0.)
-        add(step,
-            {"plastic", of_hardness, most_of_hardness},
-            format("the mean pressure in contact is %.3g of Contact/Hardness, so that "
-                   "asperities flow: there is more contact and less leakage than in the "
-                   "elastic contact that is computed; ",
-                   of_hardness) +
-              advice_to("switch on Contact/Yielding", scene, [](Scene &other) {
-                other.contact.yields = true;
-              }));
+        step.checks.push_back(
+          {"plastic",
+           of_hardness,
+           most_of_hardness,
+           format("the mean pressure in contact is %.3g of Contact/Hardness, so that "
+                  "asperities flow: there is more contact and less leakage than in the "
+                  "elastic contact that is computed; ",
+                  of_hardness) +
+             advice_to("switch on Contact/Yielding", scene, [](Scene &other) {
+               other.contact.yields = true;
+             })});
       else if (scene.has_physical_modulus())
-        add(step,
-            {"large-strain", of_modulus, most_of_modulus},
-            format("the mean pressure in contact is %.3g of the effective modulus, where "
-                   "few solids are linearly elastic; give Contact/Hardness if yield "
-                   "decides",
-                   of_modulus));
+        step.checks.push_back(
+          {"large-strain",
+           of_modulus,
+           most_of_modulus,
+           format("the mean pressure in contact is %.3g of the effective modulus, where "
+                  "few solids are linearly elastic; give Contact/Hardness if yield "
+                  "decides",
+                  of_modulus)});
     }
 
     void
@@ -149,17 +147,19 @@ namespace strait
       const bool   pulls = suction > fluid.excess_pressure();
       const double number =
         part_of_load(step, std::max(suction, fluid.excess_pressure()));
-      add(step,
-          {"fluid-pressure", number, most_fluid_pressure},
-          format(
-            "the fluid's %s is %.3g of the nominal pressure and %s, so that %s leaks: ",
-            pulls ? "suction" : "pressure",
-            number,
-            pulls ? "pulls the walls together" : "presses the walls apart",
-            pulls ? "less" : "more") +
-            advice_to("switch on Fluid/Wall feedback", scene, [](Scene &other) {
-              other.fluid.feedback.enabled = true;
-            }));
+      step.checks.push_back(
+        {"fluid-pressure",
+         number,
+         most_fluid_pressure,
+         format(
+           "the fluid's %s is %.3g of the nominal pressure and %s, so that %s leaks: ",
+           pulls ? "suction" : "pressure",
+           number,
+           pulls ? "pulls the walls together" : "presses the walls apart",
+           pulls ? "less" : "more") +
+           advice_to("switch on Fluid/Wall feedback", scene, [](Scene &other) {
+             other.fluid.feedback.enabled = true;
+           })});
     }
 
     void
@@ -171,12 +171,14 @@ namespace strait
       const double throat = step.flow->channel.paths.front().bottleneck_gap;
       const double number = 2. * fluid.surface_tension / throat /
                             std::abs(fluid.inlet_pressure - fluid.outlet_pressure);
-      add(step,
-          {"capillary", number, most_laplace_pressure},
-          format("the pressure across a meniscus in the throat is %.3g of the one that "
-                 "drives the flow: a liquid that has to enter a dry throat, or to leave "
-                 "it, may not leak at all",
-                 number));
+      step.checks.push_back(
+        {"capillary",
+         number,
+         most_laplace_pressure,
+         format("the pressure across a meniscus in the throat is %.3g of the one that "
+                "drives the flow: a liquid that has to enter a dry throat, or to leave "
+                "it, may not leak at all",
+                number)});
     }
 
     void
@@ -185,17 +187,20 @@ namespace strait
       if (!scene.contact.enabled)
         return;
       const double points = step.flow->channel.throat.points;
-      add(
-        step,
-        {"coarse-throat", points, least_points_along_throat, true},
-        format("there are %.2g grid points along the throat, so that the contact grid's "
-               "error may exceed that of the bracket: raise Contact/Grid points",
-               points) +
-          (scene.contact.zoom.enabled
-             ? ""
-             : ", or " + advice_to("switch on Contact/Zoom", scene, [](Scene &other) {
-                 other.contact.zoom.enabled = true;
-               })));
+      step.checks.push_back(
+        {"coarse-throat",
+         points,
+         least_points_along_throat,
+         format("there are %.2g grid points along the throat, so that the contact grid's "
+                "error may exceed that of the bracket: raise Contact/Grid points",
+                points) +
+           (scene.contact.zoom.enabled
+              ? ""
+              : ", or " +
+                  advice_to("switch on Contact/Zoom",
+                            scene,
+                            [](Scene &other) { other.contact.zoom.enabled = true; })),
+         true});
     }
 
     /** Mean free path over gap along @p path of a gas in viscous flow, whose squared
@@ -249,8 +254,10 @@ namespace strait
       const auto [mean, at_throat] =
         knudsen_numbers(step.flow->channel.paths.front(), scene);
       const double most = slips ? most_knudsen_with_slip : most_knudsen;
-      add(step, {"rarefied", mean, most}, advice("of the mean resistance", mean));
-      add(step, {"rarefied-throat", at_throat, most}, advice("in the throat", at_throat));
+      step.checks.push_back(
+        {"rarefied", mean, most, advice("of the mean resistance", mean)});
+      step.checks.push_back(
+        {"rarefied-throat", at_throat, most, advice("in the throat", at_throat)});
     }
 
     void
@@ -273,18 +280,20 @@ namespace strait
         std::max(scene.fluid.inlet_pressure, scene.fluid.outlet_pressure);
       const double guessed = part_of_load(step, area * reservoirs);
       const double by_step = trapped ? part_of_load(step, trapped->uncertainty) : 0.;
-      add(step,
-          {"trapped-fluid", std::max(guessed, by_step), most_trapped_load},
-          guessed < by_step
-            ? format("%.2g of the load hangs on when in this step fluid was cut off: "
-                     "take shorter steps of Load programme/Pressures",
-                     by_step)
-            : format(
-                "fluid of unknown pressure is trapped on %.2g %% of the area, which at "
-                "the pressure of the reservoirs would carry %.2g of the load: compare "
-                "runs with Fluid/Wall feedback/Pool pressure from 0 to that pressure",
-                100. * area,
-                guessed));
+      step.checks.push_back(
+        {"trapped-fluid",
+         std::max(guessed, by_step),
+         most_trapped_load,
+         guessed < by_step
+           ? format("%.2g of the load hangs on when in this step fluid was cut off: "
+                    "take shorter steps of Load programme/Pressures",
+                    by_step)
+           : format(
+               "fluid of unknown pressure is trapped on %.2g %% of the area, which at "
+               "the pressure of the reservoirs would carry %.2g of the load: compare "
+               "runs with Fluid/Wall feedback/Pool pressure from 0 to that pressure",
+               100. * area,
+               guessed)});
     }
   } // namespace
 

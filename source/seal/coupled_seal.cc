@@ -24,27 +24,225 @@ namespace strait
     class Coupling
     {
     public:
-      Coupling(const Scene         &scene,
-               ContactModel        &contact,
-               const SlabLayoutPtr &layout,
-               FlowStage           &flow,
-               Log                 &log,
-               const Control       &control,
-               const SealState     *from);
+      Coupling(const Scene         &scene_,
+               ContactModel        &contact_,
+               const SlabLayoutPtr &layout_,
+               FlowStage           &flow_,
+               Log                 &log_,
+               const Control       &control_,
+               const SealState     *from)
+        : scene(scene_)
+        , contact(contact_)
+        , layout(layout_)
+        , flow(flow_)
+        , log(log_)
+        , control(control_)
+        , near(from != nullptr && !(from->fluid && from->fluid->lifted_off)
+                 ? &*from->contact
+                 : nullptr)
+        , feedback(scene.fluid.feedback, layout)
+        , on_wall(scene, control, from)
+      {
+        state.control = control;
+        state.fluid.emplace();
+        if (from == nullptr || !from->fluid)
+          return;
+        feedback.pressure() = from->fluid->pressure;
+        // What carried another load is not to lift this one off before it was tried.
+        const double fluid_load = mean(feedback.pressure());
+        if (on_wall.is_limited_by_load() && fluid_load >= control.target)
+          for (double &pressure : feedback.pressure())
+            pressure *= FluidOnWall::largest_share * control.target / fluid_load;
+      }
 
       /** Contact and flow that agree to the accuracy of a verdict; roughly if the channel
        * is open and @p open_is_enough. */
-      void settle(bool open_is_enough);
+      void
+      settle(const bool open_is_enough)
+      {
+        // The verdict should not depend on what the iteration leaves over, but below that
+        // it is what contact and flow leave over that counts. Half of it takes a few
+        // rounds more, double of it blurs the tightest thresholds that can be asked for.
+        constexpr double least = 1e-5;
+        const double     share = looseness * scene.programme.threshold_tolerance;
+        FeedbackGoal     goal{std::min(scene.fluid.feedback.tolerance,
+                                   std::max(share, least)),
+                          std::numeric_limits<double>::infinity()};
+        goal.once_open = open_is_enough ? looseness : 0.;
+        agree(goal);
+      }
 
-      /** The same to that of a leak rate. */
-      void find_mesh();
+      /**
+       * Let contact and flow come near each other on finer and finer meshes until the
+       * leak rate does not depend on the mesh that the fluid's pressure on the wall is
+       * found on, and then agree.
+       */
+      void
+      find_mesh()
+      {
+        // If the leak rate changes by more than that, contact and flow went to another
+        // state, for which another mesh of this share is wanted. Half of it discards
+        // meshes that are merely coarse, double of it refines meshes that were made for
+        // another gap.
+        constexpr double another_state = .5;
+        // Of meshes for one state, and of states. Half as many may leave the leak rate to
+        // change with the mesh, which the bracket then says; twice as many cost more for
+        // gaps that no mesh settles.
+        constexpr int max_finer = 2, max_states = 4;
+
+        const double target_accuracy = flow.fluid().target_accuracy;
+        const double tolerance       = scene.fluid.feedback.tolerance;
+        FluidState  &fluid           = *state.fluid;
+        const double loosely         = std::max(tolerance, looseness * target_accuracy);
+        FeedbackGoal goal{loosely, loosely};
+        double       share = mesh_share;
+
+        std::optional<double> leak_before;
+        const auto            certify = [&]() -> const Leakage            &{
+          flow.certify(fluid_flow, share);
+          return fluid_flow.leakage;
+        };
+        for (int finer = 0, states = 1;;)
+          {
+            agree(goal);
+            goal.goes_on = true;
+            if (fluid.lifted_off)
+              return;
+            if (!fluid.converged || !fluid_flow.solution)
+              break;
+            bool stays = true;
+            if (leak_before)
+              {
+                // A change below the width of the bracket, or below what the iteration
+                // leaves over, is chance.
+                const Leakage &now = certify();
+                fluid.mesh_error   = std::max({std::abs(*leak_before / now.rate - 1.),
+                                               .5 * now.relative_width(),
+                                               loosely});
+                stays              = fluid.mesh_error <= another_state;
+                // The bracket of the row may take as much as that of the first mesh.
+                const double width =
+                  std::max(now.relative_width(), mesh_share * target_accuracy);
+                const bool is_narrow = width + 2. * fluid.mesh_error <= target_accuracy;
+                if (is_narrow || (stays ? finer == max_finer : states == max_states))
+                  break;
+              }
+            if (stays)
+              {
+                ++finer;
+                share *= mesh_share;
+              }
+            else
+              {
+                ++states;
+                flow.discard_mesh();
+              }
+            leak_before = certify().rate;
+          }
+        goal.tolerance = tolerance;
+        if (fluid.converged && !last_result.agrees_within(goal))
+          agree(goal);
+      }
 
       SealState state;
 
     private:
-      void          agree(FeedbackGoal goal);
-      FeedbackRound round(const SlabField &assumed);
-      void          lift_off();
+      void
+      agree(FeedbackGoal goal)
+      {
+        // Half as many give long steps up on which pools meet one after the other, twice
+        // as many go on where pools meet and part without end.
+        constexpr int most_meetings = 4;
+        if (on_wall.is_limited_by_load())
+          goal.largest_mean = control.target;
+        double largest_pressure = std::max(std::abs(flow.fluid().inlet_pressure),
+                                           std::abs(flow.fluid().outlet_pressure));
+        // Reservoirs without pressure give none to compare that of trapped fluid with.
+        if (largest_pressure == 0.)
+          largest_pressure = scene.contact.loads() ? std::abs(control.target)
+                             : near != nullptr     ? std::abs(near->nominal_pressure)
+                                                   : 0.;
+        FluidState &fluid = *state.fluid;
+        try
+          {
+            bool meet = true;
+            for (int meetings = 0; meet && meetings <= most_meetings; ++meetings)
+              {
+                last_result =
+                  feedback.solve([&](const SlabField &assumed) { return round(assumed); },
+                                 largest_pressure,
+                                 goal);
+                meet = on_wall.settle(*state.contact, fluid_flow, feedback.pressure()) &&
+                       last_result.converged;
+                goal.goes_on = false;
+              }
+            last_result.converged = last_result.converged && !meet;
+            fluid.trapped         = on_wall.trapped();
+            fluid.converged       = last_result.converged;
+            fluid.undecided       = last_result.undecided;
+            fluid.open_share      = last_result.open_share;
+            fluid.load            = mean(feedback.pressure());
+          }
+        catch (const LiftedOff &)
+          {
+            lift_off();
+          }
+        fluid.pressure = feedback.pressure();
+      }
+
+      FeedbackRound
+      round(const SlabField &assumed)
+      {
+        if (on_wall.is_limited_by_load() && mean(assumed) >= control.target)
+          throw LiftedOff();
+        const auto start = Timers::Clock::now();
+        state.contact    = contact.solve(control.target, near, &assumed);
+        near             = &*state.contact;
+        if (near->adhesion && near->adhesion->detached)
+          throw LiftedOff();
+        state.mean_gap = near->mean_gap;
+        state.costs += {state.contact->iterations,
+                        state.contact->fft_pairs,
+                        1,
+                        Timers::seconds_since(start)};
+
+        flow.follow(fluid_flow, state.contact->gap, control.slip_length, mesh_share);
+
+        FeedbackRound result;
+        result.percolates     = fluid_flow.channel.percolates();
+        result.leak_rate      = fluid_flow.leakage.upper;
+        result.fluid_pressure = on_wall.pressure(*state.contact, fluid_flow, assumed);
+        log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",
+                            mean(result.fluid_pressure),
+                            result.leak_rate));
+        return result;
+      }
+
+      void
+      lift_off()
+      {
+        constexpr double infinite = std::numeric_limits<double>::infinity();
+        ContactState    &parted   = state.contact.emplace();
+        parted.pressure           = SlabField(layout);
+        parted.gap                = SlabField(layout, infinite);
+        parted.nominal_pressure   = control.target;
+        parted.converged          = true;
+        if (scene.contact.adhesion.enabled)
+          parted.adhesion.emplace().detached = true; // where a path ends
+        parted.mean_gap = state.mean_gap = infinite;
+        // The contact that was sought until then is none of this state.
+        state.costs.iterations  = 0;
+        state.costs.fft_pairs   = 0;
+        state.fluid->lifted_off = true;
+        state.fluid->trapped.reset();
+        state.fluid->converged = false;
+        state.fluid->load      = control.target;
+        if (!parted.adhesion)
+          log.warn(
+            format("the fluid alone carries a load of %.6g: the walls part and nothing "
+                   "limits the leak",
+                   control.target));
+      }
 
       const Scene        &scene;
       ContactModel       &contact;
@@ -79,217 +277,5 @@ namespace strait
           coupling.settle(aim == Aim::seal);
         return std::move(coupling.state);
       };
-  }
-
-  Coupling::Coupling(const Scene         &scene_,
-                     ContactModel        &contact_,
-                     const SlabLayoutPtr &layout_,
-                     FlowStage           &flow_,
-                     Log                 &log_,
-                     const Control       &control_,
-                     const SealState     *from)
-    : scene(scene_)
-    , contact(contact_)
-    , layout(layout_)
-    , flow(flow_)
-    , log(log_)
-    , control(control_)
-    , near(from != nullptr && !(from->fluid && from->fluid->lifted_off) ? &*from->contact
-                                                                        : nullptr)
-    , feedback(scene.fluid.feedback, layout)
-    , on_wall(scene, control, from)
-  {
-    state.control = control;
-    state.fluid.emplace();
-    if (from == nullptr || !from->fluid)
-      return;
-    feedback.pressure() = from->fluid->pressure;
-    // What carried another load is not to lift this one off before it was tried.
-    const double fluid_load = mean(feedback.pressure());
-    if (on_wall.is_limited_by_load() && fluid_load >= control.target)
-      for (double &pressure : feedback.pressure())
-        pressure *= FluidOnWall::largest_share * control.target / fluid_load;
-  }
-
-  void
-  Coupling::settle(const bool open_is_enough)
-  {
-    // The verdict should not depend on what the iteration leaves over, but below that it
-    // is what contact and flow leave over that counts. Half of it takes a few rounds
-    // more, double of it blurs the tightest thresholds that can be asked for.
-    constexpr double least = 1e-5;
-    const double     share = looseness * scene.programme.threshold_tolerance;
-    FeedbackGoal goal{std::min(scene.fluid.feedback.tolerance, std::max(share, least)),
-                      std::numeric_limits<double>::infinity()};
-    goal.once_open = open_is_enough ? looseness : 0.;
-    agree(goal);
-  }
-
-  /**
-   * Let contact and flow come near each other on finer and finer meshes until the leak
-   * rate does not depend on the mesh that the fluid's pressure on the wall is found on,
-   * and then agree.
-   */
-  void
-  Coupling::find_mesh()
-  {
-    // If the leak rate changes by more than that, contact and flow went to another
-    // state, for which another mesh of this share is wanted. Half of it discards meshes
-    // that are merely coarse, double of it refines meshes that were made for another gap.
-    constexpr double another_state = .5;
-    // Of meshes for one state, and of states. Half as many may leave the leak rate to
-    // change with the mesh, which the bracket then says; twice as many cost more for gaps
-    // that no mesh settles.
-    constexpr int max_finer = 2, max_states = 4;
-
-    const double target_accuracy = flow.fluid().target_accuracy;
-    const double tolerance       = scene.fluid.feedback.tolerance;
-    FluidState  &fluid           = *state.fluid;
-    const double loosely         = std::max(tolerance, looseness * target_accuracy);
-    FeedbackGoal goal{loosely, loosely};
-    double       share = mesh_share;
-
-    std::optional<double> leak_before;
-    const auto            certify = [&]() -> const Leakage            &{
-      flow.certify(fluid_flow, share);
-      return fluid_flow.leakage;
-    };
-    for (int finer = 0, states = 1;;)
-      {
-        agree(goal);
-        goal.goes_on = true;
-        if (fluid.lifted_off)
-          return;
-        if (!fluid.converged || !fluid_flow.solution)
-          break;
-        bool stays = true;
-        if (leak_before)
-          {
-            // A change below the width of the bracket, or below what the iteration leaves
-            // over, is chance.
-            const Leakage &now = certify();
-            fluid.mesh_error   = std::max({std::abs(*leak_before / now.rate - 1.),
-                                           .5 * now.relative_width(),
-                                           loosely});
-            stays              = fluid.mesh_error <= another_state;
-            // The bracket of the row may take as much as that of the first mesh.
-            const double width =
-              std::max(now.relative_width(), mesh_share * target_accuracy);
-            const bool is_narrow = width + 2. * fluid.mesh_error <= target_accuracy;
-            if (is_narrow || (stays ? finer == max_finer : states == max_states))
-              break;
-          }
-        if (stays)
-          {
-            ++finer;
-            share *= mesh_share;
-          }
-        else
-          {
-            ++states;
-            flow.discard_mesh();
-          }
-        leak_before = certify().rate;
-      }
-    goal.tolerance = tolerance;
-    if (fluid.converged && !last_result.agrees_within(goal))
-      agree(goal);
-  }
-
-  void
-  Coupling::agree(FeedbackGoal goal)
-  {
-    // Half as many give long steps up on which pools meet one after the other, twice as
-    // many go on where pools meet and part without end.
-    constexpr int most_meetings = 4;
-    if (on_wall.is_limited_by_load())
-      goal.largest_mean = control.target;
-    double largest_pressure = std::max(std::abs(flow.fluid().inlet_pressure),
-                                       std::abs(flow.fluid().outlet_pressure));
-    // Reservoirs without pressure give none to compare that of trapped fluid with.
-    if (largest_pressure == 0.)
-      largest_pressure = scene.contact.loads() ? std::abs(control.target)
-                         : near != nullptr     ? std::abs(near->nominal_pressure)
-                                               : 0.;
-    FluidState &fluid = *state.fluid;
-    try
-      {
-        bool meet = true;
-        for (int meetings = 0; meet && meetings <= most_meetings; ++meetings)
-          {
-            last_result =
-              feedback.solve([&](const SlabField &assumed) { return round(assumed); },
-                             largest_pressure,
-                             goal);
-            meet = on_wall.settle(*state.contact, fluid_flow, feedback.pressure()) &&
-                   last_result.converged;
-            goal.goes_on = false;
-          }
-        last_result.converged = last_result.converged && !meet;
-        fluid.trapped         = on_wall.trapped();
-        fluid.converged       = last_result.converged;
-        fluid.undecided       = last_result.undecided;
-        fluid.open_share      = last_result.open_share;
-        fluid.load            = mean(feedback.pressure());
-      }
-    catch (const LiftedOff &)
-      {
-        lift_off();
-      }
-    fluid.pressure = feedback.pressure();
-  }
-
-  FeedbackRound
-  Coupling::round(const SlabField &assumed)
-  {
-    if (on_wall.is_limited_by_load() && mean(assumed) >= control.target)
-      throw LiftedOff();
-    const auto start = Timers::Clock::now();
-    state.contact    = contact.solve(control.target, near, &assumed);
-    near             = &*state.contact;
-    if (near->adhesion && near->adhesion->detached)
-      throw LiftedOff();
-    state.mean_gap = near->mean_gap;
-    state.costs += {state.contact->iterations,
-                    state.contact->fft_pairs,
-                    1,
-                    Timers::seconds_since(start)};
-
-    flow.follow(fluid_flow, state.contact->gap, control.slip_length, mesh_share);
-
-    FeedbackRound result;
-    result.percolates     = fluid_flow.channel.percolates();
-    result.leak_rate      = fluid_flow.leakage.upper;
-    result.fluid_pressure = on_wall.pressure(*state.contact, fluid_flow, assumed);
-    log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",
-                        mean(result.fluid_pressure),
-                        result.leak_rate));
-    return result;
-  }
-
-  void
-  Coupling::lift_off()
-  {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    ContactState    &parted   = state.contact.emplace();
-    parted.pressure           = SlabField(layout);
-    parted.gap                = SlabField(layout, infinite);
-    parted.nominal_pressure   = control.target;
-    parted.converged          = true;
-    if (scene.contact.adhesion.enabled)
-      parted.adhesion.emplace().detached = true; // where a path ends
-    parted.mean_gap = state.mean_gap = infinite;
-    // The contact that was sought until then is none of this state.
-    state.costs.iterations  = 0;
-    state.costs.fft_pairs   = 0;
-    state.fluid->lifted_off = true;
-    state.fluid->trapped.reset();
-    state.fluid->converged = false;
-    state.fluid->load      = control.target;
-    if (!parted.adhesion)
-      log.warn(
-        format("the fluid alone carries a load of %.6g: the walls part and nothing "
-               "limits the leak",
-               control.target));
   }
 } // namespace strait

@@ -19,10 +19,26 @@ namespace strait
   }
 
   void
-  FixedPoint::advance(double *x, const double *image, const std::size_t n)
+  FixedPoint::advance(double           *x,
+                      const double     *image,
+                      const std::size_t n,
+                      const bool        combines)
   {
+    // Slower than it falls: doubled, the share would stay as it is where the residual
+    // turns round in every other round. With half of the growth it recovers later from
+    // turns on the way, with double of it takes longer to settle in circles.
+    constexpr double growth     = 1.25;
+    const bool       has_before = has_last; // never without history
     remember(x, image, n);
-    const std::vector<double> weights = best_weights();
+    if (has_before && !combines)
+      {
+        const double now    = product(comm, last_residual, last_residual);
+        const double change = product(comm, last_residual, differences.back().residual);
+        damping = now < change ? .5 * damping : std::min(growth * damping, 1.);
+      }
+    const double              part = combines ? share : damping * share;
+    const std::vector<double> weights =
+      combines ? best_weights() : std::vector<double>(differences.size());
     for (std::size_t i = 0; i < n; ++i)
       {
         double from = x[i], change = image[i] - x[i];
@@ -31,28 +47,8 @@ namespace strait
             from -= weights[k] * differences[k].x[i];
             change -= weights[k] * differences[k].residual[i];
           }
-        x[i] = from + share * change;
+        x[i] = from + part * change;
       }
-  }
-
-  void
-  FixedPoint::relax_towards(double *x, const double *image, const std::size_t n)
-  {
-    // Slower than it falls: doubled, the share would stay as it is where the residual
-    // turns round in every other round. With half of the growth it recovers later from
-    // turns on the way, with double of it takes longer to settle in circles.
-    constexpr double growth     = 1.25;
-    const bool       has_before = has_last; // never without history
-    remember(x, image, n);
-    if (has_before)
-      {
-        const double now    = product(comm, last_residual, last_residual);
-        const double change = product(comm, last_residual, differences.back().residual);
-        damping = now < change ? .5 * damping : std::min(growth * damping, 1.);
-      }
-    const double part = damping * share;
-    for (std::size_t i = 0; i < n; ++i)
-      x[i] += part * (image[i] - x[i]);
   }
 
   void

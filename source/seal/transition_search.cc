@@ -45,49 +45,28 @@ namespace strait
       return known;
     }
 
-    /** Where a power law through two points vanishes. */
+    /** What interpolates well: on the open side about proportional to the distance from
+     *  the transition. Finite also where the walls part, and not zero, at which a root
+     *  would be found: that is sealed. */
     double
-    zero_of(const Point &near, const Point &far, const double exponent)
+    straightened(const double openness)
     {
-      const double root = std::pow(near.openness / far.openness, 1. / exponent);
-      return near.value + (near.value - far.value) * root / (1. - root);
+      const double size = std::clamp(std::abs(openness),
+                                     std::numeric_limits<double>::min(),
+                                     double(std::numeric_limits<float>::max()));
+      return std::copysign(std::pow(size, 1. / power_of_gap), openness > 0 ? 1. : -1.);
     }
-
-    /** The exponent of a power law that vanishes at @p zero. */
-    double
-    exponent_of(const Point &near, const Point &far, const double zero)
-    {
-      return std::log(far.openness / near.openness) /
-             std::log((zero - far.value) / (zero - near.value));
-    }
-
-    /** Where a power law says that the transition is, of the last points of one side. */
+    /** Where the straightened openness of the last points of one side vanishes. */
     std::optional<double>
     extrapolate(const std::vector<Point> &side)
     {
-      const auto is_nearer = [](const Point &near, const Point &far) {
-        return std::abs(near.openness) < std::abs(far.openness);
-      };
-      if (side.size() < 2 || !is_nearer(side.back(), side[side.size() - 2]))
+      if (side.size() < 2)
         return {};
-      const Point &first = side.back(), &second = side[side.size() - 2];
-      // Of the pressure where a throat is closed.
-      constexpr double power_of_pressure = .63;
-      const double     usual = first.openness > 0 ? power_of_gap : power_of_pressure;
-      double           zero  = zero_of(first, second, usual);
-      if (side.size() > 2 && is_nearer(second, side[side.size() - 3]) &&
-          second.openness != 0.)
-        {
-          // What exponent makes a third point lie on the same line.
-          constexpr int n_steps = 20;
-          for (int k = 0; k < n_steps; ++k)
-            zero = zero_of(first,
-                           second,
-                           std::clamp(exponent_of(second, side[side.size() - 3], zero),
-                                      .5 * usual,
-                                      2. * usual));
-        }
-      return zero;
+      const Point &near = side.back(), &far = side[side.size() - 2];
+      const double here = straightened(near.openness), there = straightened(far.openness);
+      if (!(std::abs(here) < std::abs(there)))
+        return {};
+      return near.value + (far.value - near.value) * here / (here - there);
     }
 
     /** What to ask as long as all answers are on one side. */
@@ -113,18 +92,6 @@ namespace strait
       // Half of the way to the end is left to the next steps.
       return upwards ? std::min(edge * factor, .5 * (edge + first.end)) : edge / factor;
     }
-
-    /** What interpolates well: on the open side about proportional to the distance from
-     *  the transition. Finite also where the walls part, and not zero, at which a root
-     *  would be found: that is sealed. */
-    double
-    straightened(const double openness)
-    {
-      const double size = std::clamp(std::abs(openness),
-                                     std::numeric_limits<double>::min(),
-                                     double(std::numeric_limits<float>::max()));
-      return std::copysign(std::pow(size, 1. / power_of_gap), openness > 0 ? 1. : -1.);
-    }
   } // namespace
 
   TransitionSearch::TransitionSearch(Ask ask_, const double tolerance_, Name name_)
@@ -138,7 +105,9 @@ namespace strait
   TransitionSearch::ask_at(const double value)
   {
     // The answer comes first: asking may throw.
-    return asked[value] = ask(value);
+    const Probe answer  = ask(value);
+    latest              = value;
+    return asked[value] = answer;
   }
 
   Passage
@@ -216,7 +185,9 @@ namespace strait
     const double typical   = std::isnan(lost) ? kept : std::max(kept, lost);
     const double direction = step > 0 ? 1. : -1.;
 
-    double     lost_from = unknown; // where the state was when it was lost at `beyond`
+    // Where the state was when it was lost at `beyond`. If that was the last question it
+    // was where it is kept.
+    double     lost_from = latest == lost ? kept : unknown;
     const auto is_lost   = [&](const double value) {
       const bool stays = is_kept(ask_at(value));
       if (stays)

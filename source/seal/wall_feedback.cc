@@ -16,8 +16,8 @@ namespace strait
     // from places where the map was another one.
     constexpr int rounds_combined = 6;
 
-    // Of an iteration; see the class. Half as many give combinations up that would still
-    // have paid, twice as many lose as many rounds where none does.
+    // Rounds of one map; see the class. Half as many give combinations up that would
+    // still have paid, twice as many lose as many rounds where none does.
     constexpr int last_combined = 30;
 
     // So often the verdict may change before the two sides are enclosed. Half as often,
@@ -77,7 +77,13 @@ namespace strait
   {
     FeedbackResult      result;
     int                 changes_of_verdict = 0;
-    std::optional<bool> percolated; // in the round before
+    int                 rounds_of_map      = 0; // since it has jumped
+    std::optional<bool> percolated;             // in the round before
+    const auto          begin_again = [&](const double relaxation) {
+      fixed_point.restart(relaxation);
+      walk          = Walk();
+      rounds_of_map = 0;
+    };
     if (goal.goes_on && !last_image.empty())
       {
         propose(last_image, 0, goal);
@@ -94,6 +100,7 @@ namespace strait
       {
         FeedbackRound now = round(assumed);
         ++result.iterations;
+        ++rounds_of_map;
         // Trapped fluid may have a higher pressure than the reservoirs.
         scale         = std::max(largest_pressure, root_mean_square(now.fluid_pressure));
         result.change = size(difference(now.fluid_pressure, assumed));
@@ -104,7 +111,8 @@ namespace strait
           result.agrees_within(goal) ||
           (now.percolates && std::max(result.change, result.leak_change) <=
                                parameters.relaxation * goal.once_open);
-        if (agrees || (!flips && stays_in_place(now, goal, result)))
+        if (agrees || (!flips && rounds_of_map >= last_combined &&
+                       stays_in_place(now, goal, result)))
           {
             result.converged = true;
             last_image       = agrees ? std::move(now.fluid_pressure) : assumed;
@@ -112,23 +120,21 @@ namespace strait
           }
         if (flips)
           {
-            fixed_point.restart(.5 * fixed_point.relaxation());
-            walk = Walk();
+            begin_again(.5 * fixed_point.relaxation());
             ++changes_of_verdict;
           }
         percolated                                 = now.percolates;
         last_leak_rate                             = now.leak_rate;
         (now.percolates ? open_side : closed_side) = assumed;
         if (changes_of_verdict <= changes_allowed)
-          propose(now.fluid_pressure, result.iterations, goal);
+          propose(now.fluid_pressure, rounds_of_map, goal);
         else if (slide(round, goal, result))
           return result;
         else
           {
             changes_of_verdict = 0;
             percolated.reset();
-            walk = Walk();
-            fixed_point.restart(parameters.relaxation);
+            begin_again(parameters.relaxation);
           }
       }
     return result;
@@ -137,13 +143,9 @@ namespace strait
   void
   WallFeedback::propose(const SlabField &image, const int round, const FeedbackGoal &goal)
   {
-    if ((round > 8 && round % 2 == 1) || round >= last_combined)
-      {
-        fixed_point.relax_towards(assumed.data(), image.data(), assumed.size());
-        return;
-      }
-    fixed_point.advance(assumed.data(), image.data(), assumed.size());
-    if (mean(assumed) >= goal.largest_mean)
+    const bool combines = (round <= 8 || round % 2 == 0) && round < last_combined;
+    fixed_point.advance(assumed.data(), image.data(), assumed.size(), combines);
+    if (combines && mean(assumed) >= goal.largest_mean)
       {
         assumed = image;
         fixed_point.restart(fixed_point.relaxation());
@@ -157,8 +159,6 @@ namespace strait
                                const FeedbackGoal  &goal,
                                FeedbackResult      &result)
   {
-    if (result.iterations < last_combined)
-      return false;
     SlabField    change = difference(now.fluid_pressure, assumed);
     const double leak_change =
       walk.leak_rate > 0 ? std::abs(now.leak_rate / walk.leak_rate - 1.) : 0.;

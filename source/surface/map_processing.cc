@@ -20,7 +20,7 @@ namespace strait
         return 1.;
       const LengthUnit unit =
         override_text.empty() ? stated : parse_length_unit(override_text);
-      if (!unit.is_stated())
+      if (unit.name.empty())
         return {};
       if (!unit.metres)
         reject_height_map(file,

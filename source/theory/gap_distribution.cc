@@ -74,21 +74,16 @@ namespace strait
   effective_cubed_gap(const GapDistribution &gaps, const double n)
   {
     std::vector<double> cubes;
-    double              open = 0, least = std::numeric_limits<double>::max(), most = 0;
+    double              open = 0;
     for (std::size_t k = 0; k < gaps.gaps.size(); ++k)
       {
         cubes.push_back(std::pow(gaps.gaps[k], 3));
-        if (!(gaps.shares[k] > 0))
-          continue;
         open += gaps.shares[k];
-        least = std::min(least, cubes[k]);
-        most  = std::max(most, cubes[k]);
       }
     const double blocked = gaps.contact_area / (gaps.contact_area + open);
     if (!(open > 0) || blocked >= 1 - 1 / n)
       return 0.;
 
-    // Between the results for the least and the most conductivity throughout.
     const double alone   = 1 - blocked * n / (n - 1);
     const auto   balance = [&](const double log_effective) {
       const double effective = std::exp(log_effective);
@@ -97,12 +92,10 @@ namespace strait
         sum += gaps.shares[k] * (cubes[k] - effective) / (cubes[k] + (n - 1) * effective);
       return sum;
     };
-    // Rounding puts the root outside if (nearly) all that conducts does so alike.
-    const double from = std::log(alone * least), to = std::log(alone * most);
-    if (!(balance(from) > 0))
-      return alone * least;
-    if (!(balance(to) < 0))
-      return alone * most;
+    // Between the results for the least and the most conductivity throughout, and as much
+    // beyond as rounding needs if all that conducts does so alike.
+    const double   from       = std::log(alone * cubes.front()) - 1.;
+    const double   to         = std::log(alone * cubes.back()) + 1.;
     std::uintmax_t most_steps = 200;
     const auto [low, high]    = boost::math::tools::toms748_solve(
       balance, from, to, boost::math::tools::eps_tolerance<double>(), most_steps);

@@ -109,7 +109,7 @@ namespace strait
     // In ln v all is smooth but the corners of the spectrum.
     const double        end    = .5 * std::log(left_over);
     std::vector<double> breaks = {std::log(smoothed / largest_compression)};
-    for (const RadialSpectrum::Section &section : waves.power_laws())
+    for (const RadialSpectrum::Section &section : waves.sections)
       if (const double above = waves.slope_square_below(section.from) - seen;
           above > 0 && .5 * std::log(above) > breaks.back())
         breaks.push_back(.5 * std::log(above));
@@ -149,15 +149,15 @@ namespace strait
 
     // Dense in q where the remaining roughness vanishes; and at the corners, up to which
     // all is smooth.
-    const double lowest = waves.smallest_wave_number();
-    const double band   = waves.largest_wave_number() / lowest;
+    const double lowest = waves.sections.front().from;
+    const double band   = waves.sections.back().to / lowest;
     const auto   add    = [&](const double q) {
       if (const double slope = waves.slope_square_below(q); slope > first)
         slopes.push_back(slope);
     };
     for (int k = 0; k < n; ++k)
       add(lowest * std::pow(band, .5 * (1 - std::cos(M_PI * k / n))));
-    for (const RadialSpectrum::Section &section : waves.power_laws())
+    for (const RadialSpectrum::Section &section : waves.sections)
       add(section.from);
     std::sort(slopes.begin(), slopes.end());
     slopes.erase(std::unique(slopes.begin(), slopes.end()), slopes.end());
@@ -204,7 +204,7 @@ namespace strait
   {
     // Where 1e-6 of the shortest waves' height is a gap, the fluid does not notice.
     const double    shortest = std::sqrt(waves.height_square_above(
-      .5 * (waves.largest_wave_number() + waves.smallest_wave_number())));
+      .5 * (waves.sections.back().to + waves.sections.front().from)));
     GapDistribution result;
     result.contact_area = state.contact_area;
     result.edges        = gap_bins(1e-6 * shortest,

@@ -69,9 +69,9 @@ namespace strait
   double
   RadialSpectrum::slope_square_below(const double q) const
   {
-    if (!(q > smallest_wave_number()))
+    if (!(q > sections.front().from))
       return 0.;
-    if (q >= largest_wave_number())
+    if (q >= sections.back().to)
       return slope_below.back();
     const auto   next  = section_of(sections, q);
     const double power = 4 - next->decay;
@@ -83,9 +83,9 @@ namespace strait
   double
   RadialSpectrum::height_square_above(const double q) const
   {
-    if (!(q > smallest_wave_number()))
+    if (!(q > sections.front().from))
       return height_above.front();
-    if (q >= largest_wave_number())
+    if (q >= sections.back().to)
       return 0.;
     const auto   here  = section_of(sections, q);
     const double power = 2 - here->decay;
@@ -99,9 +99,9 @@ namespace strait
   RadialSpectrum::wave_number_at(const double slope_square) const
   {
     if (!(slope_square > 0))
-      return smallest_wave_number();
+      return sections.front().from;
     if (slope_square >= slope_below.back())
-      return largest_wave_number();
+      return sections.back().to;
     const auto next =
       std::upper_bound(slope_below.begin(), slope_below.end(), slope_square);
     const std::size_t k = next - slope_below.begin() - 1;

@@ -192,7 +192,14 @@ TEST(Scene, TheTheoryAloneIsOfViscousFlow)
                                   "Fluid/Enabled=false",
                                   "Fluid/State=gas",
                                   "Fluid/Molar mass=0.004",
-                                  "Fluid/Rarefaction=slip"})
+                                  "Fluid/Rarefaction=slip",
+                                  "Fluid/Viscosity=2e-5",
+                                  "Fluid/Inlet pressure=2e5",
+                                  "Contact/Effective modulus=1e7",
+                                  "Units/Length=m",
+                                  "Units/Pressure=Pa",
+                                  "Units/Time=s",
+                                  "Surface/Size=1e-4"})
                           .warnings();
   ASSERT_EQ(warnings.size(), 1u);
   expect_in("the theory knows nothing of Fluid/Rarefaction", warnings[0]);

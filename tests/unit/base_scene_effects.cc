@@ -142,7 +142,12 @@ TEST(Scene, YieldingAndWhatGoesWithIt)
 
 TEST(Scene, RarefactionAndWhatGoesWithIt)
 {
-  const Overrides helium = {"Fluid/State=gas", "Fluid/Gas=helium"};
+  const Overrides helium = {"Fluid/State=gas",
+                            "Fluid/Gas=helium",
+                            "Units/Length=m",
+                            "Units/Pressure=Pa",
+                            "Units/Time=s",
+                            "Surface/Size=1e-4"};
   const auto      with   = [&](const std::string &kind, const std::string &other) {
     Overrides all = helium;
     all.push_back("Fluid/Rarefaction=" + kind);

@@ -29,7 +29,7 @@ namespace strait
     Step
     coarse(Step step)
     {
-      step.checks.push_back({"coarse-throat", 1., 3., true, ""});
+      step.checks.push_back({"coarse-throat", 1., 3., "", true});
       return step;
     }
 

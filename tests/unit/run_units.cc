@@ -31,7 +31,7 @@ namespace
     EXPECT_FALSE(parse_length_unit("63.1 rad").metres);
     EXPECT_FALSE(parse_length_unit("-1 nm").metres);
     EXPECT_FALSE(parse_length_unit("3").metres);
-    EXPECT_FALSE(parse_length_unit("").is_stated());
+    EXPECT_TRUE(parse_length_unit("").name.empty());
   }
 
   TEST(Units, LeakRatesOfTheTrade)

@@ -99,11 +99,19 @@ namespace
     expect_in("State = gas", error_of("", {"Fluid/Molar mass=0.03"}));
     expect_in("remove one", error_of("", helium + Overrides{"Fluid/Molar mass=0.03"}));
     expect_in("at the temperature",
-              error_of("", helium + Overrides{"Fluid/Temperature=400"}));
-    EXPECT_EQ(
-      scene_of("", helium + Overrides{"Fluid/Temperature=400", "Fluid/Viscosity=2e-5"})
-        .fluid.viscosity,
-      2e-5);
+              error_of("", in_si + helium + Overrides{"Fluid/Temperature=400"}));
+    EXPECT_EQ(scene_of("",
+                       in_si + helium +
+                         Overrides{"Fluid/Temperature=400", "Fluid/Viscosity=2e-5"})
+                .fluid.viscosity,
+              2e-5);
+    for (const Overrides &units : {Overrides{}, Overrides{"Units/Length=mm"}})
+      {
+        expect_in("section Units", error_of("", units + helium));
+        expect_in(
+          "section Units",
+          error_of("", units + Overrides{"Fluid/State=gas", "Fluid/Molar mass=0.03"}));
+      }
     expect_in("helium, air, nitrogen", error_of("", {"Fluid/Gas=phlogiston"}));
   }
 

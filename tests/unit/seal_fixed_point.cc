@@ -49,7 +49,7 @@ namespace strait
       for (int round = 0; round < 30; ++round)
         {
           const double image = -3. * x[0];
-          iteration.relax_towards(x.data(), &image, 1);
+          iteration.advance(x.data(), &image, 1, false);
         }
       EXPECT_LT(std::abs(x[0]), 1e-3);
     }
@@ -62,7 +62,7 @@ namespace strait
       for (int round = 0; round < 60; ++round)
         {
           const double image = x[0] < .5 ? .9 : .2;
-          iteration.relax_towards(x.data(), &image, 1);
+          iteration.advance(x.data(), &image, 1, false);
         }
       EXPECT_NEAR(x[0], .5, 1e-3);
     }

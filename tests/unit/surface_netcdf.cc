@@ -60,7 +60,7 @@ namespace
     EXPECT_DOUBLE_EQ(map.height_unit.metres.value(), 1e-9);
     EXPECT_TRUE(map.is_periodic);
     EXPECT_EQ(map.format, "NetCDF");
-    EXPECT_FALSE(read_map(canonical_map("")).height_unit.is_stated());
+    EXPECT_TRUE(read_map(canonical_map("")).height_unit.name.empty());
   }
 
   TEST(NetcdfReader, OtherNames)

@@ -142,8 +142,8 @@ namespace
         EXPECT_DOUBLE_EQ((*map.size)[1], 5.6789);
       }
     const auto plain = read_map(header + "1 2\n3 4\n");
-    EXPECT_FALSE(plain.lateral_unit.is_stated());
-    EXPECT_FALSE(plain.height_unit.is_stated());
+    EXPECT_TRUE(plain.lateral_unit.name.empty());
+    EXPECT_TRUE(plain.height_unit.name.empty());
     EXPECT_EQ((*plain.size)[0], 3.);
     EXPECT_EQ(read_map(header + "# Value units: rad\n1 2\n3 4\n").height_unit.name,
               "rad");

@@ -115,13 +115,6 @@ namespace strait
       return yields ? std::min(elastic, 2. * hardness) : elastic;
     }
 
-    /** Whether a state depends on the loads before it. */
-    bool
-    has_memory() const
-    {
-      return adhesion.enabled || yields;
-    }
-
     /** Where Young's moduli are given, take the effective modulus that follows from them.
      *  Throws InputError where they contradict the other values. */
     void take_elastic_constants();

@@ -34,21 +34,12 @@ namespace strait
     void check() const;
   };
 
-  /** How a realisation of a surface is turned. */
-  enum class Orientation
-  {
-    as_is,
-    inverted,
-    rotated,
-    inverted_and_rotated
-  };
-
   /** The section Realisations: several surfaces of one kind in one run. */
   struct RealisationParameters
   {
     std::vector<unsigned long long> seeds; // empty: that of the surface
-    std::vector<Orientation>        orientations = {Orientation::as_is};
-    std::vector<int>                ranks_each; // one number, or none: all ranks
+    std::vector<int> orientations = {0};   // 1: inverted, 2: rotated, 3: both
+    std::vector<int> ranks_each;           // one number, or none: all ranks
 
     /** Whether there is more than the surface of the section Surface. */
     bool
@@ -77,7 +68,7 @@ namespace strait
   };
 
   /** The name of an orientation in a scene. */
-  std::string name_of(Orientation orientation);
+  std::string name_of(int orientation);
 
   /** What sets n of the effective medium. */
   enum class TheoryDimension

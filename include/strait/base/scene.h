@@ -66,7 +66,8 @@ namespace strait
     bool
     depends_on_path() const
     {
-      return (contact.enabled && contact.has_memory()) || fluid.feedback.enabled;
+      return (contact.enabled && (contact.adhesion.enabled || contact.yields)) ||
+             fluid.feedback.enabled;
     }
 
     /** What it was made of. */

@@ -57,12 +57,6 @@ namespace strait
       double          seconds = 0.;
     };
 
-    static void append(std::vector<Part> &rows,
-                       const Node        &node,
-                       const std::string &path_of_whole,
-                       int                depth,
-                       double             seconds);
-
     Clock::time_point start      = Clock::now();
     Node              total_time = {"total", nullptr};
     Node             *innermost  = &total_time;

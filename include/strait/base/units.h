@@ -2,7 +2,6 @@
 #ifndef strait_base_units_h
 #define strait_base_units_h
 
-
 #include <optional>
 #include <string>
 
@@ -70,9 +69,6 @@ namespace strait
     std::string length; // empty: not stated, as are the others
     std::string pressure;
     std::string time;
-
-    /** The scene's unit of length in metres; 1 if it is not stated. */
-    double length_in_metres() const;
 
     /** Whether all three are stated. */
     bool are_complete() const;

@@ -29,7 +29,7 @@ namespace strait
   {
     int                number      = 0; // from 1
     unsigned long long seed        = 0;
-    Orientation        orientation = Orientation::as_is;
+    int                orientation = 0;  // see RealisationParameters
     std::string        failure     = {}; // why it failed or was stopped, if it was
     bool               stopped     = false;
   };

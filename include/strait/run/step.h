@@ -64,8 +64,8 @@ namespace strait
     std::string word;             // of the column validity where the limit is passed
     double      number;           // of the step
     double      limit;            // for that number
+    std::string advice;           // what it means, and what to switch on or to change
     bool        is_least = false; // it must not fall below the limit, or not exceed it
-    std::string advice   = {};    // what it means, and what to switch on or to change
 
     /** Whether the model holds in this respect; a number that is none proves nothing. */
     bool

@@ -30,16 +30,12 @@ namespace strait
 
     /**
      * The next iterate, in place of @p x, after F(@p x) = @p image was found. Both have
-     * @p n values on this rank. Collective.
+     * @p n values on this rank. Unless it @p combines the rounds before it is plain
+     * relaxation, with half the share each time that the residual turns round, and more
+     * of it again where it does not; what this round says is remembered all the same.
+     * Collective.
      */
-    void advance(double *x, const double *image, std::size_t n);
-
-    /**
-     * The same by plain relaxation, with half the share each time that the residual
-     * turns round, and more of it again where it does not. What this round says is
-     * remembered all the same.
-     */
-    void relax_towards(double *x, const double *image, std::size_t n);
+    void advance(double *x, const double *image, std::size_t n, bool combines = true);
 
     /** Forget the rounds before, because the map has changed, and take the share
      *  @p relaxation of each residual from now on. */

@@ -118,6 +118,7 @@ namespace strait
     double                  tolerance;
     Name                    name;
     std::map<double, Probe> asked;
+    double                  latest = unknown; // that was asked
   };
 } // namespace strait
 

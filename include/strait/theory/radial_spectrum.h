@@ -31,18 +31,6 @@ namespace strait
      *  surface that they make is flat, or if there are none. */
     explicit RadialSpectrum(std::vector<Section> sections);
 
-    double
-    smallest_wave_number() const
-    {
-      return sections.front().from;
-    }
-
-    double
-    largest_wave_number() const
-    {
-      return sections.back().to;
-    }
-
     /** Mean square height and slope of the whole surface. */
     double
     height_square() const
@@ -65,18 +53,12 @@ namespace strait
     /** The inverse of slope_square_below(). */
     double wave_number_at(double slope_square) const;
 
-    /** The sections. Integrals are divided where they meet, as the power law changes or C
-     *  jumps. */
-    const std::vector<Section> &
-    power_laws() const
-    {
-      return sections;
-    }
+    /** Integrals are divided where they meet, as the power law changes or C jumps. */
+    const std::vector<Section> sections;
 
   private:
-    std::vector<Section> sections;
-    std::vector<double>  slope_below;  // at the edges of the sections
-    std::vector<double>  height_above; // likewise
+    std::vector<double> slope_below;  // at the edges of the sections
+    std::vector<double> height_above; // likewise
   };
 
   /** The spectrum that a self-affine surface has on average: constant from 2π/L to the
