@@ -13,156 +13,118 @@ namespace strait
      *  and misses these. */
     constexpr double settled = .03;
 
-    /** A field and K of it. */
-    struct Response
-    {
-      std::vector<double> of, stiffness;
-    };
-
     /** What stands over and under a quotient. */
     struct Products
     {
       double over, under;
     };
 
-    /** A descent of the quotient at one gap; see GapOptimiser::smallest_curvature(). */
-    struct QuotientDescent
+    /** The s at which the quotient at v + s d is least: where s² a + s b + c = 0, with a
+     *  plus before the root. */
+    double
+    lowest_on_line(const Products &vv, const Products &vd, const Products &dd)
     {
-      GapProblem   &problem;
-      const bool    fixes_mean_gap;
-      const double *curvature; // γ''
+      const double a = dd.over * vd.under - vd.over * dd.under,
+                   b = dd.over * vv.under - vv.over * dd.under,
+                   c = vd.over * vv.under - vv.over * vd.under;
+      return -2 * c / (b + std::sqrt(std::max(0., b * b - 4 * a * c)));
+    }
 
-      std::vector<std::uint8_t> closed;   // marks of points that are not free
-      Response                  v, d;     // the eigenvector; the direction, at first 0
-      std::vector<double>       z;        // the preconditioned gradient
-      double                    fall = 0; // of the quotient along z, at first 0
-
-      void
-      mask(std::vector<double> &values) const
-      {
-        project(
-          problem,
-          [this](const std::size_t i) { return !closed[i]; },
-          fixes_mean_gap,
-          values.data());
-      }
-
-      /** Find K of the field. */
-      void
-      respond(Response &x)
-      {
-        problem.apply(x.of.data(), x.stiffness.data());
-      }
-
-      Products
-      products(const Response &x, const std::vector<double> &y) const
-      {
-        const auto [elastic, local, mean_x, mean_y] =
-          weighted_sums<4>(problem, [&](const auto i, auto &sums) {
-            if (closed[i])
-              return;
-            sums[0] += x.stiffness[i] * y[i];
-            sums[1] += curvature[i] * x.of[i] * y[i];
-            sums[2] += x.of[i];
-            sums[3] += y[i];
-          });
-        return {elastic + local, elastic + problem.mean_stiffness() * mean_x * mean_y};
-      }
-
-      /** The least quotient found; v is on return where it is. */
-      double
-      find_lowest()
-      {
-        mask(v.of);
-        respond(v);
-        Products vv = products(v, v.of);
-        if (!(vv.under > 0)) // no point is free
-          {
-            problem.fill_with_noise(v.of.data());
-            return 1;
-          }
-        double quotient = vv.over / vv.under;
-        for (int n_settled = 0; n_settled < 2;)
-          {
-            choose_direction(quotient, vv.under);
-            respond(d);
-            const Products dd = products(d, d.of), vd = products(v, d.of);
-            // The quotient at v + s d is least where s² a + s b + c = 0, with a plus
-            // before the root.
-            const double a = dd.over * vd.under - vd.over * dd.under,
-                         b = dd.over * vv.under - vv.over * dd.under,
-                         c = vd.over * vv.under - vv.over * vd.under;
-            const double s = -2 * c / (b + std::sqrt(std::max(0., b * b - 4 * a * c)));
-            if (!std::isfinite(s)) // no direction is left
-              break;
-            for (std::size_t i = 0; i < problem.size; ++i)
-              {
-                v.of[i] += s * d.of[i];
-                v.stiffness[i] += s * d.stiffness[i];
-              }
-            vv                  = {vv.over + s * (2 * vd.over + s * dd.over),
-                                   vv.under + s * (2 * vd.under + s * dd.under)};
-            const double before = std::exchange(quotient, vv.over / vv.under);
-            n_settled =
-              before - quotient > settled * std::abs(quotient) ? 0 : n_settled + 1;
-          }
-        return quotient;
-      }
-
-      /** Let d go down the preconditioned gradient, conjugate to the last d; @p norm is
-       *  the square of v's. */
-      void
-      choose_direction(const double quotient, const double norm)
-      {
-        const auto [mean] = weighted_sums<1>(problem, [this](const auto i, auto &sums) {
-          sums[0] += v.of[i];
-        });
-        const double uniform  = problem.mean_stiffness() * mean;
-        const auto   gradient = [this, quotient, uniform, norm](const std::size_t i) {
-          return ((1 - quotient) * v.stiffness[i] + curvature[i] * v.of[i] -
-                  quotient * uniform) /
-                 norm;
-        };
-        for (std::size_t i = 0; i < problem.size; ++i)
-          z[i] = gradient(i);
-        mask(z);
-        problem.precondition(z.data(), closed.data());
-        mask(z); // so that d stays among the admissible fields
-        const auto [g_z]    = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
-          sums[0] += closed[i] ? 0. : gradient(i) * z[i];
-        });
-        const double before = std::exchange(fall, g_z);
-        const double beta   = before > 0 ? g_z / before : 0.;
-        for (std::size_t i = 0; i < problem.size; ++i)
-          d.of[i] = beta * d.of[i] - z[i];
-      }
-    };
+    /** Let @p d go down the @p gradient after precondition(), conjugate to the last d;
+     *  @p fall is that of the quotient without what is conjugate, at first 0. */
+    template <class Precondition>
+    void
+    descend_direction(const ContactProblem      &problem,
+                      const std::vector<double> &gradient,
+                      const Precondition        &precondition,
+                      std::vector<double>       &d,
+                      double                    &fall)
+    {
+      std::vector<double> z = gradient;
+      precondition(z);
+      const auto [g_z]    = weighted_sums<1>(problem, [&](const auto i, auto &sums) {
+        sums[0] += gradient[i] * z[i];
+      });
+      const double before = std::exchange(fall, g_z);
+      const double beta   = before > 0 ? g_z / before : 0.;
+      for (std::size_t i = 0; i < problem.size; ++i)
+        d[i] = beta * d[i] - z[i];
+    }
   } // namespace
 
   double
-  GapOptimiser::smallest_curvature(std::vector<double> &direction) const
+  GapOptimiser::smallest_curvature(std::vector<double> &v) const
   {
     // A rank without points has none in either case.
-    const bool is_known = maximum(problem.communicator, direction.empty() ? 0. : 1.) > 0;
-    QuotientDescent descent{problem,
-                            constraint.fixes_mean_gap,
-                            curvature.data(),
-                            std::vector<std::uint8_t>(problem.size),
-                            {field(), field()},
-                            {field(), field()},
-                            field()};
+    const bool is_known = maximum(problem.communicator, v.empty() ? 0. : 1.) > 0;
+    std::vector<std::uint8_t> held(problem.size);
     for (std::size_t i = 0; i < problem.size; ++i)
-      descent.closed[i] = !(gap[i] > 0);
+      held[i] = !(gap[i] > 0);
+    const auto mask = [&](std::vector<double> &values) {
+      const auto is_open = [&held](const std::size_t i) { return !held[i]; };
+      project(problem, is_open, constraint.fixes_mean_gap, values.data());
+    };
+    const auto precondition_open = [&](std::vector<double> &values) {
+      mask(values);
+      problem.precondition(values.data(), held.data());
+      mask(values); // so that it stays among the admissible fields
+    };
+    const auto products = [&](const auto &x, const auto &k_x, const auto &y) {
+      const auto [elastic_part, local, mean_x, mean_y] =
+        weighted_sums<4>(problem, [&](const auto i, auto &sums) {
+          if (held[i])
+            return;
+          sums[0] += k_x[i] * y[i];
+          sums[1] += curvature[i] * x[i] * y[i];
+          sums[2] += x[i];
+          sums[3] += y[i];
+        });
+      return Products{elastic_part + local,
+                      elastic_part + problem.mean_stiffness() * mean_x * mean_y};
+    };
     if (is_known)
-      descent.v.of = std::move(direction);
+      mask(v);
     else
       {
-        problem.fill_with_noise(descent.v.of.data());
-        descent.mask(descent.v.of);
-        problem.precondition(descent.v.of.data(), descent.closed.data());
+        v = field();
+        problem.fill_with_noise(v.data());
+        precondition_open(v);
       }
-    const double curvature_found = descent.find_lowest();
-    direction                    = std::move(descent.v.of);
-    return curvature_found;
+    std::vector<double> k_v = field(), d = field(), k_d = field(); // K v, d, K d
+    problem.apply(v.data(), k_v.data());
+    Products vv = products(v, k_v, v);
+    if (!(vv.under > 0)) // no point is free
+      {
+        problem.fill_with_noise(v.data());
+        return 1;
+      }
+    double quotient = vv.over / vv.under, fall = 0;
+    for (int n_settled = 0; n_settled < 2;)
+      {
+        const auto [mean] =
+          weighted_sums<1>(problem, [&](const auto i, auto &sums) { sums[0] += v[i]; });
+        const double uniform  = problem.mean_stiffness() * mean;
+        auto        &gradient = k_d; // in its room until K d is known
+        for (std::size_t i = 0; i < problem.size; ++i)
+          gradient[i] =
+            ((1 - quotient) * k_v[i] + curvature[i] * v[i] - quotient * uniform) /
+            vv.under;
+        descend_direction(problem, gradient, precondition_open, d, fall);
+        problem.apply(d.data(), k_d.data());
+        const Products dd = products(d, k_d, d), vd = products(v, k_v, d);
+        const double   s = lowest_on_line(vv, vd, dd);
+        if (!std::isfinite(s)) // no direction is left
+          break;
+        for (std::size_t i = 0; i < problem.size; ++i)
+          {
+            v[i] += s * d[i];
+            k_v[i] += s * k_d[i];
+          }
+        vv                  = {vv.over + s * (2 * vd.over + s * dd.over),
+                               vv.under + s * (2 * vd.under + s * dd.under)};
+        const double before = std::exchange(quotient, vv.over / vv.under);
+        n_settled = before - quotient > settled * std::abs(quotient) ? 0 : n_settled + 1;
+      }
+    return quotient;
   }
 } // namespace strait

@@ -104,10 +104,10 @@ namespace strait
      * minimum.
      *
      * The solution is that of the last solve(), whose gap must be as it was left.
-     * @p direction is a start for v, noise if it is empty on all ranks, and v on return.
+     * @p v is a start on entry, or noise if it is empty on all ranks.
      * Needs five fields with it. Collective.
      */
-    double smallest_curvature(std::vector<double> &direction) const;
+    double smallest_curvature(std::vector<double> &v) const;
 
   protected:
     /** Forget what was learned on the way to another solution. */
