@@ -88,39 +88,6 @@ namespace strait
   };
 
   /**
-   * The textbook method, for reference: conjugate gradients on the pressure
-   * that truncate negative pressures in every step (Polonsky, Keer, Wear 231,
-   * 1999). Same problem, residual and result as DualConjugateGradients, at the
-   * price of two applications of G for each step that changes the contact.
-   */
-  class PolonskyKeer : private DualTask
-  {
-  public:
-    /** Needs 16 B a local point beside the two fields. */
-    explicit PolonskyKeer(const DualTask &task)
-      : DualTask(task)
-    {
-    }
-
-    /** As find_pressure(). */
-    ContactSolution solve();
-
-  private:
-    void   start();
-    double centre_gap();
-    bool   step();
-
-    double *const       p = pressure;
-    double *const       g = gap;
-    std::vector<double> t = std::vector<double>(problem.size); // direction
-    std::vector<double> r = std::vector<double>(problem.size); // G t
-
-    double gap_squared      = 0; // <g, g> under pressure, and one step before
-    double last_gap_squared = 0;
-    bool   restarts         = true; // points were added to the contact
-  };
-
-  /**
    * Bound-constrained, preconditioned, nonlinear conjugate gradients on the gap.
    *
    * The direction t = −M r + β t lives on the free points. Its curvature is foretold
