@@ -20,24 +20,10 @@ namespace strait
      * costs most, a tenth of it takes longer in all for a start that is no better. */
     constexpr double coarse_tolerance = 1e-3;
 
-    /** From the state @p from to the load or gap @p target, relative. */
-    double
-    step_between(const ContactState &from, const double target)
-    {
-      const double before = from.approach.target();
-      return std::abs(target - before) / before;
-    }
-
-    /** Whether a state at @p target lies on a line with the state @p from. */
-    bool
-    is_near(const ContactState &from, const double target)
-    {
-      // Half of it sends steps to the coarser grids that are shorter from the last
-      // states, double of it the other way round; the result is the same within the
-      // tolerance.
-      constexpr double longest_step = .12;
-      return step_between(from, target) <= longest_step;
-    }
+    /** To a state on a line with the last, relative to its load or gap. Half of it sends
+     *  steps to the coarser grids that are shorter from the last states, double of it the
+     *  other way round; the result is the same within the tolerance. */
+    constexpr double longest_step = .12;
 
     /** The pressure at @p target by states near to it, further on the line of those that
      *  are @p dry or that of @p from; nothing where coarser grids know it better. */
@@ -77,8 +63,10 @@ namespace strait
     check(target, of_solid);
 
     // Only states under the same fluid lie on a line.
-    const bool is_dry  = fluid_pressure == nullptr;
-    const bool is_next = from != nullptr && is_near(*from, of_solid);
+    const bool   is_dry = fluid_pressure == nullptr;
+    const double before = from != nullptr ? from->approach.target() : 0.;
+    const bool   is_next =
+      from != nullptr && std::abs(of_solid - before) / before <= longest_step;
     // Windows around the throats of a load far away are no help.
     const SlabLayoutPtr &layout =
       is_next ? from->pressure.layout_pointer() : wall.heights.layout_pointer();
@@ -105,9 +93,8 @@ namespace strait
       state.nominal_pressure = target; // the mean, without its rounding
     state.fft_pairs = contact.n_applications() - n_before;
     if (is_next && is_dry)
-      state.approach = of_solid == from->approach.target()
-                         ? from->approach
-                         : Approach(of_solid, from->pressure, from->approach.target());
+      state.approach =
+        of_solid == before ? from->approach : Approach(of_solid, from->pressure, before);
     else
       state.approach = Approach(of_solid);
     return state;
