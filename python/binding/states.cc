@@ -35,9 +35,9 @@ namespace strait::python
     }
 
     /** A number of the contact. */
-    template <typename Number>
+    template <typename Member>
     auto
-    of_contact(Number ContactState::*member)
+    of_contact(const Member member)
     {
       return number([member](const SealState &state) {
         return state.contact ? &((*state.contact).*member) : nullptr;

@@ -71,29 +71,33 @@ namespace strait
       {
         solution = optimiser->solve(gap.data());
         iterations += solution.iterations;
-        relaxation.insert(relaxation.end(), solution.way.begin(), solution.way.end());
-        if (!solution.converged || solution.detached)
+        const AdhesiveState &found = solution.adhesion;
+        relaxation.insert(relaxation.end(),
+                          found.relaxation.begin(),
+                          found.relaxation.end());
+        if (!solution.converged || found.detached)
           break;
         curvature = optimiser->smallest_curvature(softest);
         // What was pushed off and did not fall has come back to where it was.
-        if (curvature > -curvature_noise || !(solution.energy < energy))
+        if (curvature > -curvature_noise || !(found.total_energy < energy))
           break;
-        energy = solution.energy;
+        energy = found.total_energy;
         push_off(softest, gap);
       }
-
-    ContactState state                 = state_of(*optimiser, solution, std::move(gap));
-    state.iterations                   = iterations;
-    state.fft_pairs                    = problem.n_applications() - n_before;
-    state.approach                     = from != nullptr && is_dry
-                                           ? Approach(of_solid, from->gap, from->approach.target())
-                                           : Approach(of_solid);
-    state.adhesion->smallest_curvature = curvature;
-    state.adhesion->softest_direction  = std::move(softest);
-    if (parameters.adhesion.write_relaxation)
-      state.adhesion->relaxation = std::move(relaxation);
     // A saddle point that could not be left is not what was asked for.
-    state.converged = state.converged && !(curvature < -curvature_noise);
+    solution.converged &= !(curvature < -curvature_noise);
+    solution.iterations                  = iterations;
+    solution.adhesion.smallest_curvature = curvature;
+    solution.adhesion.softest_direction  = std::move(softest);
+    solution.adhesion.relaxation         = parameters.adhesion.write_relaxation
+                                             ? std::move(relaxation)
+                                             : std::vector<RelaxationStep>();
+
+    ContactState state = state_of(*optimiser, std::move(solution), std::move(gap));
+    state.fft_pairs    = problem.n_applications() - n_before;
+    state.approach     = from != nullptr && is_dry
+                           ? Approach(of_solid, from->gap, from->approach.target())
+                           : Approach(of_solid);
     return state;
   }
 
@@ -173,7 +177,7 @@ namespace strait
 
   ContactState
   AdhesiveContactSolver::state_of(const GapOptimiser &optimiser,
-                                  const GapSolution  &solution,
+                                  GapSolution         solution,
                                   SlabField           gap) const
   {
     SlabField pressure(wall.heights.layout_pointer());
@@ -183,15 +187,9 @@ namespace strait
                                : std::max(optimiser.reaction()[i],
                                           std::numeric_limits<double>::min());
     ContactState state(std::move(pressure), std::move(gap));
-    state.nominal_pressure = solution.nominal_pressure + wall.fluid_load;
-    state.residual         = solution.residual;
-    state.converged        = solution.converged;
-
-    AdhesiveState &adhesion  = state.adhesion.emplace();
-    adhesion.adhesive_energy = solution.adhesive_energy;
-    adhesion.attraction      = problem.adhesion.at(0.).traction;
-    adhesion.total_energy    = solution.energy;
-    adhesion.detached        = solution.detached;
+    static_cast<ContactSolution &>(state) = solution;
+    state.nominal_pressure                = solution.nominal_pressure + wall.fluid_load;
+    state.adhesion                        = std::move(solution.adhesion);
     return state;
   }
 } // namespace strait

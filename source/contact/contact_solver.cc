@@ -242,10 +242,8 @@ namespace strait
     ContactState state(std::move(pressure),
                        std::move(gap),
                        parameters.largest_pressure());
-    state.nominal_pressure = mean(state.pressure) + wall.fluid_load;
-    state.residual         = solution.residual;
-    state.iterations       = solution.iterations;
-    state.converged        = solution.converged;
+    static_cast<ContactSolution &>(state) = solution;
+    state.nominal_pressure                = mean(state.pressure) + wall.fluid_load;
     return state;
   }
 } // namespace strait

@@ -157,7 +157,7 @@ namespace strait
       {
         solution.residual  = largest_violation / tolerance.unit;
         solution.converged = solution.residual <= tolerance.residual;
-        solution.way.push_back(
+        solution.adhesion.relaxation.push_back(
           {solution.iterations, energy(), solution.residual, step_length});
         if (solution.residual < least_residual ||
             energy() < least_energy - energy_noise * std::abs(energy()))
@@ -174,10 +174,11 @@ namespace strait
           break;
         ++solution.iterations;
       }
-    solution.energy           = energy();
-    solution.adhesive_energy  = adhesive_energy;
-    solution.nominal_pressure = pressure;
-    solution.detached         = is_detached();
+    solution.nominal_pressure         = pressure;
+    solution.adhesion.adhesive_energy = adhesive_energy;
+    solution.adhesion.attraction      = problem.adhesion.at(0.).traction;
+    solution.adhesion.total_energy    = energy();
+    solution.adhesion.detached        = is_detached();
     return solution;
   }
 } // namespace strait

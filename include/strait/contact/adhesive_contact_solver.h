@@ -51,7 +51,7 @@ namespace strait
                                             bool                is_dry) const;
     void push_off(const std::vector<double> &v, SlabField &gap) const;
     ContactState
-    state_of(const GapOptimiser &optimiser, const GapSolution &, SlabField gap) const;
+    state_of(const GapOptimiser &optimiser, GapSolution solution, SlabField gap) const;
 
     const ContactParameters parameters;
     const bool              unloads;

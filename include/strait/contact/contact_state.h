@@ -58,12 +58,20 @@ namespace strait
     double             scale = 0; // 0: no state before is known
   };
 
+  /** How the search for a solution ended. */
+  struct ContactSolution
+  {
+    double residual   = 0; // of the conditions of a solution, in the solver's own units
+    int    iterations = 0; // of the last solve, on the grid itself
+    bool   converged  = false;
+  };
+
   /** One iteration on the way to a state of least energy. */
   struct RelaxationStep
   {
     int    iteration;
     double energy;   // per area
-    double residual; // as in ContactState
+    double residual; // as in ContactSolution
     double step;     // length of the step along its direction; GFMD: of time
   };
 
@@ -121,7 +129,7 @@ namespace strait
    * nominal pressure plus that of γ'(g). Where a fluid presses as well, pressure is what
    * the solid bears beyond the fluid, and nominal_pressure includes the fluid's mean.
    */
-  struct ContactState
+  struct ContactState : ContactSolution
   {
     ContactState() = default;
 
@@ -146,12 +154,8 @@ namespace strait
      */
     double contact_area_corrected = 0;
 
-    double residual   = 0; // of the solver, in its own units
-    int    iterations = 0; // of the last solve, on the grid itself
-    long   fft_pairs  = 0; // likewise
-    bool   converged  = false;
-
-    Approach approach; // where it was come to from
+    long     fft_pairs = 0; // of the last solve, on the grid itself
+    Approach approach;      // where it was come to from
 
     std::optional<AdhesiveState> adhesion;
     std::optional<PlasticState>  plasticity;

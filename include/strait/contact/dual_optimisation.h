@@ -3,6 +3,7 @@
 #define strait_contact_dual_optimisation_h
 
 #include <strait/contact/contact_problem.h>
+#include <strait/contact/contact_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,18 +81,6 @@ namespace strait
                              const ContactConstraint         &constraint,
                              const std::vector<std::uint8_t> &may_move,
                              const double                    *pressure);
-
-  /** Where an optimiser stopped: p within its limits, g = Gp + u0 − h, u0 included. */
-  struct ContactSolution
-  {
-    /**
-     * The largest of |g| between the limits of p, −g where p = 0, and g where p is at its
-     * upper limit, over the unit of the tolerance. The constraint holds exactly.
-     */
-    double residual   = 0;
-    int    iterations = 0;
-    bool   converged  = false;
-  };
 
   /** A contact without adhesion whose pressure is to be found; see find_pressure(). */
   struct DualTask

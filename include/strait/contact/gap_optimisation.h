@@ -18,21 +18,10 @@ namespace strait
   };
 
   /** Where an optimiser stopped. */
-  struct GapSolution
+  struct GapSolution : ContactSolution
   {
-    /**
-     * The larger of max |r| over open points and max −r over points in contact, in
-     * units of the tolerance's traction; r is the derivative of the energy.
-     */
-    double residual         = 0;
-    double energy           = 0; // the problem's, without p0 ⟨g⟩ at fixed mean gap
-    double adhesive_energy  = 0; // ⟨γ(g)⟩
-    double nominal_pressure = 0;
-    int    iterations       = 0;
-    bool   converged        = false;
-    bool   detached         = false; // see AdhesiveState
-
-    std::vector<RelaxationStep> way; // from the start to here
+    double        nominal_pressure = 0;
+    AdhesiveState adhesion; // but for the curvature
   };
 
   /** Make @p values 0 where not is_free(i) and, if @p has_no_mean, of the mean 0 where it
@@ -80,7 +69,9 @@ namespace strait
 
     /**
      * @p gap_values: a start on entry (negative values count as 0), the solution on
-     * return; exactly 0 in contact. Collective.
+     * return; exactly 0 in contact. The residual is the larger of max |r| over open
+     * points and max −r over points in contact, in units of the tolerance's traction; r
+     * is the derivative of the energy. Collective.
      */
     GapSolution solve(double *gap_values);
 

@@ -177,7 +177,10 @@ namespace strait
   /**
    * Solve a contact without adhesion by the method of this name. Its pressure: a start on
    * entry (values beyond the limits count as these; it must not vanish if its mean is
-   * prescribed), the solution on return. Its gap: on return g = Gp + u0 − h. Collective.
+   * prescribed), the solution on return. Its gap: on return g = Gp + u0 − h. The
+   * residual is the largest of |g| between the limits of p, −g where p = 0, and g where p
+   * is at its upper limit, over the unit of the tolerance; the constraint holds exactly.
+   * Collective.
    */
   ContactSolution find_pressure(ContactMethod method, const DualTask &task);
 } // namespace strait
