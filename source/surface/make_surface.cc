@@ -228,30 +228,12 @@ namespace strait
     SlabField
     rotated(const SlabField &before, const SlabLayoutPtr &layout)
     {
-      // Rows are made of columns: each rank gets those with the numbers of its rows.
-      std::vector<double> outgoing;
-      outgoing.reserve(before.size());
-      std::vector<int> n_outgoing;
-      for (int r = 0; r < layout->n_ranks(); ++r)
-        {
-          const int first = layout->first_row_of(r), end = layout->first_row_of(r + 1);
-          for (int row = 0; row < before.layout().n_rows(); ++row)
-            for (int ix = first; ix < end; ++ix)
-              outgoing.push_back(before(ix, row));
-          n_outgoing.push_back(before.layout().n_rows() * (end - first));
-        }
-      const std::vector<double> columns =
-        exchange(layout->communicator(), outgoing, n_outgoing).items;
-      const int nx     = layout->grid().nx;
-      const int n_rows = layout->n_rows();
-      SlabField after(layout);
-      for (int row = 0; row < n_rows; ++row)
-        for (int ix = 0; ix < nx; ++ix)
-          {
-            const int iy_before = (nx - ix) % nx; // −x in the periodic box
-            after(ix, row) = columns[static_cast<std::size_t>(iy_before) * n_rows + row];
-          }
-      return after;
+      const std::vector<double> whole = gather_on_root(before);
+      const std::size_t         nx = layout->grid().nx, ny = layout->grid().ny;
+      std::vector<double>       turned(whole.size());
+      for (std::size_t k = 0; k < turned.size(); ++k)
+        turned[k] = whole[(nx - k % nx) % nx * ny + k / nx]; // −x in the periodic box
+      return scatter_from_root(layout, turned);
     }
   } // namespace
 
