@@ -5,6 +5,7 @@
 #include <charconv>
 #include <fstream>
 #include <map>
+#include <utility>
 
 namespace strait
 {
@@ -30,61 +31,39 @@ namespace strait
       return value;
     }
 
-    /** The lines above the numbers. */
-    struct Header
-    {
-      std::optional<double>              width, height;
-      LengthUnit                         width_unit, height_unit, value_unit;
-      std::map<std::string, std::string> stated; // each value as it stands, by its key
-    };
-
-    /** Throw if a line above states another value of @p key. */
-    void
-    check_for_contradiction(Header            &header,
-                            const std::string &key,
-                            const std::string &value,
-                            const std::string &file)
-    {
-      const std::string &earlier = header.stated.emplace(key, value).first->second;
-      if (earlier != value)
-        reject_height_map(file,
-                          "states '" + key + "' in its header as '" + earlier +
-                            "' and as '" + value + "': remove one of these lines.");
-    }
+    /** What the lines above the numbers state: each value as it stands, by its key. */
+    using Header = std::map<std::string, std::string>;
 
     /** The number of a side, and its unit as it stands. */
-    double
-    parse_side(const std::string &text, LengthUnit &unit, const std::string &file)
+    std::pair<double, LengthUnit>
+    parse_side(const std::string &text, const std::string &file)
     {
       const char       *position = text.data();
       const char *const end      = position + text.size();
       const auto        value    = take_number(position, end);
-      const LengthUnit  own      = parse_length_unit(
+      const LengthUnit  unit     = parse_length_unit(
         trim(std::string(position, static_cast<std::size_t>(end - position))));
-      if (!value || !(*value > 0) || (own.is_stated() && !own.metres))
+      if (!value || !(*value > 0) || (unit.is_stated() && !unit.metres))
         reject_for_import(file,
                           "states the side '" + text +
                             "' in its header, which is no positive length");
-      unit = own;
-      return *value;
+      return {*value, unit};
     }
 
     void
-    read_header_line(Header &header, const std::string &line, const std::string &file)
+    read_header_line(Header &stated, const std::string &line, const std::string &file)
     {
       const std::size_t colon = line.find(':');
       if (colon == std::string::npos)
         return;
-      const std::string key   = trim(line.substr(1, colon - 1));
-      const std::string value = trim(line.substr(colon + 1));
-      check_for_contradiction(header, key, value, file);
-      if (key == "Width")
-        header.width = parse_side(value, header.width_unit, file);
-      else if (key == "Height")
-        header.height = parse_side(value, header.height_unit, file);
-      else if (key == "Value units")
-        header.value_unit = parse_length_unit(value);
-      else if (key != "Channel")
+      const std::string  key     = trim(line.substr(1, colon - 1));
+      const std::string  value   = trim(line.substr(colon + 1));
+      const std::string &earlier = stated.emplace(key, value).first->second;
+      if (earlier != value)
+        reject_height_map(file,
+                          "states '" + key + "' in its header as '" + earlier +
+                            "' and as '" + value + "': remove one of these lines.");
+      if (key != "Width" && key != "Height" && key != "Value units" && key != "Channel")
         reject_for_import(file, "has the header line '" + trim(line) + "'");
     }
 
@@ -119,7 +98,7 @@ namespace strait
   read_matrix_text(const std::string &file)
   {
     std::ifstream stream(file, std::ios::binary);
-    Header        header;
+    Header        stated;
     HeightMap     map;
     std::string   line;
     bool          has_ended = false; // by a blank line, after which no other row may come
@@ -129,7 +108,7 @@ namespace strait
         if (first == std::string::npos)
           has_ended = map.ny > 0;
         else if (map.ny == 0 && line[first] == '#')
-          read_header_line(header, line.substr(first), file);
+          read_header_line(stated, line.substr(first), file);
         else
           {
             if (has_ended)
@@ -149,20 +128,21 @@ namespace strait
       reject_height_map(file, "cannot be read to its end: copy it again.");
     if (map.ny == 0)
       reject_height_map(file, "holds no numbers: check Surface/File.");
-    if (!header.width || !header.height)
+    if (stated.count("Width") == 0 || stated.count("Height") == 0)
       reject_for_import(
         file,
         "does not state its size as lines '# Width: 10 um' and '# Height: "
         "10 um' would");
-    if (header.width_unit.is_stated() != header.height_unit.is_stated())
+    const auto [width, unit]        = parse_side(stated["Width"], file);
+    const auto [height, other_unit] = parse_side(stated["Height"], file);
+    if (unit.is_stated() != other_unit.is_stated())
       reject_for_import(file, "states a unit for one of its sides only");
     // Sides may have different units; what 1 in the file means is said of the first.
-    if (header.width_unit.is_stated())
-      *header.height *= *header.height_unit.metres / *header.width_unit.metres;
-    map.size         = {{*header.width, *header.height}};
-    map.lateral_unit = header.width_unit;
-    map.height_unit  = header.value_unit;
-    map.format       = "matrix text";
+    const double ratio = unit.is_stated() ? *other_unit.metres / *unit.metres : 1.;
+    map.size           = {{width, height * ratio}};
+    map.lateral_unit   = unit;
+    map.height_unit    = parse_length_unit(stated["Value units"]);
+    map.format         = "matrix text";
     return map;
   }
 } // namespace strait
