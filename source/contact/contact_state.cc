@@ -129,15 +129,13 @@ namespace strait
   {
     PlasticState state;
     state.indentation = before != nullptr ? *before : SlabField(gap.layout_pointer());
-    SlabField is_plastic(gap.layout_pointer());
     for (std::size_t i = 0; i < gap.size(); ++i)
-      {
-        is_plastic[i] = flows(pressure[i], hardness) ? 1. : 0.;
-        if (pressure[i] == hardness && is_solution)
-          state.indentation[i] += std::max(0., -gap[i]);
-      }
+      if (pressure[i] == hardness && is_solution)
+        state.indentation[i] += std::max(0., -gap[i]);
     state.mean_indentation = mean(state.indentation);
-    state.area             = mean(is_plastic);
+    state.area             = mean_of(pressure, [hardness](const double p) {
+      return flows(p, hardness) ? 1. : 0.;
+    });
     return state;
   }
 
@@ -145,17 +143,10 @@ namespace strait
     : pressure(std::move(pressure_))
     , gap(std::move(gap_))
     , mean_gap(mean(gap))
+    , contact_area(mean_of(pressure, [](const double p) { return p > 0 ? 1. : 0.; }))
+    , contact_area_corrected(contact_area - (M_PI - 1 + std::log(2.)) / 24 *
+                                              line_times_spacing(pressure, limit))
   {
-    const SlabLayout &layout  = pressure.layout();
-    double            touches = 0; // in areas of a grid point
-    for (const SlabLayout::Range &range : layout.ranges())
-      touches += range.area * std::count_if(pressure.begin() + range.begin,
-                                            pressure.begin() + range.end,
-                                            [](const double p) { return p > 0; });
-    contact_area =
-      sum(layout.communicator(), touches) / static_cast<double>(layout.grid().n_points());
-    contact_area_corrected =
-      contact_area - (M_PI - 1 + std::log(2.)) / 24 * line_times_spacing(pressure, limit);
   }
 
   void

@@ -8,25 +8,6 @@
 
 namespace strait
 {
-  namespace
-  {
-    /** Mean over the box of what @p function makes of the values. Collective. */
-    template <class Function>
-    double
-    mean_of(const SlabField &field, const Function &function)
-    {
-      double total = 0;
-      for (const SlabLayout::Range &range : field.layout().ranges())
-        {
-          double part = 0;
-          for (std::size_t k = range.begin; k < range.end; ++k)
-            part += function(field[k]);
-          total += range.area * part;
-        }
-      return sum(field.layout().communicator(), total) / field.grid().n_points();
-    }
-  } // namespace
-
   double
   mean(const SlabField &field)
   {

@@ -2,6 +2,7 @@
 #ifndef strait_spectral_slab_field_h
 #define strait_spectral_slab_field_h
 
+#include <strait/base/collective.h>
 #include <strait/spectral/slab_layout.h>
 
 #include <cstddef>
@@ -73,6 +74,22 @@ namespace strait
   private:
     SlabLayoutPtr slab_layout;
   };
+
+  /** Mean over the box of what @p function makes of the values. Collective. */
+  template <class Function>
+  double
+  mean_of(const SlabField &field, const Function &function)
+  {
+    double total = 0;
+    for (const SlabLayout::Range &range : field.layout().ranges())
+      {
+        double part = 0;
+        for (std::size_t k = range.begin; k < range.end; ++k)
+          part += function(field[k]);
+        total += range.area * part;
+      }
+    return sum(field.layout().communicator(), total) / field.grid().n_points();
+  }
 
   /** Mean over the box. Collective. */
   double mean(const SlabField &field);
