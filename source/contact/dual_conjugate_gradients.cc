@@ -21,8 +21,8 @@ namespace strait
   ContactSolution
   DualConjugateGradients::solve()
   {
-    for (const ContactProblem::Block &block : problem.blocks)
-      for (std::size_t i = block.begin; i < block.end; ++i)
+    for (const SlabLayout::Range &range : problem.ranges)
+      for (std::size_t i = range.begin; i < range.end; ++i)
         in_contact[i] = pressure[i] != 0;
 
     ContactSolution solution;
@@ -140,11 +140,11 @@ namespace strait
     const auto    s     = static_cast<float>(shift);
     const bool    grows = !truncated;
     float         worst = 0;
-    for (const ContactProblem::Block &block : problem.blocks)
+    for (const SlabLayout::Range &range : problem.ranges)
       {
         // Without a branch, and the largest in any order: four points at a time.
 #pragma omp simd reduction(max : worst)
-        for (std::size_t i = block.begin; i < block.end; ++i)
+        for (std::size_t i = range.begin; i < range.end; ++i)
           {
             const float centred  = y[i] - s;
             const bool  is_free  = place[i] == Place::free;
@@ -328,8 +328,8 @@ namespace strait
     // Every pressure is at a limit: between the gaps that let points leave either.
     double least_open   = std::numeric_limits<double>::infinity();
     double most_pressed = -least_open;
-    for (const ContactProblem::Block &block : problem.blocks)
-      for (std::size_t i = block.begin; i < block.end; ++i)
+    for (const SlabLayout::Range &range : problem.ranges)
+      for (std::size_t i = range.begin; i < range.end; ++i)
         if (place[i] == Place::none)
           least_open = std::min<double>(least_open, y[i]);
         else

@@ -101,10 +101,10 @@ namespace strait
     const double *g = gap, *e = elastic.data();
     double       *r     = derivative.data();
     double        least = std::numeric_limits<double>::infinity(), adhesive = 0;
-    for (const ContactProblem::Block &block : problem.blocks)
+    for (const SlabLayout::Range &range : problem.ranges)
       {
-        const std::size_t begin = block.begin, n = block.end - begin;
-        adhesive += block.weight *
+        const std::size_t begin = range.begin, n = range.end - begin;
+        adhesive += range.area / problem.n_points *
                     problem.adhesion.evaluate(n, g + begin, r + begin, &curvature[begin]);
       }
     adhesive_energy = sum(problem.communicator, adhesive);

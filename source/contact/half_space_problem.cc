@@ -24,11 +24,12 @@ namespace strait
   ContactProblem
   points_of(const SlabField &heights)
   {
-    const auto n_points = static_cast<double>(heights.grid().n_points());
-    std::vector<ContactProblem::Block> blocks;
-    for (const SlabLayout::Range &range : heights.layout().ranges())
-      blocks.push_back({range.begin, range.end, range.area / n_points});
-    return {heights.layout().communicator(), heights.size(), heights.data(), blocks};
+    const SlabLayout &layout = heights.layout();
+    return {layout.communicator(),
+            heights.size(),
+            heights.data(),
+            layout.ranges(),
+            static_cast<double>(layout.grid().n_points())};
   }
 
   HalfSpaceProblem::HalfSpaceProblem(const SlabField &heights,

@@ -34,12 +34,12 @@ namespace
       // Areas of 1 and 1/9 in units that sum to one.
       const double unit = 1. / (20. + 40. / 9.);
       if (n > 0)
-        ranges = {{0, 20, unit}, {20, 60, unit / 9}};
+        parts = {{0, 20, unit}, {20, 60, unit / 9}};
     }
 
-    std::size_t                        n = 0;
-    std::vector<double>                position, height;
-    std::vector<ContactProblem::Block> ranges;
+    std::size_t                    n = 0;
+    std::vector<double>            position, height;
+    std::vector<SlabLayout::Range> parts;
   };
 
   class DenseProblem
@@ -48,7 +48,7 @@ namespace
   {
   public:
     explicit DenseProblem(const Quality quality)
-      : DualProblem({MPI_COMM_WORLD, n, height.data(), ranges})
+      : DualProblem({MPI_COMM_WORLD, n, height.data(), parts, 1.})
       , quality(quality)
       , room(n)
     {
@@ -57,7 +57,7 @@ namespace
     double
     weight(const std::size_t i) const
     {
-      return ranges[i < 20 ? 0 : 1].weight;
+      return parts[i < 20 ? 0 : 1].area;
     }
 
     double

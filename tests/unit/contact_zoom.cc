@@ -97,8 +97,8 @@ namespace
                 weighted(problem, b, Ga),
                 1e-14 * std::sqrt(work * Gbb));
     std::vector<std::uint8_t> marks(a.size(), 0);
-    for (const ContactProblem::Block &block : problem.blocks)
-      for (std::size_t k = block.begin; k < block.end; ++k)
+    for (const SlabLayout::Range &range : problem.ranges)
+      for (std::size_t k = range.begin; k < range.end; ++k)
         marks[k] = a[k] > 0;
     const auto precondition = [&](const SlabField &field, SlabField &result) {
       std::vector<float> values(field.begin(), field.end());
@@ -128,8 +128,8 @@ namespace
     std::vector<float>  step(p.begin(), p.end());
     EXPECT_NEAR(problem.respond(step.data(), step.data()), work, 1e-6 * work);
     const double most = max_value(u);
-    for (const ContactProblem::Block &block : problem.blocks)
-      for (std::size_t i = block.begin; i < block.end; ++i)
+    for (const SlabLayout::Range &range : problem.ranges)
+      for (std::size_t i = range.begin; i < range.end; ++i)
         EXPECT_NEAR(step[i], u[i], 1e-6 * most) << i;
   }
 

@@ -3,6 +3,7 @@
 #define strait_contact_contact_problem_h
 
 #include <strait/base/collective.h>
+#include <strait/spectral/slab_layout.h>
 
 #include <array>
 #include <cstdint>
@@ -17,20 +18,12 @@ namespace strait
    */
   struct ContactProblem
   {
-    /** Points begin <= i < end of this rank that stand for the same area. */
-    struct Block
-    {
-      std::size_t begin;
-      std::size_t end;
-      double      weight; // area of one point over the nominal area
-    };
-
     const MPI_Comm      communicator;
     const std::size_t   size;    // of the arrays that fields are on this rank
     const double *const heights; // h [length]; they must outlive the problem
-    // Disjoint. They cover all points but those that finer ones cover, where what an
-    // array has means nothing.
-    const std::vector<Block> blocks;
+    // Of what an array has elsewhere, at points that finer ones cover, nothing is meant.
+    const std::vector<SlabLayout::Range> ranges;
+    const double n_points; // the nominal area, in the unit of those of the ranges
   };
 
   /**
@@ -84,13 +77,13 @@ namespace strait
   weighted_sums(const ContactProblem &problem, const Add &add_point)
   {
     std::array<double, N> total{};
-    for (const ContactProblem::Block &block : problem.blocks)
+    for (const SlabLayout::Range &range : problem.ranges)
       {
         std::array<double, N> sums{};
-        for (std::size_t i = block.begin; i < block.end; ++i)
+        for (std::size_t i = range.begin; i < range.end; ++i)
           add_point(i, sums);
         for (std::size_t k = 0; k < N; ++k)
-          total[k] += block.weight * sums[k];
+          total[k] += range.area / problem.n_points * sums[k];
       }
     sum_in_place(problem.communicator, total);
     return total;
