@@ -112,30 +112,32 @@ namespace strait
   void
   ZoomedPreconditioner::refine(const int window, float *values)
   {
-    const float *const of_window = interpolate(window, values);
-    for_each_point(window, [&](const std::size_t k, const std::size_t i) {
-      values[i] += (1 - weight_at(i)) * (of_window[k] - values[i]);
-    });
+    interpolate(window, values);
+    const std::size_t n_grid = layout->n_local_points(),
+                      end    = layout->start_of_window(window + 1);
+    for (std::size_t i = layout->start_of_window(window); i < end; ++i)
+      values[i] += (1 - weight_at(i)) * (room[i - n_grid] - values[i]);
   }
 
   void
   ZoomedPreconditioner::refine_adjoint(const int window, float *values)
   {
-    float *const of_window = room_of(window);
-    for_each_point(window, [&](const std::size_t k, const std::size_t i) {
-      of_window[k] = (1 - weight_at(i)) * values[i];
-      values[i] -= of_window[k];
-    });
+    const std::size_t n_grid = layout->n_local_points(),
+                      end    = layout->start_of_window(window + 1);
+    for (std::size_t i = layout->start_of_window(window); i < end; ++i)
+      {
+        room[i - n_grid] = (1 - weight_at(i)) * values[i];
+        values[i] -= room[i - n_grid];
+      }
     add_deposit(window, values);
   }
 
   /** Write the parent's values at the window's points to its room. */
-  float *
+  void
   ZoomedPreconditioner::interpolate(const int window, const float *values)
   {
     transfers[window].interpolate(transfers[window].patch_of(*layout, window, values),
                                   room_of(window));
-    return room_of(window);
   }
 
   /** The adjoint: add what stands in its room to the parent's values. */
@@ -183,16 +185,6 @@ namespace strait
   ZoomedPreconditioner::room_of(const int window)
   {
     return room.data() + (layout->start_of_window(window) - layout->n_local_points());
-  }
-
-  /** visit(position in the window, position among the values) for its points. */
-  template <class Visit>
-  void
-  ZoomedPreconditioner::for_each_point(const int window, const Visit &visit) const
-  {
-    const std::size_t first = layout->start_of_window(window);
-    for (std::size_t i = first; i < layout->start_of_window(window + 1); ++i)
-      visit(i - first, i);
   }
 
   /** visit(position) for the points of the window that are one of the parent. */

@@ -47,8 +47,8 @@ namespace strait
     void refine(int window, float *values);
     void refine_adjoint(int window, float *values);
 
-    float *interpolate(int window, const float *values);
-    void   add_deposit(int window, float *values);
+    void interpolate(int window, const float *values);
+    void add_deposit(int window, float *values);
     template <class OfParent, class Weight>
     void   give_to_nine(int             window,
                         float          *values,
@@ -57,8 +57,6 @@ namespace strait
     float  weight_at(std::size_t i) const;
     float *room_of(int window);
 
-    template <class Visit>
-    void for_each_point(int window, const Visit &visit) const;
     template <class Visit>
     void for_each_of_nine(int window, int a, int b, const Visit &visit) const;
 
