@@ -9,6 +9,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
+#include <type_traits>
 
 namespace strait
 {
@@ -20,7 +21,7 @@ namespace strait
 
     /** The bytes of @p number, the most significant first. */
     template <typename Number>
-    void
+    std::enable_if_t<std::is_arithmetic_v<Number>>
     append(std::string &to, const Number number)
     {
       unsigned char bytes[sizeof(Number)];
@@ -44,15 +45,7 @@ namespace strait
       to += text + std::string((4 - text.size() % 4) % 4, '\0');
     }
 
-    /** A variable in a header: its name, its dimensions, and a side's or only a unit. */
-    struct VariableEntry
-    {
-      std::string                name;
-      std::vector<std::uint32_t> dimensions;
-      double                     length; // of a side; 0: it is none
-      std::uint64_t              n_values;
-    };
-
+    /** Those of a variable; @p length is that of a side, or 0 where it is none. */
     void
     append_attributes(std::string &to, const double length, const std::string &unit)
     {
@@ -60,15 +53,15 @@ namespace strait
       append(to, {n > 0 ? list_of_attributes : 0, n});
       if (length > 0)
         {
-          append(to, std::string("length"));
+          append(to, "length");
           append(to, {type_double, 1});
           append(to, length);
-          append(to, std::string("periodic"));
+          append(to, "periodic");
           append(to, {type_int, 1, 1});
         }
       if (!unit.empty())
         {
-          append(to, std::string("unit"));
+          append(to, "unit");
           append(to, {type_char});
           append(to, unit);
         }
@@ -78,36 +71,37 @@ namespace strait
     std::string
     header_of(const PeriodicGrid &grid, const std::string &unit)
     {
-      const auto                       nx        = static_cast<std::uint32_t>(grid.nx);
-      const auto                       ny        = static_cast<std::uint32_t>(grid.ny);
-      const std::vector<VariableEntry> variables = {
-        {"x", {0}, grid.lx, nx},
-        {"y", {1}, grid.ly, ny},
-        {"heights", {0, 1}, 0., static_cast<std::uint64_t>(nx) * ny}};
+      const auto nx          = static_cast<std::uint32_t>(grid.nx);
+      const auto ny          = static_cast<std::uint32_t>(grid.ny);
       const auto header_with = [&](std::uint64_t begin) {
         std::string header("CDF\2\0\0\0\0", 8);
         append(header, {list_of_dimensions, 2});
-        append(header, std::string("x"));
+        append(header, "x");
         append(header, nx);
-        append(header, std::string("y"));
+        append(header, "y");
         append(header, ny);
         append(header, {0, 0}); // no attributes of the file
         append(header, {list_of_variables, 3});
-        for (const VariableEntry &variable : variables)
-          {
-            append(header, variable.name);
-            append(header, static_cast<std::uint32_t>(variable.dimensions.size()));
-            for (const std::uint32_t dimension : variable.dimensions)
-              append(header, dimension);
-            append_attributes(header, variable.length, unit);
-            // The last variable may exceed what fits here; this is then how it is said.
-            append(header,
-                   {type_double,
-                    static_cast<std::uint32_t>(
-                      std::min<std::uint64_t>(8 * variable.n_values, 0xffffffff))});
-            append(header, begin);
-            begin += 8 * variable.n_values;
-          }
+        const auto add = [&](const char                       *name,
+                             const std::vector<std::uint32_t> &dimensions,
+                             const double                      length,
+                             const std::uint64_t               n_values) {
+          append(header, name);
+          append(header, static_cast<std::uint32_t>(dimensions.size()));
+          for (const std::uint32_t dimension : dimensions)
+            append(header, dimension);
+          append_attributes(header, length, unit);
+          // The last variable may exceed what fits here; this is then how it is said.
+          append(header,
+                 {type_double,
+                  static_cast<std::uint32_t>(
+                    std::min<std::uint64_t>(8 * n_values, 0xffffffff))});
+          append(header, begin);
+          begin += 8 * n_values;
+        };
+        add("x", {0}, grid.lx, nx);
+        add("y", {1}, grid.ly, ny);
+        add("heights", {0, 1}, 0., static_cast<std::uint64_t>(nx) * ny);
         return header;
       };
       // The length of the header, which places the variables, does not depend on them.
