@@ -22,13 +22,6 @@ namespace strait
               (uniform + along_x - along_y - along_both) / 8,
               (uniform - along_x - along_y + along_both) / 16};
     }
-
-    /** Of the shortest wave along an axis. */
-    double
-    largest_stiffness(const double spacing, const double contact_modulus)
-    {
-      return M_PI * contact_modulus / (2 * spacing);
-    }
   } // namespace
 
   double
@@ -45,13 +38,7 @@ namespace strait
   {
     const auto of_wave = wave_stiffness(points->grid(), contact_modulus);
     // The adjoint of a mean gives each of the four points of a box a quarter.
-    return {points,
-            boxes,
-            contact_modulus,
-            [](const double stiffness) { return stiffness; },
-            std::min(of_wave(1, 0), of_wave(0, 1)),
-            0.,
-            4.};
+    return {points, boxes, of_wave, std::min(of_wave(1, 0), of_wave(0, 1)), 0., 4.};
   }
 
   TwoScaleOperator
@@ -66,8 +53,7 @@ namespace strait
     // The adjoint of the interpolation is a sum over the four points of a box.
     return {points,
             boxes,
-            contact_modulus,
-            [](const double stiffness) { return 1 / stiffness; },
+            wave_compliance<double>(points->grid(), contact_modulus),
             uniform,
             2 * spacing / contact_modulus,
             .25};
@@ -75,26 +61,23 @@ namespace strait
 
   TwoScaleOperator::TwoScaleOperator(const SlabLayoutPtr &points,
                                      const SlabLayoutPtr &boxes,
-                                     const double         contact_modulus,
-                                     double (*of_stiffness)(double),
-                                     const double uniform,
-                                     const double of_stencil,
-                                     const double weight)
+                                     const Answer        &answer,
+                                     const double         uniform,
+                                     const double         of_stencil,
+                                     const double         weight)
     : layout(points)
     , transform(boxes)
   {
     const PeriodicGrid &grid = points->grid();
-    const double        in_x = largest_stiffness(grid.dx(), contact_modulus),
-                 in_y        = largest_stiffness(grid.dy(), contact_modulus);
-    stencil                  = stencil_through(of_stencil,
-                              of_stiffness(in_x),
-                              of_stiffness(in_y),
-                              of_stiffness(std::hypot(in_x, in_y)));
-    const auto stiffness     = wave_stiffness(grid, contact_modulus);
+    const double kx_most = grid.nx / 2., ky_most = grid.ny / 2.; // of the shortest waves
+    stencil = stencil_through(of_stencil,
+                              answer(kx_most, 0),
+                              answer(0, ky_most),
+                              answer(kx_most, ky_most));
     for (int ky = 0; 2 * ky <= boxes->grid().ny; ++ky)
       for (int kx = 0; 2 * kx <= boxes->grid().nx; ++kx)
         {
-          const double wanted = kx + ky > 0 ? of_stiffness(stiffness(kx, ky)) : uniform;
+          const double wanted = kx + ky > 0 ? answer(kx, ky) : uniform;
           const double lacking =
             wanted - stencil.symbol(2 * M_PI / grid.nx * kx, 2 * M_PI / grid.ny * ky);
           box_symbol.push_back(static_cast<float>(weight * std::max(0., lacking)));

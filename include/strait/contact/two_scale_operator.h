@@ -4,6 +4,7 @@
 
 #include <strait/spectral/fourier_transform.h>
 
+#include <functional>
 #include <vector>
 
 namespace strait
@@ -61,16 +62,17 @@ namespace strait
     }
 
   private:
-    /** The answer to a wave is @p of_stiffness(E* q/2), to a uniform field @p uniform;
-     * the stencil's to the latter is @p of_stencil. What boxes lack is multiplied by
-     *  @p weight. */
+    /** Of a wave, by how many times it fits into the box along x and along y. */
+    using Answer = std::function<double(double, double)>;
+
+    /** The answer to a uniform field is @p uniform, the stencil's to it @p of_stencil.
+     *  What boxes lack is multiplied by @p weight. */
     TwoScaleOperator(const SlabLayoutPtr &points,
                      const SlabLayoutPtr &boxes,
-                     double               contact_modulus,
-                     double (*of_stiffness)(double),
-                     double uniform,
-                     double of_stencil,
-                     double weight);
+                     const Answer        &answer,
+                     double               uniform,
+                     double               of_stencil,
+                     double               weight);
 
     const SlabLayoutPtr          layout; // of the points
     NinePointStencil             stencil;

@@ -15,14 +15,15 @@ namespace strait
 {
   /**
    * E* q/2, by which a half-space answers a displacement by the wave that fits into a
-   * periodic box kx times along x and ky times along y, a function of both.
+   * periodic box kx times along x and ky times along y, a function of both, which need
+   * not be whole.
    */
   inline auto
   wave_stiffness(const PeriodicGrid &grid, const double contact_modulus)
   {
     // In units of lx, so that tiny boxes do not underflow.
     const double unit = M_PI * contact_modulus / grid.lx, aspect = grid.lx / grid.ly;
-    return [=](const int kx, const int ky) {
+    return [=](const auto kx, const auto ky) {
       const double x = kx, y = ky * aspect;
       return unit * std::sqrt(x * x + y * y);
     };
@@ -36,7 +37,7 @@ namespace strait
   {
     const double unit   = grid.lx / (M_PI * contact_modulus);
     const auto   aspect = static_cast<Number>(grid.lx / grid.ly);
-    return [=](const int kx, const int ky) {
+    return [=](const auto kx, const auto ky) {
       const Number x = static_cast<Number>(kx), y = static_cast<Number>(ky) * aspect;
       const Number square = x * x + y * y;
       return square > 0 ? unit / std::sqrt(square) : 0.;
