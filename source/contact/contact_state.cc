@@ -175,8 +175,6 @@ namespace strait
                    adhesion.smallest_curvature,
                    adhesion.detached);
     archive.field(adhesion.softest_direction, *layout);
-    transfer_all(archive, adhesion.relaxation, [&](RelaxationStep &step) {
-      archive.values(step.iteration, step.energy, step.residual, step.step);
-    });
+    archive.value(adhesion.relaxation);
   }
 } // namespace strait

@@ -25,9 +25,7 @@ namespace strait
     std::vector<ZoomWindow> windows;
     if (!is_reading())
       windows = values.layout().windows();
-    transfer_all(*this, windows, [this](ZoomWindow &window) {
-      this->values(window.parent, window.level, window.x, window.y, window.nx, window.ny);
-    });
+    value(windows);
     if (is_reading())
       values =
         SlabField(windows.empty() ? layout : with_windows(*layout, std::move(windows)));
@@ -43,11 +41,9 @@ namespace strait
     const std::size_t n          = layout.n_values() - layout.n_local_points();
     if (n == 0)
       return;
-    std::vector<double> exact(in_windows, in_windows + n);
-    value(exact);
-    std::transform(exact.begin(), exact.end(), in_windows, [](const double number) {
-      return static_cast<Number>(number);
-    });
+    std::vector<Number> of_windows(in_windows, in_windows + n);
+    value(of_windows);
+    std::copy(of_windows.begin(), of_windows.end(), in_windows);
   }
 
   template <typename Number>

@@ -161,28 +161,9 @@ namespace strait
   }
 
   void
-  StateArchive::value(double &number)
-  {
-    std::vector<double> numbers(1, number);
-    value(numbers);
-    if (numbers.size() != 1) // on all ranks
-      refuse();
-    number = numbers[0];
-  }
-
-  void
   StateArchive::value(std::string &text)
   {
     text = item(text);
-  }
-
-  void
-  StateArchive::value(std::vector<double> &numbers)
-  {
-    const auto       *begin = reinterpret_cast<const char *>(numbers.data());
-    const std::string bytes = item({begin, numbers.size() * sizeof(double)});
-    numbers.resize(bytes.size() / sizeof(double));
-    std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
   }
 
   void

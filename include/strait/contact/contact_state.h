@@ -69,7 +69,7 @@ namespace strait
   /** One iteration on the way to a state of least energy. */
   struct RelaxationStep
   {
-    int    iteration;
+    long   iteration;
     double energy;   // per area
     double residual; // as in ContactSolution
     double step;     // length of the step along its direction; GFMD: of time

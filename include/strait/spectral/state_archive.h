@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -57,27 +58,35 @@ namespace strait
       return access == Access::read;
     }
 
-    /** A number. */
-    void value(double &number);
+    /** A number, a yes or no, or a record of such as it is in memory, best without gaps,
+     *  for what stands in these is put as well. */
+    template <typename Record>
+    std::enable_if_t<std::is_trivially_copyable_v<Record>>
+    value(Record &record)
+    {
+      const std::string bytes =
+        item({reinterpret_cast<const char *>(&record), sizeof record});
+      if (bytes.size() != sizeof record) // on all ranks
+        refuse();
+      std::memcpy(&record, bytes.data(), sizeof record);
+    }
+
+    /** A list of them, of any length. */
+    template <typename Record>
+    std::enable_if_t<std::is_trivially_copyable_v<Record>>
+    value(std::vector<Record> &records)
+    {
+      const auto       *begin = reinterpret_cast<const char *>(records.data());
+      const std::string bytes = item({begin, records.size() * sizeof(Record)});
+      records.resize(bytes.size() / sizeof(Record));
+      std::memcpy(records.data(), bytes.data(), records.size() * sizeof(Record));
+    }
 
     /** A text, of any length. */
     void value(std::string &text);
 
-    /** A list of numbers, of any length. */
-    void value(std::vector<double> &numbers);
-
     /** A list of texts, of any length. */
     void value(std::vector<std::string> &texts);
-
-    /** A whole number that a double holds exactly, or a yes or no. */
-    template <typename Number>
-    std::enable_if_t<std::is_integral_v<Number>>
-    value(Number &number)
-    {
-      auto exact = static_cast<double>(number);
-      value(exact);
-      number = static_cast<Number>(exact);
-    }
 
     /** Several of all these, one after the other. */
     template <typename... Values>
