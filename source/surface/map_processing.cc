@@ -43,38 +43,32 @@ namespace strait
     Roughness
     roughness(const HeightMap &map)
     {
+      const int  nx = map.nx, ny = map.ny;
       const auto at = [&map](const int ix, const int iy) {
         return map.values[static_cast<std::size_t>(iy) * map.nx + ix];
       };
-      const double dx = (*map.size)[0] / map.nx, dy = (*map.size)[1] / map.ny;
-      double       sum = 0, squares = 0, steps_x = 0, steps_y = 0;
-      double       seam_x = 0, seam_y = 0;
-      for (int iy = 0; iy < map.ny; ++iy)
-        for (int ix = 0; ix < map.nx; ++ix)
+      double sum = 0, squares = 0, steps[2] = {}, seam[2] = {}; // along x and along y
+      for (int iy = 0; iy < ny; ++iy)
+        for (int ix = 0; ix < nx; ++ix)
           {
-            sum += at(ix, iy);
-            squares += at(ix, iy) * at(ix, iy);
-            if (ix > 0)
-              steps_x += std::pow(at(ix, iy) - at(ix - 1, iy), 2);
-            if (iy > 0)
-              steps_y += std::pow(at(ix, iy) - at(ix, iy - 1), 2);
+            const double here = at(ix, iy);
+            sum += here;
+            squares += here * here;
+            (ix > 0 ? steps : seam)[0] += std::pow(here - at((ix + nx - 1) % nx, iy), 2);
+            (iy > 0 ? steps : seam)[1] += std::pow(here - at(ix, (iy + ny - 1) % ny), 2);
           }
-      for (int iy = 0; iy < map.ny; ++iy)
-        seam_x += std::pow(at(0, iy) - at(map.nx - 1, iy), 2);
-      for (int ix = 0; ix < map.nx; ++ix)
-        seam_y += std::pow(at(ix, 0) - at(ix, map.ny - 1), 2);
-      const double n   = static_cast<double>(map.nx) * map.ny;
-      const double n_x = n - map.ny, n_y = n - map.nx;
+      const double n = static_cast<double>(nx) * ny, n_x = n - ny, n_y = n - nx;
+      const double dx = (*map.size)[0] / nx, dy = (*map.size)[1] / ny;
       Roughness    result;
       result.height = std::sqrt(std::max(squares / n - std::pow(sum / n, 2), 0.));
-      if (map.nx < 2 || map.ny < 2)
+      if (nx < 2 || ny < 2)
         return result;
-      result.slope     = std::sqrt(steps_x / n_x / (dx * dx) + steps_y / n_y / (dy * dy));
+      result.slope = std::sqrt(steps[0] / n_x / (dx * dx) + steps[1] / n_y / (dy * dy));
       const auto ratio = [](const double of_seam, const double of_neighbours) {
         return of_neighbours > 0 ? std::sqrt(of_seam / of_neighbours) : 0.;
       };
-      result.seam = std::max(ratio(seam_x / map.ny, steps_x / n_x),
-                             ratio(seam_y / map.nx, steps_y / n_y));
+      result.seam = std::max(ratio(seam[0] / ny, steps[0] / n_x),
+                             ratio(seam[1] / nx, steps[1] / n_y));
       return result;
     }
 
