@@ -127,7 +127,7 @@ namespace strait
   {
     for (CoarserSeal &seal : seals)
       {
-        strait::transfer(archive, seal.thresholds);
+        archive.value(seal.thresholds);
         if (transfer_presence(archive, seal.state))
           strait::transfer(archive, *seal.state, seal.layout);
       }

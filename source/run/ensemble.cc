@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -123,9 +122,10 @@ namespace strait
         else
           MPI_Bcast(&value, sizeof value, MPI_BYTE, root, MPI_COMM_WORLD);
       };
-      std::apply([&tell](auto &...members) { (tell(members), ...); },
-                 realisation.members());
-      tell(realisation.failure);
+      tell(static_cast<RunNumbers &>(realisation));
+      for (std::string *text :
+           {&realisation.status, &realisation.validity, &realisation.failure})
+        tell(*text);
       tell(realisation.stopped);
     }
 

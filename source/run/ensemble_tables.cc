@@ -25,11 +25,12 @@ namespace strait
       .add(&RealisationRow::seed, "seed [1]: `Surface/Seed`")
       .add([](const RealisationRow &row) { return name_of(row.orientation); },
            "orientation: how the surface is turned")
-      .add(&RealisationRow::critical_load_lower,
+      .add([](const RealisationRow &row) { return row.threshold.lower; },
            "critical_load_lower [pressure]: at the first slip length")
-      .add(&RealisationRow::critical_load_upper,
+      .add([](const RealisationRow &row) { return row.threshold.upper; },
            "critical_load_upper [pressure]: likewise")
-      .add(&RealisationRow::contact_area, "contact_area [1]: likewise")
+      .add([](const RealisationRow &row) { return row.threshold.contact_area; },
+           "contact_area [1]: likewise")
       .add(&RealisationRow::crossover_load,
            "crossover_load [pressure]: (1 − ε_x) L_c at the smallest slip length, where "
            "the exponential decay far from the threshold turns into the power law, see "
@@ -99,8 +100,8 @@ namespace strait
     };
     if (!scene.programme.find_threshold)
       return rows; // none of them is sought
-    add("contact_area", &Row::contact_area);
-    add("critical_load", &Row::critical_load);
+    add("contact_area", [](const Row &row) { return row.threshold.contact_area; });
+    add("critical_load", [](const Row &row) { return row.threshold.middle(); });
     add("crossover_load", &Row::crossover_load);
     add("crossover_reduced_load", &Row::crossover);
     add("exponent", &Row::exponent);

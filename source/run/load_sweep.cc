@@ -236,11 +236,7 @@ namespace strait
   void
   LoadSweep::transfer(StateArchive &archive)
   {
-    strait::transfer(archive, done.thresholds);
-    archive.values(done.n_done, done.converged);
-    transfer_all(archive, done.jumps, [&](Jump &jump) {
-      strait::transfer(archive, jump);
-    });
+    archive.values(done.thresholds, done.n_done, done.converged, done.jumps);
     bool is_searching = seal_search != nullptr;
     archive.value(is_searching);
     if (is_searching)

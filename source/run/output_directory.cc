@@ -196,11 +196,7 @@ namespace strait
     log.stage("");
     log.line("results are in " + path);
     if (!thresholds.empty())
-      {
-        summary.critical_load_lower = thresholds.front().lower;
-        summary.critical_load_upper = thresholds.front().upper;
-        summary.contact_area        = thresholds.front().contact_area;
-      }
+      summary.threshold = thresholds.front();
     return summary;
   }
 } // namespace strait

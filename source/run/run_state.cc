@@ -94,8 +94,9 @@ namespace strait
                          "' began with; restore it to resume, or begin anew in another "
                          "folder.");
     if (transfer_presence(file, finished))
-      std::apply([&file](auto &...members) { file.values(members...); },
-                 finished->members());
+      file.values(static_cast<RunNumbers &>(*finished),
+                  finished->status,
+                  finished->validity);
     else
       file.values(surface_energy, has_begun);
   }

@@ -43,9 +43,8 @@ namespace strait
       archive.values(sample.slip_length,
                      sample.reduced_load,
                      sample.status,
-                     sample.is_coarse);
-      for (double &value : sample.values)
-        archive.value(value);
+                     sample.is_coarse,
+                     sample.values);
     });
   }
 

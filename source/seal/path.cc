@@ -166,19 +166,6 @@ namespace strait
     }
   } // namespace
 
-  void
-  transfer(StateArchive &archive, Jump &jump)
-  {
-    for (PathPoint *point : {&jump.before, &jump.after})
-      archive.values(point->target,
-                     point->pressure,
-                     point->mean_gap,
-                     point->contact_area,
-                     point->energy,
-                     point->detached);
-    archive.value(jump.dissipated);
-  }
-
   std::string
   describe(const Jump &jump)
   {

@@ -280,14 +280,7 @@ namespace strait
   void
   SealSearch::transfer(StateArchive &archive)
   {
-    transfer_all(archive, answers, [&](Probe &probe) {
-      archive.values(probe.openness,
-                     probe.contact_area,
-                     probe.bottleneck[0],
-                     probe.bottleneck[1],
-                     probe.fft_pairs,
-                     probe.converged);
-    });
+    archive.value(answers);
     if (archive.is_reading())
       next = 0;
     for (std::optional<SealState> *state : {&open_state, &sealed_state})

@@ -26,8 +26,7 @@ namespace strait
   void
   transfer(StateArchive &archive, SealState &state, const SlabLayoutPtr &layout)
   {
-    Control &control = state.control;
-    archive.values(control.target, control.inlet_pressure, control.slip_length);
+    archive.value(state.control);
     if (transfer_presence(archive, state.contact))
       transfer(archive, *state.contact, layout);
     archive.value(state.mean_gap);
@@ -44,9 +43,6 @@ namespace strait
                        fluid.open_share,
                        fluid.lifted_off);
       }
-    PathTrend &trend = state.trend;
-    archive.values(trend.is_known, trend.slope, trend.largest_slope);
-    Costs &costs = state.costs; // but for the time that another run has spent
-    archive.values(costs.iterations, costs.fft_pairs, costs.rounds);
+    archive.values(state.trend, state.costs);
   }
 } // namespace strait

@@ -60,10 +60,8 @@ namespace strait
   transfer(StateArchive &archive, TrappedFluid &trapped, const SlabLayout &layout)
   {
     archive.field(trapped.owner, layout);
-    transfer_all(archive, trapped.pools, [&archive](Pool &pool) {
-      archive.values(pool.volume, pool.pressure, pool.compliance, pool.is_guess);
-    });
-    archive.values(trapped.area,
+    archive.values(trapped.pools,
+                   trapped.area,
                    trapped.guessed_area,
                    trapped.pressure,
                    trapped.uncertainty);

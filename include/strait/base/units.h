@@ -27,12 +27,6 @@ namespace strait
   {
     std::string           name;   // empty: not stated
     std::optional<double> metres; // nothing if the name is no length
-
-    bool
-    is_stated() const
-    {
-      return !name.empty();
-    }
   };
 
   /** What a file or a user wrote; not a length if its name is not known. */

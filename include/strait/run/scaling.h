@@ -3,18 +3,17 @@
 #define strait_run_scaling_h
 
 #include <strait/base/log.h>
+#include <strait/seal/transition.h>
 
 #include <array>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace strait
 {
   class StateArchive;
   struct Step;
-  struct Transition;
 
   /** A quantity at one distance from the threshold. */
   struct ScalingPoint
@@ -76,15 +75,13 @@ namespace strait
    *  than two points give a result with n_points < 2. */
   ExponentFit fit_exponent(const std::vector<ScalingPoint> &points, double largest);
 
-  /** What a run leaves besides its files. What is not known is not a number. */
-  struct RunSummary
+  /** Numbers that a run leaves besides its files. What is not known is not a number. */
+  struct RunNumbers
   {
     bool converged = true; // all steps
 
-    // Of the threshold at the first slip length, if the scene looks for it.
-    double critical_load_lower = std::nan("");
-    double critical_load_upper = std::nan("");
-    double contact_area        = std::nan("");
+    /** At the first slip length, if the scene looks for it. */
+    Transition threshold = {0., std::nan(""), std::nan(""), std::nan("")};
 
     // Of the leak rate at the smallest slip length.
     double crossover             = std::nan(""); // ε_x, see Scaling
@@ -92,32 +89,13 @@ namespace strait
     double theory_crossover_load = std::nan(""); // that of the theory's leak rate
     double exponent              = std::nan("");
     double exponent_error        = std::nan("");
+  };
 
+  /** What a run leaves besides its files. */
+  struct RunSummary : RunNumbers
+  {
     std::string status   = "ok"; // words of all steps, and of what is not known for them
     std::string validity = "ok"; // words of all steps
-
-    double
-    critical_load() const
-    {
-      return .5 * (critical_load_lower + critical_load_upper);
-    }
-
-    /** All members, for what is done with each of them. */
-    auto
-    members()
-    {
-      return std::tie(converged,
-                      critical_load_lower,
-                      critical_load_upper,
-                      contact_area,
-                      crossover,
-                      crossover_load,
-                      theory_crossover_load,
-                      exponent,
-                      exponent_error,
-                      status,
-                      validity);
-    }
   };
 
   /**

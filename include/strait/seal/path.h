@@ -47,9 +47,6 @@ namespace strait
     }
   };
 
-  /** In either direction. Collective. */
-  void transfer(StateArchive &archive, Jump &jump);
-
   /** One line about a jump for the log. */
   std::string describe(const Jump &jump);
 

@@ -2,8 +2,6 @@
 #ifndef strait_seal_transition_h
 #define strait_seal_transition_h
 
-#include <strait/spectral/state_archive.h>
-
 #include <array>
 #include <optional>
 #include <vector>
@@ -37,11 +35,14 @@ namespace strait
   };
 
   /** The critical load of a slip length; null if there is none. */
-  const Transition *threshold_of(const std::vector<Transition> &thresholds,
-                                 double                         slip_length);
-
-  /** All of them, in either direction. Collective. */
-  void transfer(StateArchive &archive, std::vector<Transition> &transitions);
+  inline const Transition *
+  threshold_of(const std::vector<Transition> &thresholds, const double slip_length)
+  {
+    for (const Transition &threshold : thresholds)
+      if (threshold.slip_length == slip_length)
+        return &threshold;
+    return nullptr;
+  }
 
   /** The inlet pressures at which a seal under a load opens and closes again. */
   struct BlowOut

@@ -43,7 +43,7 @@ namespace strait
       const auto        value    = take_number(position, end);
       const LengthUnit  unit     = parse_length_unit(
         trim(std::string(position, static_cast<std::size_t>(end - position))));
-      if (!value || !(*value > 0) || (unit.is_stated() && !unit.metres))
+      if (!value || !(*value > 0) || (!unit.name.empty() && !unit.metres))
         reject_for_import(file,
                           "states the side '" + text +
                             "' in its header, which is no positive length");
@@ -135,10 +135,10 @@ namespace strait
         "10 um' would");
     const auto [width, unit]        = parse_side(stated["Width"], file);
     const auto [height, other_unit] = parse_side(stated["Height"], file);
-    if (unit.is_stated() != other_unit.is_stated())
+    if (unit.name.empty() != other_unit.name.empty())
       reject_for_import(file, "states a unit for one of its sides only");
     // Sides may have different units; what 1 in the file means is said of the first.
-    const double ratio = unit.is_stated() ? *other_unit.metres / *unit.metres : 1.;
+    const double ratio = unit.name.empty() ? 1. : *other_unit.metres / *unit.metres;
     map.size           = {{width, height * ratio}};
     map.lateral_unit   = unit;
     map.height_unit    = parse_length_unit(stated["Value units"]);
