@@ -70,51 +70,29 @@ namespace strait
     double
     line_times_spacing(const SlabField &pressure, const double limit)
     {
-      const SlabLayout &layout = pressure.layout();
-      const int         nx = layout.grid().nx, ny = layout.grid().ny;
+      const SlabLayout &layout     = pressure.layout();
       const double      aspect     = layout.grid().dy() / layout.grid().dx();
       double            total      = 0; // in areas of a grid point
       const auto        is_covered = [&](const GridPoint &point) {
         return layout.covered_by(point.window, point.ix, point.iy) >= 0;
       };
-      const auto add_pair = [&](const double     pressure_here,
-                                const double     pressure_there,
-                                const GridPoint &here,
-                                const GridPoint &there) {
-        // Of two points that finer ones cover nothing is known here.
-        if ((pressure_here > 0) == (pressure_there > 0) ||
-            flows(std::max(pressure_here, pressure_there), limit) ||
-            (is_covered(here) && is_covered(there)))
-          return;
-        const int    level = here.window < 0 ? 0 : layout.windows()[here.window].level;
-        const double side  = std::sqrt(here.iy == there.iy ? aspect : 1. / aspect);
-        total += side * std::pow(9., -level);
-      };
       const RowsAround rows(pressure);
-      for (int row = 0; row < layout.n_rows(); ++row)
-        for (int ix = 0; ix < nx; ++ix)
+      layout.for_each_point([&](const GridPoint &here) {
+        if (here.window >= 0 && layout.rank() != 0) // all ranks hold the windows
+          return;
+        const int level = here.window < 0 ? 0 : layout.windows()[here.window].level;
+        for (const GridPoint &there : {GridPoint{here.ix + 1, here.iy, here.window},
+                                       GridPoint{here.ix, here.iy + 1, here.window}})
           {
-            const int    next = ix + 1 < nx ? ix + 1 : 0, iy = layout.first_row() + row;
-            const double here = rows[row][ix];
-            add_pair(here, rows[row][next], {ix, iy}, {next, iy});
-            add_pair(here, rows[row + 1][ix], {ix, iy}, {ix, (iy + 1) % ny});
+            const double p_here = rows.at(here), p_there = rows.at(there);
+            // Of two points that finer ones cover nothing is known here.
+            if (!std::isnan(p_there) && (p_here > 0) != (p_there > 0) &&
+                !flows(std::max(p_here, p_there), limit) &&
+                !(is_covered(here) && is_covered(there)))
+              total += std::sqrt(here.iy == there.iy ? aspect : 1. / aspect) *
+                       std::pow(9., -level);
           }
-      // All ranks hold the windows.
-      const auto n_windows = static_cast<int>(layout.windows().size());
-      for (int w = 0; layout.rank() == 0 && w < n_windows; ++w)
-        {
-          const int     n_columns = layout.windows()[w].n_columns();
-          const int     n_rows    = layout.windows()[w].n_rows();
-          const double *here      = pressure.data() + layout.start_of_window(w);
-          for (int iy = 0; iy < n_rows; ++iy)
-            for (int ix = 0; ix < n_columns; ++ix, ++here)
-              {
-                if (ix + 1 < n_columns)
-                  add_pair(here[0], here[1], {ix, iy, w}, {ix + 1, iy, w});
-                if (iy + 1 < n_rows)
-                  add_pair(here[0], here[n_columns], {ix, iy, w}, {ix, iy + 1, w});
-              }
-        }
+      });
       return sum(layout.communicator(), total) /
              static_cast<double>(layout.grid().n_points());
     }

@@ -30,73 +30,48 @@ namespace strait
       // Points outside the outline, in spacings, from which the interpolant of an open
       // cell may take values. Half of it would change the gap at the outline, double of
       // it only keeps values that nobody reads.
-      constexpr int       reach  = 2;
-      const SlabLayout   &layout = gap.layout();
-      const int           nx = gap.grid().nx, n_rows = layout.n_rows();
-      std::vector<double> leaks;
-      for (const NodeState state : clusters.states)
-        leaks.push_back(state == NodeState::percolating ? 1. : 0.);
-      std::vector<int> rows;
-      for (int row = -reach; n_rows > 0 && row < n_rows + reach; ++row)
-        rows.push_back(layout.first_row() + row);
-      const std::vector<double> around       = fetch_rows(layout, leaks.data(), nx, rows);
-      const auto                is_near_leak = [&](const int ix, const int row) {
-        for (int b = 0; b <= 2 * reach; ++b)
+      constexpr int reach = 2;
+      SlabField     leaks(gap.layout_pointer());
+      for (std::size_t k = 0; k < leaks.size(); ++k)
+        leaks[k] = clusters.states[k] == NodeState::percolating ? 1. : 0.;
+      const RowsAround around(leaks, reach);
+      const auto       is_near_leak = [&](const GridPoint &point) {
+        for (int b = -reach; b <= reach; ++b)
           for (int a = -reach; a <= reach; ++a)
-            if (around[static_cast<std::size_t>(row + b) * nx + (ix + a + nx) % nx] > 0)
+            if (around.at({point.ix + a, point.iy + b}) > 0)
               return true;
         return false;
       };
-      for (int row = 0; row < n_rows; ++row)
-        for (int ix = 0; ix < nx; ++ix)
-          if (clusters.states[static_cast<std::size_t>(row) * nx + ix] ==
-                NodeState::outside &&
-              gap(ix, row) > 0 && !is_near_leak(ix, row))
-            gap(ix, row) = 0.;
+      std::size_t k = 0;
+      gap.layout().for_each_point([&](const GridPoint &point) {
+        if (clusters.states[k] == NodeState::outside && gap[k] > 0 &&
+            !is_near_leak(point))
+          gap[k] = 0.;
+        ++k;
+      });
     }
 
-    /** Raise what is closed of the @p values on lines of @p n_columns to no less than
-     * minus the smallest open one around, of @p at(column, line). */
-    template <class Gap>
-    void
-    limit(double *values, const int n_columns, const int n_lines, const Gap &at)
-    {
-      for (int line = 0; line < n_lines; ++line)
-        for (int column = 0; column < n_columns; ++column)
-          {
-            double &value = *values++;
-            if (!(value < 0))
-              continue;
-            double smallest = std::numeric_limits<double>::infinity();
-            for (int b = line - 1; b <= line + 1; ++b)
-              for (int a = column - 1; a <= column + 1; ++a)
-                if (const double neighbour = at(a, b); neighbour > 0)
-                  smallest = std::min(smallest, neighbour);
-            value = std::max(value, -smallest);
-          }
-    }
-
-    /** Raise closed values on all levels, such that the interpolant stays open for half a
-     *  spacing around every open point, however deep its neighbours are closed. */
+    /** Raise what is closed to no less than minus the smallest open value around, on all
+     *  levels, such that the interpolant stays open for half a spacing around every open
+     *  point, however deep its neighbours are closed. */
     void
     limit_closed_values(SlabField &gap)
     {
-      const SlabLayout &layout = gap.layout();
-      const int         nx     = gap.grid().nx;
-      const RowsAround  rows(gap);
-      limit(gap.data(), nx, layout.n_rows(), [&](const int ix, const int row) {
-        return rows[row][(ix + nx) % nx];
+      const RowsAround around(gap);
+      double          *next = gap.data();
+      gap.layout().for_each_point([&](const GridPoint &point) {
+        double &value = *next++;
+        if (!(value < 0))
+          return;
+        double smallest = std::numeric_limits<double>::infinity();
+        for (int b = -1; b <= 1; ++b)
+          for (int a = -1; a <= 1; ++a)
+            if (const double neighbour =
+                  around.at({point.ix + a, point.iy + b, point.window});
+                neighbour > 0)
+              smallest = std::min(smallest, neighbour);
+        value = std::max(value, -smallest);
       });
-      for (std::size_t w = 0; w < layout.windows().size(); ++w)
-        {
-          const ZoomWindow &window    = layout.windows()[w];
-          const int         n_columns = window.n_columns(), n_lines = window.n_rows();
-          double           *values = gap.data() + layout.start_of_window(w);
-          limit(values, n_columns, n_lines, [=](const int ix, const int iy) {
-            const bool exists = ix >= 0 && ix < n_columns && iy >= 0 && iy < n_lines;
-            return exists ? values[static_cast<std::size_t>(iy) * n_columns + ix] : 0.;
-          });
-        }
       copy_to_covered(gap);
     }
   } // namespace

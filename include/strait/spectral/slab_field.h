@@ -6,6 +6,7 @@
 #include <strait/spectral/slab_layout.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace strait
@@ -149,34 +150,53 @@ namespace strait
     return field;
   }
 
-  /** This rank's rows of the grid, with the one before and the one after them. */
+  /** This rank's rows of the grid, with some before and after them, and its windows. */
   class RowsAround
   {
   public:
     /** @p field must outlive this object. Collective. */
-    explicit RowsAround(const SlabField &field_)
+    explicit RowsAround(const SlabField &field_, const int reach_ = 1)
       : field(field_)
+      , reach(reach_)
     {
       const int        first = field.layout().first_row();
       const int        end   = first + field.layout().n_rows();
       std::vector<int> wanted;
-      if (end > first)
-        wanted = {first - 1, end};
+      for (int k = 0; end > first && k < 2 * reach; ++k)
+        wanted.push_back(k < reach ? first - reach + k : end - reach + k);
       neighbours = fetch_rows(field, wanted);
     }
 
-    /** @p row counts this rank's rows: −1 <= @p row <= their number. */
+    /** @p row counts this rank's rows: −reach <= @p row < their number + reach. */
     const double *
     operator[](const int row) const
     {
-      const int nx = field.grid().nx, n_rows = field.layout().n_rows();
-      return row < 0         ? neighbours.data()
-             : row == n_rows ? neighbours.data() + nx
-                             : field.data() + static_cast<std::size_t>(row) * nx;
+      const int            n_rows = field.layout().n_rows();
+      const std::ptrdiff_t nx     = field.grid().nx;
+      return row < 0         ? neighbours.data() + (row + reach) * nx
+             : row >= n_rows ? neighbours.data() + (row - n_rows + reach) * nx
+                             : field.data() + row * nx;
+    }
+
+    /** The value at a point no further than the reach from one of this rank; not a number
+     * outside of a window. */
+    double
+    at(const GridPoint &point) const
+    {
+      const SlabLayout &layout = field.layout();
+      const int         nx     = layout.grid().nx;
+      if (point.window < 0)
+        return (*this)[point.iy - layout.first_row()][(point.ix + nx) % nx];
+      const ZoomWindow &window = layout.windows()[point.window];
+      const bool        exists = point.ix >= 0 && point.ix < window.n_columns() &&
+                          point.iy >= 0 && point.iy < window.n_rows();
+      return exists ? field[layout.index_of(point)]
+                    : std::numeric_limits<double>::quiet_NaN();
     }
 
   private:
     const SlabField    &field;
+    int                 reach;
     std::vector<double> neighbours;
   };
 } // namespace strait
