@@ -70,13 +70,10 @@ namespace strait
     double
     line_times_spacing(const SlabField &pressure, const double limit)
     {
-      const SlabLayout &layout     = pressure.layout();
-      const double      aspect     = layout.grid().dy() / layout.grid().dx();
-      double            total      = 0; // in areas of a grid point
-      const auto        is_covered = [&](const GridPoint &point) {
-        return layout.covered_by(point.window, point.ix, point.iy) >= 0;
-      };
-      const RowsAround rows(pressure);
+      const SlabLayout &layout = pressure.layout();
+      const double      aspect = layout.grid().dy() / layout.grid().dx();
+      double            total  = 0; // in areas of a grid point
+      const RowsAround  rows(pressure);
       layout.for_each_point([&](const GridPoint &here) {
         if (here.window >= 0 && layout.rank() != 0) // all ranks hold the windows
           return;
@@ -88,7 +85,7 @@ namespace strait
             // Of two points that finer ones cover nothing is known here.
             if (!std::isnan(p_there) && (p_here > 0) != (p_there > 0) &&
                 !flows(std::max(p_here, p_there), limit) &&
-                !(is_covered(here) && is_covered(there)))
+                !(layout.finer(here) && layout.finer(there)))
               total += std::sqrt(here.iy == there.iy ? aspect : 1. / aspect) *
                        std::pow(9., -level);
           }

@@ -78,25 +78,6 @@ namespace strait
       build(Coefficient::resistivity);
   }
 
-  std::optional<GridPoint>
-  GapField::first_finer_cell(const GridPoint &cell) const
-  {
-    const int w = layout().covered_by(cell.window, cell.ix, cell.iy);
-    if (w < 0)
-      return {};
-    const ZoomWindow &window = layout().windows()[w];
-    int               a = cell.ix - window.x, b = cell.iy - window.y;
-    if (cell.window < 0)
-      {
-        const PeriodicGrid &grid = layout().grid();
-        a                        = (a + grid.nx) % grid.nx;
-        b                        = (b + grid.ny) % grid.ny;
-      }
-    if (a + 1 == window.nx || b + 1 == window.ny)
-      return {};
-    return GridPoint{3 * a + 1, 3 * b + 1, w};
-  }
-
   GapStencil
   GapField::stencil(const GridPoint &cell) const
   {

@@ -71,8 +71,10 @@ namespace strait
                      const Square     &square,
                      double           *moments) const
   {
-    const std::optional<GridPoint> first = first_finer_cell(cell);
-    if (!first)
+    // The lower left one of the 3 × 3 cells by which a window replaces this one.
+    const std::optional<GridPoint> first = layout().finer(cell);
+    if (!first || first->ix + 2 == layout().windows()[first->window].n_columns() ||
+        first->iy + 2 == layout().windows()[first->window].n_rows())
       return quadrature.integrate(law(coefficient), stencil(cell), square, moments);
     for (int b = 0; b < 3; ++b)
       for (int a = 0; a < 3; ++a)

@@ -50,34 +50,34 @@ namespace strait
     int       ix = 0;
     while (ix < n)
       {
-        while (ix < n && covered_by(window, ix, row) >= 0)
+        while (ix < n && finer({ix, row, window}))
           ++ix;
         const int first = ix;
-        while (ix < n && covered_by(window, ix, row) < 0)
+        while (ix < n && !finer({ix, row, window}))
           ++ix;
         if (ix > first)
           own_ranges.push_back({begin + first, begin + ix, area});
       }
   }
 
-  int
-  SlabLayout::covered_by(const int parent, const int ix, const int iy) const
+  std::optional<GridPoint>
+  SlabLayout::finer(const GridPoint &point) const
   {
-    for (std::size_t w = 0; w < zoom_windows.size(); ++w)
+    for (int w = 0; w < static_cast<int>(zoom_windows.size()); ++w)
       {
         const ZoomWindow &window = zoom_windows[w];
-        if (window.parent != parent)
+        if (window.parent != point.window)
           continue;
-        int a = ix - window.x, b = iy - window.y;
-        if (parent < 0)
+        int a = point.ix - window.x, b = point.iy - window.y;
+        if (point.window < 0)
           {
             a = (a + periodic_grid.nx) % periodic_grid.nx;
             b = (b + periodic_grid.ny) % periodic_grid.ny;
           }
         if (a >= 0 && a < window.nx && b >= 0 && b < window.ny)
-          return static_cast<int>(w);
+          return GridPoint{3 * a + 1, 3 * b + 1, w};
       }
-    return -1;
+    return {};
   }
 
   int

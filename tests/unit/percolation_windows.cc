@@ -100,8 +100,9 @@ namespace
     void
     add_edge(const int w, const Place &a, const Place &b)
     {
-      const int cover = layout.covered_by(w, a.first, a.second);
-      if (cover >= 0 && cover == layout.covered_by(w, b.first, b.second))
+      const auto finer_a = layout.finer({a.first, a.second, w});
+      const auto finer_b = layout.finer({b.first, b.second, w});
+      if (finer_a && finer_b && finer_a->window == finer_b->window)
         return;
       const Place from = place_of(layout, w, a.first, a.second);
       const Place to   = place_of(layout, w, b.first, b.second);

@@ -80,14 +80,11 @@ namespace
         const int           ix = 20 * step % 256, iy = 250;
         const SlabLayoutPtr layout = box_with(windows);
         ThroatOnPath        next   = throat(ix, iy);
-        if (const int w = layout->covered_by(-1, ix, iy); w >= 0)
-          next = throat(3 * ((ix - windows[w].x + 256) % 256) + 1,
-                        3 * ((iy - windows[w].y + 256) % 256) + 1,
-                        w,
-                        14.);
+        if (const auto fine = layout->finer({ix, iy}))
+          next = throat(fine->ix, fine->iy, fine->window, 14.);
         windows = place_windows(*layout, {next}, zoom);
         expect_sound(windows);
-        ASSERT_EQ(box_with(windows)->covered_by(-1, ix, iy), 0) << step;
+        ASSERT_TRUE(box_with(windows)->finer({ix, iy}).has_value()) << step;
         ASSERT_LT(windows[0].x, 256) << step;
         ASSERT_GT(windows[0].x, -256 + ZoomWindow::margin) << step;
       }

@@ -43,13 +43,12 @@ namespace
     expect_sound(windows);
 
     // A throat on the other side of the seam is within it, and gets a window of its own.
-    ASSERT_EQ(layout->covered_by(-1, 250, 5), 0);
-    const int     ix     = 3 * ((250 - window.x + 256) % 256) + 1;
-    const int     iy     = 3 * ((5 - window.y + 256) % 256) + 1;
-    const Windows nested = placed({throat(ix, iy, 0)}, windows);
+    const auto fine = layout->finer({250, 5});
+    ASSERT_TRUE(fine.has_value());
+    const Windows nested = placed({throat(fine->ix, fine->iy, 0)}, windows);
     ASSERT_EQ(nested.size(), 2U);
     EXPECT_EQ(nested[1].parent, 0);
-    EXPECT_TRUE(covers(nested[1], ix, iy));
+    EXPECT_TRUE(covers(nested[1], fine->ix, fine->iy));
     expect_sound(nested);
   }
 
@@ -77,7 +76,7 @@ namespace
     const Windows windows = placed({throat(176, 100), throat(100, 100, 0)}, near);
     expect_sound(windows);
     const SlabLayoutPtr layout = box_with(windows);
-    EXPECT_GE(layout->covered_by(-1, 176, 100), 0);
+    EXPECT_TRUE(layout->finer({176, 100}).has_value());
     // What lies far from the begin of a wide parent finds it.
     const Windows wide   = {{-1, 1, 10, 60, 150, 80}};
     const Windows nested = placed({throat(400, 120, 0)}, wide);

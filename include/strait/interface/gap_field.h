@@ -14,7 +14,6 @@
 #include <array>
 #include <map>
 #include <memory>
-#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -158,12 +157,8 @@ namespace strait
 
     CoefficientLaw law(Coefficient coefficient) const;
 
-    /** The lower left one of the 3 × 3 cells by which a window replaces @p cell, if one
-     *  does. Cells are named by their lower left points. */
-    std::optional<GridPoint> first_finer_cell(const GridPoint &cell) const;
-
     /** The gap around a cell of a window, or of the grid in a cell of the pyramid of this
-     *  rank. */
+     *  rank. Cells are named by their lower left points. */
     GapStencil stencil(const GridPoint &cell) const;
 
     /** Position of a point or cell of a window among those of all windows. */

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace strait
@@ -192,9 +193,8 @@ namespace strait
     template <class Visit>
     void for_each_covered(int w, const Visit &visit) const;
 
-    /** The window that covers point (@p ix, @p iy) of window (or grid) @p parent, or −1.
-     */
-    int covered_by(int parent, int ix, int iy) const;
+    /** The point of a window that is the same as @p point, if one covers that. */
+    std::optional<GridPoint> finer(const GridPoint &point) const;
 
     /** The column (@p axis 0) or row (1) of window @p w on the first one of the grid,
      * where the seam is; −1 if it covers no point there. */
