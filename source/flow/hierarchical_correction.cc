@@ -36,8 +36,9 @@ namespace strait
        * Append the next cell, and add what it contributes to the residual @p r and the
        * diagonal @p d. @p base are the values before correction; a closed cell
        * contributes nothing. Nodes of the rim that are @p fixed are kept.
+       * @return the energy of the cell with these values but the best one at the centre
        */
-      void
+      double
       append(const FullMatrix<double>      &matrix,
              const Nodes                   &base,
              const bool                     closed,
@@ -52,7 +53,7 @@ namespace strait
         matrices.resize(matrices.size() + m * m);
         double *entries = matrices.data() + matrices.size() - m * m;
         if (closed)
-          return;
+          return 0.;
         // Eliminate the centre; residual of the rim with the centre at its optimum.
         double rim[n_rim][n_rim], residual[n_rim];
         double at_centre = 0;
@@ -81,6 +82,8 @@ namespace strait
           }
         for (std::size_t k = 0; k < m; ++k)
           d.local_element(indices[k]) += entries[k * m + k];
+        return ElementMatrix::energy(matrix, base) -
+               at_centre * at_centre / matrix(centre, centre);
       }
 
       /** The product with x, whose ghost values come and go. Collective. */
@@ -127,10 +130,10 @@ namespace strait
   HierarchicalCorrection::HierarchicalCorrection(const FlowMesh &mesh_)
     : mesh(mesh_)
     , fe(2)
-    , dofs(mesh.triangulation())
   {
+    DoFHandler<2> dofs(mesh.triangulation());
     dofs.distribute_dofs(fe);
-    constraints = mesh.continuity(dofs);
+    AffineConstraints<double> constraints = mesh.continuity(dofs);
     // The vertices of the mesh keep their values. A vertex that hangs on an edge is
     // the new node of that edge and follows it.
     std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
@@ -174,7 +177,7 @@ namespace strait
         }
   }
 
-  CorrectedEnergy
+  double
   HierarchicalCorrection::relax(const PotentialProblem &problem,
                                 const GapField         &gap) const
   {
@@ -186,21 +189,12 @@ namespace strait
     coefficient->update(gap);
     Vector              x(layout), r(layout), diagonal(layout);
     RimSystems          systems(nodes);
-    std::vector<Nodes>  potentials;
+    double              energy = 0.;
     std::vector<double> vertices;
-    const auto is_open = [&](const std::size_t c) { return coefficient->mean(c) > 0; };
-    FullMatrix<double> matrix(n_rim + 1, n_rim + 1);
-    const auto         find_matrix = [&](const std::size_t c) {
-      coefficient->stiffness(c, matrix);
-      matrix *= problem.coefficient_weight(c);
-    };
-    const std::size_t n_cells = problem.cells().size();
-    potentials.reserve(n_cells);
-    for (std::size_t c = 0; c < n_cells; ++c)
+    FullMatrix<double>  matrix(n_rim + 1, n_rim + 1);
+    for (std::size_t c = 0; c < problem.cells().size(); ++c)
       {
-        const auto &cell = problem.cells()[c];
-        problem.cell_values(c, vertices);
-        potentials.push_back(interpolate(vertices));
+        const auto             &cell  = problem.cells()[c];
         std::array<bool, n_rim> fixed = {};
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary())
@@ -210,43 +204,24 @@ namespace strait
                                           ? at_reservoir
                                           : !at_reservoir && mesh.seal() != nullptr;
             }
-        if (is_open(c))
-          find_matrix(c);
-        systems.append(matrix, potentials.back(), !is_open(c), fixed, r, diagonal);
+        const bool is_closed = !(coefficient->mean(c) > 0);
+        if (!is_closed)
+          {
+            coefficient->stiffness(c, matrix);
+            matrix *= problem.coefficient_weight(c);
+          }
+        problem.cell_values(c, vertices);
+        energy +=
+          systems.append(matrix, interpolate(vertices), is_closed, fixed, r, diagonal);
       }
     r.compress(VectorOperation::add);
     diagonal.compress(VectorOperation::add);
     for (double &entry : diagonal)
       entry = entry > 0 ? 1. / entry : 0.;
     const DiagonalMatrix<Vector> inverse_diagonal(diagonal);
+    const Vector                 b(r);
     solve_by_conjugate_gradients(systems, x, r, inverse_diagonal, 0., n_steps);
-    constraints.distribute(x);
-    x.update_ghost_values();
-
-    CorrectedEnergy result;
-    result.of_cells.assign(n_cells, 0.);
-    std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
-    std::size_t                          c = 0;
-    for (const auto &cell : dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          if (is_open(c))
-            {
-              Nodes &values = potentials[c];
-              cell->get_dof_indices(local);
-              for (unsigned int node = 0; node < n_rim; ++node)
-                values[node] += x(local[node]);
-              find_matrix(c);
-              double at_centre = 0;
-              for (unsigned int node = 0; node < n_rim; ++node)
-                at_centre -= matrix(centre, node) * values[node];
-              values[centre]     = at_centre / matrix(centre, centre);
-              result.of_cells[c] = ElementMatrix::energy(matrix, values);
-              result.total += result.of_cells[c];
-            }
-          ++c;
-        }
-    result.total = Utilities::MPI::sum(result.total, dofs.get_communicator());
-    return result;
+    // The energy falls by 2 x·b − x·Ax, of which Ax = b − r.
+    return Utilities::MPI::sum(energy, x.get_mpi_communicator()) - (x * b + x * r);
   }
 } // namespace strait

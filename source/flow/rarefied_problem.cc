@@ -73,7 +73,7 @@ namespace strait
       PotentialProblem problem(flow_mesh, gap_field.moment_set(), coefficient);
       problem.take_coefficient(gap_field);
       leakage.iterations += problem.solve(accuracy()).iterations;
-      return correction ? correction->relax(problem, gap_field).total : problem.energy();
+      return correction ? correction->relax(problem, gap_field) : problem.energy();
     };
     const RarefiedFlow &gas     = *gap_field.gas();
     const double        driving = std::abs(drive());

@@ -177,8 +177,8 @@ namespace strait
     if (parameters.element_degree == 1)
       {
         HierarchicalCorrection correction(flow_mesh);
-        upper = correction.relax(pressure_problem, gap_field).total;
-        lower = 1. / correction.relax(stream_problem, gap_field).total;
+        upper = correction.relax(pressure_problem, gap_field);
+        lower = 1. / correction.relax(stream_problem, gap_field);
       }
     leakage.mesh_upper = upper * std::abs(drive());
     leakage.mesh_lower = lower * std::abs(drive());

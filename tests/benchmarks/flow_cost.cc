@@ -8,10 +8,6 @@
 // that load, and that of the square saddle near closing. All meshes use the same solver.
 //
 //   adaptive, uniform   lower and upper bound, until the bracket is as narrow as asked
-//   primal              the pressure alone: meshes marked by the energy that correction
-//                       gains, until the upper bound is as close to the reference as
-//                       asked. It is told the answer to stop at, so no program for the
-//                       value alone would be cheaper by its stopping test.
 //   volumes             the pressure alone, by finite volumes around the points of the
 //                       contact's grid with harmonic means of K between them, as most
 //                       others solve it; a sparse direct factorisation, which on these
@@ -21,7 +17,6 @@
 // `seconds` are from the contact's gap, `solver` those of meshes, matrices and solves
 // alone: preparing the gap costs the same for all.
 #include <strait/contact/contact_solver.h>
-#include <strait/flow/hierarchical_correction.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/channel.h>
 #include <strait/surface/make_surface.h>
@@ -92,72 +87,6 @@ namespace
     const double   ready = timer.wall_time();
     ReynoldsSolver solver(fluid, prepared.field);
     cost.flow    = solver.run(prepared.channel);
-    cost.seconds = timer.wall_time();
-    cost.solver  = cost.seconds - ready;
-    return cost;
-  }
-
-  /** Marks the cells where correction gains more than 0.7 of what a mean one gains. */
-  void
-  refine_where_energy_falls(FlowMesh              &mesh,
-                            PotentialProblem      &pressure,
-                            const CorrectedEnergy &corrected)
-  {
-    std::vector<double> values, gains;
-    double              total = 0.;
-    for (std::size_t c = 0; c < pressure.cells().size(); ++c)
-      {
-        pressure.cell_values(c, values);
-        const double before =
-          pressure.is_active(c) ? pressure.cell_energy(c, values) : 0.;
-        gains.push_back(std::abs(before - corrected.of_cells[c]));
-        total += gains.back();
-      }
-    std::size_t c = 0;
-    for (const auto &cell : mesh.triangulation().active_cell_iterators())
-      if (gains[c++] > .7 * total / static_cast<double>(gains.size()))
-        cell->set_refine_flag();
-    mesh.triangulation().prepare_coarsening_and_refinement();
-    pressure.prepare_for_refinement();
-    mesh.triangulation().execute_coarsening_and_refinement();
-  }
-
-  Cost
-  primal(const SlabField       &gap,
-         const FluidParameters &fluid,
-         const double           accuracy,
-         const double           reference)
-  {
-    Cost                cost;
-    const dealii::Timer timer;
-    const GivenGap      prepared(gap, fluid);
-    if (!prepared.channel.percolates())
-      return cost;
-    const double ready = timer.wall_time();
-    FlowMesh     mesh(prepared.field, fluid.direction);
-    mesh.refine_to_start();
-    PotentialProblem pressure(mesh,
-                              prepared.field.moment_set(),
-                              GapField::Coefficient::conductivity);
-    while (true)
-      {
-        pressure.take_coefficient(prepared.field);
-        pressure.solve({fluid.preconditioner, 1e-12 * accuracy});
-        HierarchicalCorrection correction(mesh);
-        const CorrectedEnergy  corrected = correction.relax(pressure, prepared.field);
-        cost.flow.upper = cost.flow.rate = corrected.total;
-        cost.flow.unknowns               = pressure.n_unknowns();
-        if (std::abs(corrected.total / reference - 1) <= accuracy)
-          break;
-        if (cost.flow.unknowns > fluid.maximum_unknowns / 2 ||
-            cost.flow.refinements == 40)
-          {
-            cost.flow.status = "flow-accuracy";
-            break;
-          }
-        refine_where_energy_falls(mesh, pressure, corrected);
-        ++cost.flow.refinements;
-      }
     cost.seconds = timer.wall_time();
     cost.solver  = cost.seconds - ready;
     return cost;
@@ -297,7 +226,6 @@ main(int argc, char **argv)
       const Cost   fine      = bracket(gap, fluid, false, accuracy / 5);
       const double reference = fine.flow.rate;
       print(what, "reference", fine, reference);
-      print(what, "primal", primal(gap, fluid, accuracy, reference), reference);
       for (const auto &[name, uniform] :
            {std::pair("adaptive", false), std::pair("uniform", true)})
         print(what, name, bracket(gap, fluid, uniform, accuracy), reference);

@@ -11,13 +11,6 @@
 
 namespace strait
 {
-  /** The energy of a solution after correction. */
-  struct CorrectedEnergy
-  {
-    std::vector<double> of_cells;   // the owned ones
-    double              total = 0.; // of all ranks
-  };
-
   /** The nodes that a correction frees, as cells see them, one cell after the other. */
   struct FreedNodes
   {
@@ -56,18 +49,16 @@ namespace strait
     explicit HierarchicalCorrection(const FlowMesh &mesh);
 
     /** Relax the solution of @p problem, with its coefficient taken anew from @p gap.
-     *  Collective. */
-    CorrectedEnergy relax(const PotentialProblem &problem, const GapField &gap) const;
+     *  @return the energy that it has then. Collective. */
+    double relax(const PotentialProblem &problem, const GapField &gap) const;
 
   private:
     using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-    const FlowMesh                   &mesh;
-    dealii::FE_Q_iso_Q1<2>            fe;
-    dealii::DoFHandler<2>             dofs;
-    dealii::AffineConstraints<double> constraints;
-    Vector                            layout;
-    FreedNodes                        nodes;
+    const FlowMesh        &mesh;
+    dealii::FE_Q_iso_Q1<2> fe;
+    Vector                 layout;
+    FreedNodes             nodes;
   };
 } // namespace strait
 
