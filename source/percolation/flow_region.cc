@@ -34,81 +34,54 @@ namespace strait
       return static_cast<std::uint8_t>(2U << static_cast<unsigned int>(kind));
     }
 
-    /** The doubled lattice: which points lie inside, and on which parts of the outline.
-     */
-    class FineLattice
+    /** Of the points of the doubled lattice, row by row: the bits of the kinds of outline
+     *  that a point lies on, and 1 if it lies inside; 0 for one outside. */
+    std::vector<std::uint8_t>
+    mark_doubled_lattice(const PeriodicGrid             &grid,
+                         const std::vector<OutlineEdge> &outline)
     {
-    public:
-      FineLattice(const PeriodicGrid &grid, const std::vector<OutlineEdge> &outline)
-        : n_x(2 * grid.nx + 1)
-        , n_y(2 * grid.ny + 1)
-        , marks(static_cast<std::size_t>(n_x) * n_y, 0)
-      {
-        fill_inside(outline);
-        for (const OutlineEdge &edge : outline)
-          mark_outline(edge);
-      }
-
-      /** The bits of the kinds of outline that a point lies on, and 1 if it lies inside;
-       *  0 for one outside. */
-      std::uint8_t
-      operator()(const int x, const int y) const
-      {
-        return marks[index(x, y)];
-      }
-
-    private:
-      std::size_t
-      index(const int x, const int y) const
-      {
+      const int                 n_x = 2 * grid.nx + 1, n_y = 2 * grid.ny + 1;
+      std::vector<std::uint8_t> marks(static_cast<std::size_t>(n_x) * n_y, 0);
+      const auto                index = [n_x](const int x, const int y) {
         return static_cast<std::size_t>(y) * n_x + x;
-      }
-
-      /** By the even–odd rule. */
-      void
-      fill_inside(const std::vector<OutlineEdge> &outline)
-      {
-        std::vector<std::vector<double>> crossings(n_y);
-        for (const OutlineEdge &e : outline)
-          cross_lines(e.y0, e.y1, e.x0, e.x1, [&](const int y, const double x) {
-            if (y >= 0 && y < n_y)
-              crossings[y].push_back(x);
-          });
-        for (int y = 0; y < n_y; ++y)
-          {
-            std::vector<double> &here = crossings[y];
-            std::sort(here.begin(), here.end());
-            for (std::size_t c = 0; c + 1 < here.size(); c += 2)
-              for (int x = std::max(static_cast<int>(std::ceil(here[c])), 0);
-                   x <= here[c + 1] && x < n_x;
-                   ++x)
-                marks[index(x, y)] = 1;
-          }
-      }
-
-      void
-      mark_outline(const OutlineEdge &e)
-      {
-        const bool   steep = std::abs(e.y1 - e.y0) > std::abs(e.x1 - e.x0);
-        const double a0 = steep ? e.y0 : e.x0, a1 = steep ? e.y1 : e.x1;
-        const double b0 = steep ? e.x0 : e.y0, b1 = steep ? e.x1 : e.y1;
-        const int    first =
-          static_cast<int>(std::ceil(std::min(a0, a1) - 2 * precision_of_meshes));
-        for (int a = first; a <= std::max(a0, a1) + 2 * precision_of_meshes; ++a)
-          {
-            const double b       = a1 == a0 ? b0 : b0 + (b1 - b0) * (a - a0) / (a1 - a0);
-            const int    nearest = static_cast<int>(std::lround(b));
-            if (std::abs(b - nearest) > 2 * precision_of_meshes)
-              continue;
-            const int x = steep ? nearest : a, y = steep ? a : nearest;
-            if (x >= 0 && x < n_x && y >= 0 && y < n_y)
-              marks[index(x, y)] |= bit_of(e.kind);
-          }
-      }
-
-      int                       n_x, n_y;
-      std::vector<std::uint8_t> marks;
-    };
+      };
+      // What lies inside, by the even–odd rule.
+      std::vector<std::vector<double>> crossings(n_y);
+      for (const OutlineEdge &e : outline)
+        cross_lines(e.y0, e.y1, e.x0, e.x1, [&](const int y, const double x) {
+          if (y >= 0 && y < n_y)
+            crossings[y].push_back(x);
+        });
+      for (int y = 0; y < n_y; ++y)
+        {
+          std::vector<double> &here = crossings[y];
+          std::sort(here.begin(), here.end());
+          for (std::size_t c = 0; c + 1 < here.size(); c += 2)
+            for (int x = std::max(static_cast<int>(std::ceil(here[c])), 0);
+                 x <= here[c + 1] && x < n_x;
+                 ++x)
+              marks[index(x, y)] = 1;
+        }
+      for (const OutlineEdge &e : outline)
+        {
+          const bool   steep = std::abs(e.y1 - e.y0) > std::abs(e.x1 - e.x0);
+          const double a0 = steep ? e.y0 : e.x0, a1 = steep ? e.y1 : e.x1;
+          const double b0 = steep ? e.x0 : e.y0, b1 = steep ? e.x1 : e.y1;
+          const int    first =
+            static_cast<int>(std::ceil(std::min(a0, a1) - 2 * precision_of_meshes));
+          for (int a = first; a <= std::max(a0, a1) + 2 * precision_of_meshes; ++a)
+            {
+              const double b = a1 == a0 ? b0 : b0 + (b1 - b0) * (a - a0) / (a1 - a0);
+              const int    nearest = static_cast<int>(std::lround(b));
+              if (std::abs(b - nearest) > 2 * precision_of_meshes)
+                continue;
+              const int x = steep ? nearest : a, y = steep ? a : nearest;
+              if (x >= 0 && x < n_x && y >= 0 && y < n_y)
+                marks[index(x, y)] |= bit_of(e.kind);
+            }
+        }
+      return marks;
+    }
 
     /** Where the outline crosses the link from a point to its right or upper neighbour:
      *  how far on it, and of which kind it is. */
@@ -169,7 +142,10 @@ namespace strait
     std::vector<OutlineEdge> scaled;
     for (const auto &[x0, y0, x1, y1, kind] : outline)
       scaled.push_back({sx * x0, sy * y0, sx * x1, sy * y1, kind});
-    const FineLattice fine(grid, scaled);
+    const std::vector<std::uint8_t> marks = mark_doubled_lattice(grid, scaled);
+    const auto                      fine  = [&](const int x, const int y) {
+      return marks[static_cast<std::size_t>(y) * (2 * grid.nx + 1) + x];
+    };
     for (int iy = 0; iy <= grid.ny; ++iy)
       for (int ix = 0; ix <= grid.nx; ++ix)
         if (const std::uint8_t bits = fine(2 * ix, 2 * iy); bits != 0)
