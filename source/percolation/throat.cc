@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -15,27 +15,24 @@ namespace strait
   {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-    /** The open gap at any position, on all levels, on the grid in some rows alone. */
+    /** The open gap at any position, on all levels. All ranks must ask for the same. */
     struct GapAround
     {
-      const SlabField    &gap; // of the contact
-      const SlabLayout   &layout;
-      double              slip_length;
-      int                 first_row;
-      std::vector<double> rows; // of the grid, from that on
-      bool is_complete = true;  // the rows were enough for all that was asked
+      const SlabField                   &gap; // of the contact
+      const SlabLayout                  &layout;
+      double                             slip_length;
+      std::map<int, std::vector<double>> rows = {}; // of the grid that were asked for
 
-      /** At a point; not a number, and is_complete no more, beyond the rows. */
       double
       at(const int window, const int ix, const int iy)
       {
         if (window >= 0)
           return open_gap(gap[layout.index_of({ix, iy, window})], slip_length);
-        const int         nx    = layout.grid().nx;
-        const std::size_t place = static_cast<std::size_t>(iy - first_row) * nx;
-        is_complete             = is_complete && iy >= first_row && place < rows.size();
-        return is_complete ? open_gap(rows[place + ((ix % nx) + nx) % nx], slip_length)
-                           : unknown;
+        const int            nx  = layout.grid().nx;
+        std::vector<double> &row = rows[iy];
+        if (row.empty())
+          row = fetch_rows(gap, {iy});
+        return open_gap(row[((ix % nx) + nx) % nx], slip_length);
       }
 
       /** The window of finest points around a position, −1 if there is none. */
@@ -131,7 +128,7 @@ namespace strait
     };
 
     /** How far from @p point the gap has doubled, along a straight line in direction @p
-     * u; not a number if it does not within half the box, or where it is unknown. */
+     * u; not a number if it does not within half the box. */
     double
     doubling_length(GapAround                   &gap,
                     const GridPoint             &point,
@@ -159,61 +156,43 @@ namespace strait
         }
       return unknown;
     }
-
-    /** All of a throat that @p gap tells. */
-    Throat
-    measure(GapAround &gap, const GridPoint &point)
-    {
-      bool       all_open = true;
-      const auto g        = [&](const int i, const int j) {
-        const double value = gap.at(point.window, point.ix + i, point.iy + j);
-        all_open           = all_open && value > 0;
-        return value;
-      };
-      const auto [dx, dy] = gap.layout.spacing(point.window);
-      const double g0     = g(0, 0);
-      const double xx     = (g(1, 0) - 2 * g0 + g(-1, 0)) / (dx * dx);
-      const double yy     = (g(0, 1) - 2 * g0 + g(0, -1)) / (dy * dy);
-      const double xy     = (g(1, 1) - g(1, -1) - g(-1, 1) + g(-1, -1)) / (4 * dx * dy);
-      const double middle = .5 * (xx + yy);
-      const double radius = std::hypot(.5 * (xx - yy), xy);
-      const double along = middle + radius, across = middle - radius;
-
-      Throat throat;
-      throat.gap         = g0;
-      throat.length      = along > 0 ? std::sqrt(2 * g0 / along) : unknown;
-      throat.width       = across < 0 ? std::sqrt(-2 * g0 / across) : unknown;
-      const double angle = .5 * std::atan2(2 * xy, xx - yy);
-      const double c = std::cos(angle), s = std::sin(angle);
-      throat.spacing = 1. / std::hypot(c / dx, s / dy);
-      if (g0 > 0)
-        throat.doubling_length = .5 * (doubling_length(gap, point, {{c, s}}) +
-                                       doubling_length(gap, point, {{-c, -s}}));
-      const double length =
-        std::isnan(throat.doubling_length) ? throat.length : throat.doubling_length;
-      if (std::isnan(length))
-        throat.points = all_open ? std::numeric_limits<double>::infinity() : 0.;
-      else
-        throat.points = length / throat.spacing;
-      return throat;
-    }
   } // namespace
 
   Throat
   measure_throat(const SlabField &gap, const double slip_length, const GridPoint &point)
   {
-    const SlabLayout &layout = gap.layout();
-    const double      y      = layout.position(point.window, 0, point.iy)[1];
-    const int         row    = static_cast<int>(std::floor(y / gap.grid().dy()));
-    // Until the rows suffice.
-    for (int reach = 16;; reach *= 2)
-      {
-        std::vector<int> rows(2 * reach + 1);
-        std::iota(rows.begin(), rows.end(), row - reach);
-        GapAround    around{gap, layout, slip_length, row - reach, fetch_rows(gap, rows)};
-        const Throat throat = measure(around, point);
-        if (around.is_complete || reach > gap.grid().ny)
-          return throat;
-      }
+    GapAround  around{gap, gap.layout(), slip_length};
+    bool       all_open = true;
+    const auto g        = [&](const int i, const int j) {
+      const double value = around.at(point.window, point.ix + i, point.iy + j);
+      all_open           = all_open && value > 0;
+      return value;
+    };
+    const auto [dx, dy] = around.layout.spacing(point.window);
+    const double g0     = g(0, 0);
+    const double xx     = (g(1, 0) - 2 * g0 + g(-1, 0)) / (dx * dx);
+    const double yy     = (g(0, 1) - 2 * g0 + g(0, -1)) / (dy * dy);
+    const double xy     = (g(1, 1) - g(1, -1) - g(-1, 1) + g(-1, -1)) / (4 * dx * dy);
+    const double middle = .5 * (xx + yy);
+    const double radius = std::hypot(.5 * (xx - yy), xy);
+    const double along = middle + radius, across = middle - radius;
+
+    Throat throat;
+    throat.gap         = g0;
+    throat.length      = along > 0 ? std::sqrt(2 * g0 / along) : unknown;
+    throat.width       = across < 0 ? std::sqrt(-2 * g0 / across) : unknown;
+    const double angle = .5 * std::atan2(2 * xy, xx - yy);
+    const double c = std::cos(angle), s = std::sin(angle);
+    throat.spacing = 1. / std::hypot(c / dx, s / dy);
+    if (g0 > 0)
+      throat.doubling_length = .5 * (doubling_length(around, point, {{c, s}}) +
+                                     doubling_length(around, point, {{-c, -s}}));
+    const double length =
+      std::isnan(throat.doubling_length) ? throat.length : throat.doubling_length;
+    if (std::isnan(length))
+      throat.points = all_open ? std::numeric_limits<double>::infinity() : 0.;
+    else
+      throat.points = length / throat.spacing;
+    return throat;
   }
 } // namespace strait
