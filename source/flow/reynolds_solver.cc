@@ -37,19 +37,6 @@ namespace strait
                       const double             tolerance_factor,
                       const unsigned long long most_unknowns)
   {
-    Leakage leakage =
-      refine_to_target(channel, observer, tolerance_factor, most_unknowns);
-    if (gap_field.gas() != nullptr)
-      bound_rarefied(channel.paths.front(), leakage);
-    return leakage;
-  }
-
-  Leakage
-  ReynoldsSolver::refine_to_target(const Channel           &channel,
-                                   const Observer          &observer,
-                                   const double             tolerance_factor,
-                                   const unsigned long long most_unknowns)
-  {
     const double target = parameters.target_accuracy;
     Leakage      leakage;
     leakage.linear_error = accuracy().energy;
@@ -63,7 +50,7 @@ namespace strait
               leakage.mesh_lower <= leakage.mesh_upper * (1 + rounding)))
           {
             leakage.status = "flow-bracket";
-            return leakage;
+            break;
           }
         const double width = leakage.relative_width();
         if (unknowns_needed == 0 && width <= target)
@@ -76,7 +63,7 @@ namespace strait
           width <= target && leakage.unknowns > most_growth * unknowns_needed;
         if (width <= tolerance_factor * target || is_enough ||
             leakage.unknowns > most_unknowns)
-          return leakage;
+          break;
         std::string reason = obstacle(leakage);
         if (reason.empty() && !refine(leakage, channel, tolerance_factor * target))
           reason = "it takes more than Fluid/Maximum unknowns";
@@ -88,10 +75,13 @@ namespace strait
                 leakage.reason = reason;
                 leakage.status = solved ? "flow-accuracy" : "flow-solver";
               }
-            return leakage;
+            break;
           }
         ++leakage.refinements;
       }
+    if (gap_field.gas() != nullptr)
+      bound_rarefied(channel.paths.front(), leakage);
+    return leakage;
   }
 
   LinearAccuracy

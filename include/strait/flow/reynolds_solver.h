@@ -95,11 +95,6 @@ namespace strait
     }
 
   private:
-    Leakage refine_to_target(const Channel     &channel,
-                             const Observer    &observer,
-                             double             tolerance_factor,
-                             unsigned long long most_unknowns);
-
     LinearAccuracy accuracy() const;
     LinearSolve    solve(PotentialProblem &problem);
     double         drive() const;
