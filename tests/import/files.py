@@ -116,6 +116,16 @@ COMPLETE = {
     "stated_twice.txt": "Width: 24 um\nHeight: 10 um\nUnit: um\nHeight: 10000 nm\n" + rows(" "),
 }
 
+# As many lines as Gwyddion writes, or one less, whose order means nothing: name, header.
+NOT_OF_GWYDDION = {
+    "height_first.txt": "# Height: 10 um\n# Width: 24 um\n# Value units: um\n",
+    "steps.txt": "# dx: 2 um\n# dy: 1 um\n# unit: um\n",
+    "named_steps.txt": "# Channel: Z\n# dx: 2 um\n# dy: 1 um\n# Value units: um\n",
+    "one_offset.txt": "# Width: 24 um\n# Height: 10 um\n# X offset: 1 um\n# unit: um\n",
+    "unnamed.txt": "# Height: 10 um\n# Width: 24 um\n# Comment: 3 um\n# Value units: um\n",
+}
+COMPLETE.update({name: header + rows(" ") for name, header in NOT_OF_GWYDDION.items()})
+
 # Texts that lack something, or can be read in several ways: text, words of the refusal, the
 # options that settle it.
 IN_NM = ["--size", "24, 10 um", "--unit", "um"]
@@ -133,6 +143,12 @@ AMBIGUOUS = {
                        ["--channel", "table 2", *IN_NM]),
     "axis_row.txt": (x_axis(), "--as axes.*--as matrix", ["--as", "axes", *IN_NM]),
     "axes_number.txt": (axes(" ", "0"), "--as axes.*--as matrix", ["--as", "axes", *XY]),
+    "offsets.txt": ("# X offset: 3 um\n# Y offset: 4 um\n# unit: um\n" + rows(" "),
+                    "does not state its size", ["--size", "24, 10 um"]),
+    "named_offsets.txt": ("# Channel: Z\n# X offset: 3 um\n# Y offset: 4 um\n# Value units: um\n"
+                          + rows(" "), "does not state its size", ["--size", "24, 10 um"]),
+    "tip.txt": ("# Sample: A\n# Tip radius: 10 nm\n# Thickness: 5 mm\n# unit: um\n" + rows(" "),
+                "does not state its size", ["--size", "24, 10 um"]),
     "thousands.txt": ("\n".join(" ".join(f"{int(10 * abs(value)) + 1},500" for value in row)
                                 for row in MICRONS), "--decimal comma or --decimal point", None),
     "volts.txt": (TWICE.replace("units: µm", "units: V") + rows(" "), "'V', which is no length",

@@ -7,21 +7,33 @@ import numpy as np
 from .channel import Refused, metres_in
 from .table import MARK, may_be_thousands
 
-# Gwyddion writes its header in the language of its user.
-_WIDTH = ("width breite largeur ancho anchura larghezza largura šířka ширина szerokość bredd "
-          "szélesség 幅 너비 宽度").split() + ["x size", "x-size", "x-length", "x length"]
-_HEIGHT = ("height höhe hauteur alto altura altezza výška высота wysokość höjd magasság 高さ "
-           "높이 高度").split() + ["y size", "y-size", "y-length", "y length"]
+# Gwyddion writes its header in the language of its user: its keys, as far as they are known.
+_GWYDDION = {
+    "channel": ["channel"],
+    "width": ("width breite largeur ancho anchura larghezza largura šířka ширина szerokość bredd "
+              "szélesség 幅 너비 宽度").split(),
+    "height": ("height höhe hauteur alto altura altezza výška высота wysokość höjd magasság 高さ "
+               "높이 高度").split(),
+    "value units": ["value units", "werteinheiten"]}
+_NAME = _GWYDDION["channel"] + ["title"]
+_WIDTH = _GWYDDION["width"] + ["x size", "x-size", "x-length", "x length"]
+_HEIGHT = _GWYDDION["height"] + ["y size", "y-size", "y-length", "y length"]
 _SPACING = {"pixel size": "xy", "xy calibration": "xy", "pixel pitch": "xy", "spacing": "xy",
             "x pixel size": "x", "x spacing": "x", "dx": "x",
             "y pixel size": "y", "y spacing": "y", "dy": "y"}
-_VALUE_UNIT = ("value units", "value unit", "height unit", "height units", "z unit", "z units",
-               "z-unit", "data unit", "unit", "werteinheiten")
+_VALUE_UNIT = _GWYDDION["value units"] + ["value unit", "height unit", "height units", "z unit",
+                                          "z units", "z-unit", "data unit", "unit"]
+_LATERAL_UNIT = ("xy unit", "xy units", "x unit", "y unit", "lateral unit")
 # A key of nothing but these words, with one of scaling among them, multiplies the heights.
 _SCALING = set("scale scaling factor conversion multiplier".split())
 _HEIGHTS = set("z height heights value values data of the".split())
 _COLUMNS = ("x-pixels", "x pixels", "columns")
 _ROWS = ("y-pixels", "y pixels", "rows")
+_KNOWN = {*_NAME, *_WIDTH, *_HEIGHT, *_SPACING, *_VALUE_UNIT, *_LATERAL_UNIT, *_COLUMNS, *_ROWS,
+          "x-unit", "y-unit", "bit2nm"}
+# Lengths with one of these words in their keys are no sides.
+_NO_SIDE = set("offset origin position center centre radius diameter depth thickness wavelength "
+               "cutoff pixel step spacing pitch resolution roughness amplitude range rms".split())
 
 
 def _number(text, has_thousands=False):
@@ -44,11 +56,39 @@ def take_apart(line):
     return (match[1].lower(), *(parts.groups() if parts else (value, "")))
 
 
+def _words(key):
+    return set(re.split(r"[\s_-]+", key))
+
+
 def _scales_heights(key, value, unit):
     """Whether a statement is a factor of the heights, other than 1."""
-    words = set(re.split(r"[\s_-]+", key))
+    words = _words(key)
     return bool(words & _SCALING and words <= _SCALING | _HEIGHTS
                 and _number(value.lstrip("+-")) and (unit or _number(value) != 1))
+
+
+def _may_stand_for(key, meaning):
+    """Whether Gwyddion may have written this key for one of its own, in whatever language."""
+    return key in _GWYDDION[meaning] or (key not in _KNOWN and not _words(key) & _NO_SIDE)
+
+
+def _in_english(lines):
+    """The lines, those of Gwyddion in a language that the lists do not know with English keys.
+
+    Gwyddion always writes four: channel, width, height and value units. So a key that is not known
+    means what its place says, but only where the whole header can be Gwyddion's: with a key that
+    another program writes, or that stands at another place, it is not, and each goes by its name.
+    """
+    statements = [take_apart(line) for line in lines if line.startswith("#")]
+    if not len(lines) == len(statements) == len(_GWYDDION) or None in statements or not all(
+            _may_stand_for(key, meaning) for (key, *_), meaning in zip(statements, _GWYDDION)):
+        return lines
+    _, (_, wide, unit_x), (_, high, unit_y), (_, unit, rest) = statements
+    if rest or _number(unit.lstrip("+-")) or not (
+            _number(wide) and _number(high) and metres_in(unit_x) and metres_in(unit_y)):
+        return lines
+    return [f"# {meaning}: {value} {unit}".rstrip()
+            for meaning, (_, value, unit) in zip(_GWYDDION, statements)]
 
 
 def _agreed_mark(earlier, text):
@@ -83,6 +123,7 @@ class TextHeader:
         self.mark = None           # of missing points among the heights
         self._default = {}         # metres of lengths along x and y that come without a unit
         self._has_factor = False
+        lines = _in_english(lines)
         statements = [found for found in map(take_apart, lines) if found]
         for key, value, _ in statements:
             if key in ("x-unit", "y-unit"):
@@ -95,7 +136,6 @@ class TextHeader:
                 raise Refused("states both Bit2nm and another unit of heights")
         for line in lines:
             self._read_line(line)
-        self._read_gwyddion(lines)
 
     def _agree(self, what, length, text, *options):
         """Refuse a statement that contradicts an earlier one, unless the user settles it."""
@@ -153,7 +193,7 @@ class TextHeader:
             self.metres = metres_in(text)
             self.quantity = "" if self.metres else text
             self._agree("the unit of its heights", self.metres, text, "--unit")
-        elif key in ("xy unit", "xy units", "x unit", "y unit", "lateral unit"):
+        elif key in _LATERAL_UNIT:
             self.coordinate = metres_in(value)
             self._agree("the unit of its coordinates", self.coordinate, value, "--xy-unit",
                         "--size")
@@ -163,7 +203,7 @@ class TextHeader:
             self.rows = int(value)
         elif key == "bit2nm":
             self._read_factor(value, "nm")
-        elif key in ("channel", "title"):
+        elif key in _NAME:
             self.name = value
         elif _scales_heights(key, value, unit) and not self._options.unit:
             raise Refused(f"states '{key}' as '{text}' in its header, by which heights may have to "
@@ -173,20 +213,6 @@ class TextHeader:
     def _read_factor(self, value, unit):
         self.metres, self._has_factor = self._length(value, unit), True
         self._agree("the factor of its heights", self.metres, f"{value} {unit}", "--unit")
-
-    def _read_gwyddion(self, lines):
-        """Gwyddion's four lines in a language that the lists do not know: by their order."""
-        statements = [take_apart(line) for line in lines if line.startswith("#")]
-        if not 3 <= len(statements) <= 4 or len(statements) != len(lines) or None in statements:
-            return
-        (_, wide, unit_x), (_, high, unit_y), (_, unit, rest) = statements[-3:]
-        if rest or not (_number(wide) and _number(high) and metres_in(unit_x)
-                        and metres_in(unit_y)):
-            return
-        self.side = {"x": self._length(wide, unit_x), "y": self._length(high, unit_y)}
-        self.metres = metres_in(unit)
-        self.quantity = "" if self.metres else unit
-        self.name = statements[0][1] if len(statements) == 4 else ""
 
     def without_marks(self, heights):
         """The heights with nan for those that the header says are none."""
