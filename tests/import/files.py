@@ -72,6 +72,8 @@ def quoted(text, separator=","):
                    for line in text.splitlines())
 
 
+SIDES = "Width: 24 um\nHeight: 10 um\n"
+SIDES_AND_UNIT = SIDES + "z unit: um\n"
 # Texts that say it all: name, text.
 COMPLETE = {
     "gwyddion.txt": gwyddion_header("Channel", "Width", "Height", "Value units") + rows("\t"),
@@ -113,6 +115,8 @@ COMPLETE = {
     "unit_of_its_own.txt": "Width: 24 um\nHeight: 10 um\nUnit: um\n" + rows(" ") + "Unit: V\n"
                            + rows(" "),
     "scale_of_one.txt": "Width: 24 um\nHeight: 10 um\nUnit: um\nz scale = 1.0\n" + rows(" "),
+    "side_of_all_steps.txt": SIDES_AND_UNIT + "dx: 2 um\ndy: 1 um\n" + rows(" "),
+    "side_between_points.txt": SIDES_AND_UNIT + "dx: 2.1818 um\ndy: 1.1111 um\n" + rows(" "),
     "stated_twice.txt": "Width: 24 um\nHeight: 10 um\nUnit: um\nHeight: 10000 nm\n" + rows(" "),
 }
 
@@ -131,7 +135,6 @@ COMPLETE.update({name: header + rows(" ") for name, header in NOT_OF_GWYDDION.it
 IN_NM = ["--size", "24, 10 um", "--unit", "um"]
 XY = ["--xy-unit", "um", "--unit", "um"]
 TWICE = gwyddion_header("Channel", "Width", "Height", "Value units")
-SIDES = "Width: 24 um\nHeight: 10 um\n"
 AMBIGUOUS = {
     "plain.txt": (rows(" "), "--size.*--unit", IN_NM),
     "plain.csv": (rows(","), "--size.*--unit", IN_NM),
@@ -165,6 +168,18 @@ AMBIGUOUS = {
                           "along x as '2 um' and as '3 um' .* --size", ["--size", "24, 10 um"]),
     "unit_twice.txt": (SIDES + "Z unit: um\nUnit: mm\n" + rows(" "),
                        "heights as 'um' and as 'mm' .* --unit", ["--unit", "um"]),
+    "side_and_step.txt": (SIDES + "z unit: um\ndx: 7 um\ndy: 1 um\n" + rows(" "),
+                          "along x a side of 2.4e-05 m and 12 points in steps of 7e-06 m",
+                          ["--size", "24, 10 um"]),
+    "one_side_and_step.txt": ("Height: 40 um\npixel size: 2 um\nz unit: um\n" + rows(" "),
+                              "along y a side of 4e-05 m and 10 points in steps of 2e-06 m",
+                              ["--size", "24, 10 um"]),
+    "step_and_axes.txt": ("x spacing: 2 um\ny spacing: 2 um\nxy unit: um\nz unit: um\n"
+                          + axes("\t", "y/x"), "along y a side of 2e-05 m .* steps of 1e-06 m",
+                          ["--size", "24, 10 um"]),
+    "step_and_points.txt": ("pixel size: 2 um\nxy unit: um\nz unit: um\n" + points(" "),
+                            "along y a side of 2e-05 m .* steps of 1e-06 m",
+                            ["--size", "24, 10 um"]),
     "xy_unit_twice.txt": ("x unit: um\ny unit: mm\nz unit: um\n" + points(" "),
                           "coordinates as 'um' and as 'mm' .* --xy-unit", ["--xy-unit", "um"]),
     "scale.txt": (SIDES + "Unit: nm\nz scale = 1000\n" + rows(" "), "'z scale' as '1000' .* --unit",

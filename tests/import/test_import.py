@@ -251,6 +251,25 @@ class Arrays(Case):
                 self.assertAlmostEqual(self.read(path)[1], side * 1e-6)
         self.check_refusal(path, "a side of 240 and 12 points in steps of 2, which contradict")
 
+    def test_attributes_against_coordinates(self):
+        path = os.path.join(self.folder, "map.nc")
+        x, y = 2. * np.arange(files.NX), 1. * np.arange(files.NY)
+        for sides, is_refused in (((24., 10.), False), ((22., 9.), False), ((24., 20.), True),
+                                  ((.024, .01), True)):
+            files.write_netcdf(path, x, y, files.MICRONS, lx=sides[0], ly=sides[1],
+                               lateral_unit=b"um")
+            if is_refused:
+                self.check_refusal(path, "a side of .* m and 1. points in steps of .* contradict")
+            self.check_map(path, *["--size", "24, 10 um"] * is_refused)
+        files.write_netcdf(path, x, y, files.MICRONS, lx=.024, ly=.01, lateral_unit=b"mm")
+        self.check_map(path)
+        # What attributes say twice is asked about, whatever the coordinates say.
+        files.write_netcdf(path, x, y, files.MICRONS, lx=24., ly=10., dx=3., dy=1.)
+        self.check_refusal(path, "a side of 24 and 12 points in steps of 3, which contradict")
+        # Of a unit that is not known nobody knows what it contradicts.
+        files.write_netcdf(path, x, y, files.MICRONS, lx=2.4e-5, ly=1e-5)
+        self.check_map(path)
+
     def test_marks_of_missing_values(self):
         path = os.path.join(self.folder, "map.nc")
         tenths = np.rint(10 * files.MICRONS)

@@ -4,7 +4,7 @@ import os
 
 import numpy as np
 
-from .channel import Channel, Refused, check_extents, metres_in
+from .channel import Channel, Refused, check_extents, dispute, metres_in
 
 
 def _plain(attribute):
@@ -77,15 +77,6 @@ def _interpret(values, attributes):
     return np.where(is_missing, np.nan, result)
 
 
-def _dispute(axis, n, side, step):
-    """A side and a step between n points that contradict each other; "" if they agree to a
-    hundredth, be the side that of n steps or of n - 1."""
-    if not (isinstance(side, float) and isinstance(step, float)) or (
-            abs((n - .5) * abs(step) - side) <= .6 * abs(step) + .01 * abs(side)):
-        return ""
-    return f"along {axis} a side of {side:g} and {n} points in steps of {step:g}"
-
-
 def _map(name, values, attributes, of_file=None):
     """A channel of what attributes of an array, and of its file, say."""
     known = {**(of_file or {}), **attributes}
@@ -95,7 +86,7 @@ def _map(name, values, attributes, of_file=None):
     lateral = metres_in(str(lateral)) if lateral else None
     sides = [_first(known, "lx"), _first(known, "ly")]
     steps = [_first(known, "dx"), _first(known, "dy")]
-    disputed = _dispute("x", nx, sides[0], steps[0]) or _dispute("y", ny, sides[1], steps[1])
+    disputed = dispute("x", nx, sides[0], steps[0]) or dispute("y", ny, sides[1], steps[1])
     if None in sides:
         sides = None if None in steps else [nx * steps[0], ny * steps[1]]
     extent = tuple(sides) if sides and all(isinstance(side, float) for side in sides) else None
@@ -121,6 +112,19 @@ def _side(n, coordinate):
     if not isinstance(length, float) and step:
         length = n * step
     return length, step or None, metres, bool(attributes.get("periodic"))
+
+
+def _against_attributes(channel, steps, units):
+    """How steps of coordinates contradict the sides that attributes of the map state, if they do.
+
+    Lengths are compared with lengths, and where the coordinates have no unit, numbers.
+    """
+    sides, unit = (channel.size, " m") if units else (channel.extent, "")
+    if not sides:
+        return ""
+    ny, nx = channel.values.shape
+    dx, dy = np.multiply(steps, units) if units else steps
+    return dispute("x", nx, sides[0], dx, unit) or dispute("y", ny, sides[1], dy, unit)
 
 
 def _is_regular(values):
@@ -149,9 +153,12 @@ def _netcdf_channel(name, values, dimensions, attributes, coordinates):
     ly, dy, metres_y, periodic_y = _side(ny, coordinates.get(dimensions[0]))
     channel = _map(name, values, attributes)
     if lx and ly:
+        units = (metres_x, metres_y) if metres_x and metres_y else None
+        channel.disputed = (channel.disputed or dispute("x", nx, lx, dx)
+                            or dispute("y", ny, ly, dy)
+                            or _against_attributes(channel, (dx or lx / nx, dy or ly / ny), units))
         channel.extent = lx, ly
-        channel.size = (lx * metres_x, ly * metres_y) if metres_x and metres_y else None
-        channel.disputed = _dispute("x", nx, lx, dx) or _dispute("y", ny, ly, dy)
+        channel.size = (lx * metres_x, ly * metres_y) if units else None
     channel.periodic, channel.refusal = periodic_x and periodic_y, refusal
     return channel
 

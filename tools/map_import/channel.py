@@ -56,6 +56,15 @@ def metres_in(unit):
     return known and factor * known
 
 
+def dispute(axis, n, side, step, unit=""):
+    """A side and a step between n points that contradict each other; "" if they agree to a
+    hundredth, be the side that of n steps or of n - 1, or if one of them is no number."""
+    if not (isinstance(side, float) and isinstance(step, float)) or (
+            abs((n - .5) * abs(step) - side) <= .6 * abs(step) + .01 * abs(side)):
+        return ""
+    return f"along {axis} a side of {side:g}{unit} and {n} points in steps of {step:g}{unit}"
+
+
 def check_extents(n_columns, n_rows, n_bytes):
     """Refuse a map that cannot be in a file of so many bytes, before memory is taken."""
     if not (1 <= n_columns <= MOST_POINTS and 1 <= n_rows <= MOST_POINTS):

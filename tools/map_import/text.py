@@ -137,10 +137,11 @@ def _as_points(table, header, names, options):
         ny, nx = values.shape
         extent = nx * spacing[0], ny * spacing[1]
         size = None if None in lateral else (extent[0] * lateral[0], extent[1] * lateral[1])
+        disputed = header.disputed(nx, ny, size)
         if len(maps) > 1:
             name = name or f"column {len(channels) + 3}"
         channels.append(Channel(name or header.name, header.without_marks(values), size, extent,
-                                unit, header.quantity, refusal=refusal))
+                                unit, header.quantity, disputed=disputed, refusal=refusal))
     return channels
 
 
@@ -234,11 +235,12 @@ def _read_block(block, header_lines, options):
         table, extent = _without_axes(table, _edges(block, separator))
     elif reading is None:
         _check_for_axes(table, header, corner, _edges(block, separator))
-    size = header.size(table.shape[1], table.shape[0])
-    if extent and header.coordinate:
-        size = tuple(side * header.coordinate for side in extent)
-    return [Channel(header.name, header.without_marks(table), size, extent, header.metres,
-                    header.quantity)]
+    ny, nx = table.shape
+    of_axes = tuple(side * header.coordinate for side in extent) if (
+        extent and header.coordinate) else None
+    return [Channel(header.name, header.without_marks(table), of_axes or header.size(nx, ny),
+                    extent, header.metres, header.quantity,
+                    disputed=header.disputed(nx, ny, of_axes))]
 
 
 def _join(blocks, options):

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from .channel import Refused, metres_in
+from .channel import Refused, dispute, metres_in
 from .table import MARK, may_be_thousands
 
 # Gwyddion writes its header in the language of its user: its keys, as far as they are known.
@@ -222,5 +222,17 @@ class TextHeader:
         """lx, ly of so many points; None if not both are stated."""
         if self.side.get("x") and self.side.get("y"):
             return self.side["x"], self.side["y"]
-        dx, dy = (self.spacing.get(axis, self.spacing.get("xy")) for axis in "xy")
+        dx, dy = map(self._step, "xy")
         return (nx * dx, ny * dy) if dx and dy else None
+
+    def _step(self, axis):
+        return self.spacing.get(axis, self.spacing.get("xy"))
+
+    def disputed(self, nx, ny, of_coordinates=None):
+        """How sides, steps and the sides of coordinates contradict each other; "" if they agree."""
+        found = ""
+        for axis, n, length in zip("xy", (nx, ny), of_coordinates or (None, None)):
+            side, step = self.side.get(axis), self._step(axis)
+            found = (found or dispute(axis, n, side, step, " m")
+                     or dispute(axis, n, side or (step and n * step), length and length / n, " m"))
+        return found
