@@ -143,14 +143,15 @@ class Band:
         free = max(len(along) - 1, 1)
         self.student = t.ppf(0.95, free) / norm.ppf(0.95)
         self.student *= np.sqrt(max(free, 2) / free)  # two of two patches scatter too little
-        both = both * np.exp(solution_error * rng.uniform(-1, 1, both.size))
         self.sealed = np.mean(both == 0)
-        self.median, self.lower, self.upper = self._widened(np.quantile(both, (0.5, 0.05, 0.95)))
+        # How much the solutions err is known, however few patches there are.
+        seals = self._widened(both) * np.exp(solution_error * rng.uniform(-1, 1, both.size))
+        self.median, self.lower, self.upper = np.quantile(seals, (0.5, 0.05, 0.95))
 
-    def _widened(self, quantiles):
-        median, low, high = quantiles
-        total = np.hypot(self.patches, self.arrangement)
-        if median > 0 and total > 0:
-            by = np.hypot(self.student * self.patches, self.arrangement) / total
-            low, high = median * (low / median)**by, median * (high / median)**by
-        return median, low, high
+    def _widened(self, samples):
+        """Samples whose logarithms are as much farther from their median as Student's t says."""
+        median, total = np.median(samples), np.hypot(self.patches, self.arrangement)
+        if median == 0 or total == 0:
+            return samples
+        by = np.hypot(self.student * self.patches, self.arrangement) / total
+        return median * (samples / median)**by

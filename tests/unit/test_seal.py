@@ -174,6 +174,21 @@ class Confidence(unittest.TestCase):
             inside += band.lower < truth < band.upper
         self.assertGreaterEqual(inside, 18)  # 22.5 are expected; fewer than 18 by a chance of 0.2 %
 
+    def test_the_error_of_the_solution_is_not_widened(self):
+        # Of one patch, as it were: 5 and 95 % of what is uniform between the bounds.
+        pool = np.ones((2, 1)) * [[1.], [1 + 1e-13]]
+        for error in (0.0318, 0.3):
+            band = Band(pool, pool[:, 1:], 20, 1., error, np.random.default_rng(1))
+            self.assertGreater(band.student, 5)
+            self.assertAlmostEqual(np.log(band.upper) / error, 0.9, delta=0.05)
+            self.assertAlmostEqual(np.log(band.lower) / error, -0.9, delta=0.05)
+        # Where patches differ Student's t widens that, and the solutions add no more than they err.
+        pool = np.array([[1.], [4.]])
+        alone, mixed = (Band(pool, pool[:, 1:], 20, 1., error, np.random.default_rng(1))
+                        for error in (0., 0.0318))
+        self.assertLess(abs(np.log(mixed.upper / alone.upper)), 0.0318)
+        self.assertLess(abs(np.log(mixed.lower / alone.lower)), 0.0318)
+
     def test_where_it_comes_from(self):
         rng = np.random.default_rng(3)
         many = np.repeat(np.exp(rng.standard_normal((400, 1))), 4, axis=1)
