@@ -76,6 +76,12 @@ class Seal:
         halves = values.reshape(2 * self.n_along, -1).mean(axis=1)
         return (halves[::2] + halves[1::2]) / 2, (halves[1:-1:2] + halves[2::2]) / 2, mean
 
+    def _ends(self, factors):
+        """The least and the largest mean load whose pressures at all factors are known."""
+        with np.errstate(divide="ignore", invalid="ignore"):   # A bond without pressure has any.
+            return (np.fmax.reduce(self.loads[0] / factors),
+                    np.fmin.reduce(self.loads[-1] / factors))
+
     def rows(self):
         """The mean loads for which the patches know the pressures of the whole profile, at bonds
         along and around: those of the patches, the least and the largest that there are, and that
@@ -85,17 +91,21 @@ class Seal:
         least, most, uniform = bonds.min(), bonds.max(), np.allclose(bonds, 1)
         wanted = self.loads if mean is None else np.union1d(self.loads, [mean])
         if not uniform:
-            ends = self.loads[0] / least if least > 0 else math.inf, self.loads[-1] / most
+            ends = self._ends(np.array([least, most]))
             wanted = np.union1d(wanted, ends) if ends[0] < ends[1] else wanted
+        # Under tension the least pressure is that of the bond that is pressed most.
+        pressures = np.outer(wanted, [least, most])
         # Rounding of the profile must not cost the first load and the last.
-        inside = ((wanted * least >= self.loads[0] * (1 - 1e-9)) &
-                  (wanted * most <= self.loads[-1] * (1 + 1e-9)))
+        rounding = 1e-9 * abs(self.loads)
+        inside = ((pressures.min(axis=1) >= self.loads[0] - rounding[0]) &
+                  (pressures.max(axis=1) <= self.loads[-1] + rounding[-1]))
         if len(self.loads) < 2 and not uniform:
             inside[:] = False
         if not inside.any() or (mean is not None and not inside[wanted == mean].all()):
             load = self.loads.mean() if mean is None else mean
+            low, high = sorted([load * least, load * most])
             sys.exit(f"Under a mean pressure of {load:.6g} Seal/Pressure profile presses the "
-                     f"patches by {load * least:.6g} to {load * most:.6g}; let Load "
+                     f"patches by {low:.6g} to {high:.6g}; let Load "
                      "programme/Pressures begin below and end above that, as nothing is "
                      "extrapolated.")
         return wanted[inside]

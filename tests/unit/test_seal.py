@@ -392,6 +392,24 @@ class OfAFolder(unittest.TestCase):
         middle = 8 / np.pi * (np.sqrt(15) / 16 + np.arcsin(1 / 4))
         np.testing.assert_allclose(seal.rows(), [0.1 / outer, 0.2, 0.4 / middle], rtol=2e-3)
 
+    def rows(self, loads, profile):
+        self.about.update(loads=loads, profile=profile)
+        return seal_scene.Seal(SCENE.format(**self.about)).rows()
+
+    def test_loads_under_tension(self):
+        self.assertEqual(list(self.rows("-0.1, 0.2, 0.4", "")), [-0.1, 0.2, 0.4])
+        self.assertEqual(list(self.rows("-0.3, -0.2, -0.1", "")), [-0.3, -0.2, -0.1])
+        # The same loads pull as push: what is known of pressure is known of tension.
+        pushed = self.rows("0.1, 0.2, 0.4", "hertz")
+        np.testing.assert_allclose(self.rows("-0.4, -0.2, -0.1", "hertz"), -pushed[::-1])
+        np.testing.assert_allclose(self.rows("-0.4, 0, 0.4", "hertz"), [-pushed[-1], 0, pushed[-1]])
+        table = self.folder / "profile.csv"
+        table.write_text("0 0\n2 0\n3 1\n4 1\n")  # a mean of 3/8, and nothing on the first half
+        np.testing.assert_allclose(self.rows("-0.3, 0.1, 1", table), [-0.3 * 3 / 8, 0.1, 3 / 8])
+        refused = self.assess("--check", scene=SCENE.format(
+            **{**self.about, "loads": "-0.21, -0.2", "profile": "hertz"}))
+        self.assertRegex(refused.stderr, r"presses the patches by -0\.25\d* to -0\.16\d*; let Load")
+
     def test_profile_of_a_table(self):
         table = self.folder / "profile.csv"
         table.write_text("x (m), p\n0, 0.1\n2, 0.3\n4, 0.1\n")
