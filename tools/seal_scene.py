@@ -6,6 +6,7 @@ import re
 import sys
 
 import numpy as np
+from scipy.integrate import cumulative_trapezoid
 
 from plot_common import read_parameters
 
@@ -22,6 +23,16 @@ def until_they_turn(loads):
     way = ways[np.flatnonzero(ways)[:1]]
     back = np.flatnonzero(ways * way < 0) if way.size else way
     return loads[:back[0] + 1] if back.size else loads
+
+
+def _is_same(loads, load):
+    """Which of the loads are this one but for rounding."""
+    return np.isclose(loads, load, rtol=1e-9, atol=0)
+
+
+def _joined(loads, others):
+    """The loads, and those of the others that are not among them."""
+    return np.union1d(loads, [load for load in others if not _is_same(loads, load).any()])
 
 
 class Seal:
@@ -55,26 +66,29 @@ class Seal:
         units = values["Output/Leak rate units"].split(",")
         self.unit = units[0].strip()
 
-    def profile_values(self, places):
-        """Pressure over its mean at places from 0 to 1 across the width, and the mean."""
+    def _shares(self, places):
+        """The share of the load between the edge and places from 0 to 1 across the width; the
+        table's own mean pressure, if there is one."""
         if not self.profile:
-            return np.ones_like(places), None
+            return places, None
         if self.profile == "hertz":
-            return 4 / math.pi * np.sqrt(np.clip(1 - (2 * places - 1)**2, 0, None)), None
+            xi = 2 * places - 1
+            return 0.5 + (xi * np.sqrt(1 - xi**2) + np.arcsin(xi)) / math.pi, None
         x, p = read_profile(self.profile)
         if abs(np.ptp(x) / self.width - 1) > 0.01:
             sys.exit(f"Seal/Pressure profile = {self.profile} spans {np.ptp(x):.6g}, and "
                      f"Seal/Contact width is {self.width:.6g}; make them the same.")
-        mean = np.trapz(p, x) / np.ptp(x)
-        return np.interp(places, (x - x[0]) / np.ptp(x), p) / mean, mean
+        places_of_table = (x - x[0]) / np.ptp(x)
+        knots = np.union1d(places_of_table, places)
+        up_to = cumulative_trapezoid(np.interp(knots, places_of_table, p), knots, initial=0)
+        return up_to[np.searchsorted(knots, places)] / up_to[-1], up_to[-1]
 
     def columns(self):
         """Pressure over its mean at the patches, one after the other along the flow; at those in
         between, which lead around; and the table's own mean pressure, if there is one."""
-        fine = 64 * self.n_along
-        values, mean = self.profile_values((np.arange(fine) + 0.5) / fine)
-        halves = values.reshape(2 * self.n_along, -1).mean(axis=1)
-        return (halves[::2] + halves[1::2]) / 2, (halves[1:-1:2] + halves[2::2]) / 2, mean
+        shares, mean = self._shares(np.linspace(0, 1, 2 * self.n_along + 1))
+        patches = self.n_along * (shares[2:] - shares[:-2])   # and those in between
+        return patches[::2], patches[1::2], mean
 
     def _ends(self, factors):
         """The least and the largest mean load whose pressures at all factors are known."""
@@ -89,10 +103,10 @@ class Seal:
         along, around, mean = self.columns()
         bonds = np.concatenate([along, around])
         least, most, uniform = bonds.min(), bonds.max(), np.allclose(bonds, 1)
-        wanted = self.loads if mean is None else np.union1d(self.loads, [mean])
+        wanted = self.loads if mean is None else _joined(self.loads, [mean])
         if not uniform:
             ends = self._ends(np.array([least, most]))
-            wanted = np.union1d(wanted, ends) if ends[0] < ends[1] else wanted
+            wanted = _joined(wanted, ends) if ends[0] < ends[1] else wanted
         # Under tension the least pressure is that of the bond that is pressed most.
         pressures = np.outer(wanted, [least, most])
         # Rounding of the profile must not cost the first load and the last.
@@ -101,7 +115,7 @@ class Seal:
                   (pressures.max(axis=1) <= self.loads[-1] + rounding[-1]))
         if len(self.loads) < 2 and not uniform:
             inside[:] = False
-        if not inside.any() or (mean is not None and not inside[wanted == mean].all()):
+        if not inside.any() or (mean is not None and not inside[_is_same(wanted, mean)].all()):
             load = self.loads.mean() if mean is None else mean
             low, high = sorted([load * least, load * most])
             sys.exit(f"Under a mean pressure of {load:.6g} Seal/Pressure profile presses the "

@@ -76,8 +76,8 @@ class WholeSeal(unittest.TestCase):
         # Both halves of a width of two patches are under the mean, the bond between them is not.
         around = 8 / np.pi * (np.pi / 12 + np.sqrt(3) / 8)
         scene = seal_scene.Seal(seal(2, "hertz"))
-        np.testing.assert_allclose(scene.columns()[1], [around], rtol=1e-3)
-        np.testing.assert_allclose(scene.rows()[-1], 4 / around, rtol=1e-3)
+        np.testing.assert_allclose(scene.columns()[1], [around], rtol=1e-14)
+        np.testing.assert_allclose(scene.rows()[-1], 4 / around, rtol=1e-14)
         for width in (2, 3, 4, 5):
             scene = seal_scene.Seal(seal(width, "hertz"))
             pressures = np.outer(scene.rows(), np.concatenate(scene.columns()[:2]))

@@ -382,15 +382,32 @@ class OfAFolder(unittest.TestCase):
         self.about["profile"] = "hertz"
         seal = seal_scene.Seal(SCENE.format(**self.about))
         along, around, _ = seal.columns()
-        self.assertAlmostEqual(along.mean(), 1, delta=1e-3)
+        self.assertAlmostEqual(along.mean(), 1, 14)
         # The integrals of (4/π) √(1 − ξ²) over an outer and an inner quarter of the width.
         outer = 4 / np.pi * (np.pi / 3 - np.sqrt(3) / 4)
-        np.testing.assert_allclose(along, [outer, 2 - outer, 2 - outer, outer], rtol=2e-3)
+        np.testing.assert_allclose(along, [outer, 2 - outer, 2 - outer, outer], rtol=1e-14)
         self.assertEqual(len(around), 3)
         self.assertGreater(around[1], around[0])
         # 0.1 and 0.4 would need more than the patches know, of the bond in the middle as well.
         middle = 8 / np.pi * (np.sqrt(15) / 16 + np.arcsin(1 / 4))
-        np.testing.assert_allclose(seal.rows(), [0.1 / outer, 0.2, 0.4 / middle], rtol=2e-3)
+        np.testing.assert_allclose(seal.rows(), [0.1 / outer, 0.2, 0.4 / middle], rtol=1e-14)
+
+    def test_the_mean_of_any_profile_is_one(self):
+        table = self.folder / "profile.csv"
+        for n, inner in ((1, 0.3), (2, 1.1), (3, 2.7), (7, 0.01), (40, 39.9)):
+            table.write_text(f"0 0.1\n{inner} 0.7\n{n} 0.2\n")
+            for profile in ("", "hertz", table):
+                self.about["profile"] = profile
+                scene = SCENE.format(**self.about).replace("width = 4", f"width = {n}")
+                along, _, mean = seal_scene.Seal(scene).columns()
+                self.assertAlmostEqual(along.mean(), 1, 13)
+                if mean:
+                    self.assertAlmostEqual(mean, (0.8 * inner + 0.9 * (n - inner)) / 2 / n, 13)
+        # One row of patches is under the mean, whatever the profile, so one load will do.
+        self.about.update(loads="0.1", profile="hertz")
+        scene = SCENE.format(**self.about).replace("width = 4", "width = 1")
+        self.assertEqual(list(seal_scene.Seal(scene).rows()), [0.1])
+        self.assertEqual(self.assess("--check", scene=scene).returncode, 0)
 
     def rows(self, loads, profile):
         self.about.update(loads=loads, profile=profile)
@@ -405,7 +422,7 @@ class OfAFolder(unittest.TestCase):
         np.testing.assert_allclose(self.rows("-0.4, 0, 0.4", "hertz"), [-pushed[-1], 0, pushed[-1]])
         table = self.folder / "profile.csv"
         table.write_text("0 0\n2 0\n3 1\n4 1\n")  # a mean of 3/8, and nothing on the first half
-        np.testing.assert_allclose(self.rows("-0.3, 0.1, 1", table), [-0.3 * 3 / 8, 0.1, 3 / 8])
+        np.testing.assert_allclose(self.rows("-0.3, 0.1, 1", table), [-0.3 * 3 / 8, 0.1, 3 / 8])  # once
         refused = self.assess("--check", scene=SCENE.format(
             **{**self.about, "loads": "-0.21, -0.2", "profile": "hertz"}))
         self.assertRegex(refused.stderr, r"presses the patches by -0\.25\d* to -0\.16\d*; let Load")
