@@ -516,19 +516,21 @@ end
                 file.write("\n".join(
                     ["# Width: 32 m", "# Height: 32 m", "# Value units: m", *lines, ""]))
         write(text[:32])
-        scene = self.scene(f"""
+        of_map = f"""
 subsection Surface
   set Kind = file
   set File = {heights}
-end
-subsection Realisations
-  set Orientations = as is, inverted
 end
 subsection Load programme
   set Pressures = 0.05
 end
 subsection Output
   set Pictures = false
+end
+"""
+        scene = self.scene(of_map + """
+subsection Realisations
+  set Orientations = as is, inverted
 end
 """, "map.prm")
         output = self.path("map")
@@ -537,6 +539,18 @@ end
         self.assert_refused("heights.txt.* is not the one that the run .* began with", scene, output)
         write(text[:32])
         self.run_to_end(scene, output, "--resume")
+
+        # The one that a run was stopped with may come back.
+        loads = ", ".join(f"{.01 + .0002 * k:.4f}" for k in range(500))
+        scene = self.scene(of_map.replace("0.05", loads), "loads.prm")
+        output = self.path("loads")
+        with self.start(scene, output) as process:
+            self.wait_for_rows(process, output, 1)
+            process.send_signal(signal.SIGTERM)
+            message = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 3, message)
+        write(text[32:])
+        self.assert_not_begun_anew(scene, output)
 
     def assert_kept_out(self, scene, output, running):
         """No run gets into the folder of another, which waits meanwhile."""

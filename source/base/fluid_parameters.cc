@@ -134,9 +134,10 @@ namespace strait
                 }})
       .meaning =
       "Gives a gas its molar mass, and its viscosity at 293.15 K unless Viscosity is "
-      "given and not 1. The column validity then tells where it is rarefied.";
+      "given and not 1; needs the section Units. The column validity then tells where it "
+      "is rarefied.";
     section.add("Molar mass", molar_mass, not_negative).meaning =
-      "M: of a gas that Gas does not know; 0: not known [kg/mol].";
+      "M: of a gas that Gas does not know, needs the section Units; 0: not known [kg/mol].";
     section.when("State", {"gas"}).add("Temperature", temperature, positive).meaning =
       "T, for its mean free path [K].";
     section.add("Rarefaction", rarefaction, Names{"none", "slip", "transitional"})

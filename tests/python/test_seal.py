@@ -95,6 +95,12 @@ class Seals(unittest.TestCase):
                      {"inlet_pressure": np.nan}):
             with self.subTest(what), self.assertRaisesRegex(strait.SceneError, "finite number"):
                 self.seal.control(.1, **what)
+        gas = strait.Seal(self.scene.replace({"Fluid/State": "gas"}))
+        with self.assertRaisesRegex(strait.SceneError, "absolute pressures"):
+            gas.control(.1, inlet_pressure=-1.)
+        for first in (np.nan, np.inf, 0., -1.):
+            with self.subTest(first), self.assertRaisesRegex(strait.SceneError, "finite number"):
+                self.seal.find_transitions(first)
         self.assertLess(self.seal.flow(self.seal.solve(self.seal.control(.1, slip_length=-1e-3))
                                        ).leak_rate,
                         self.seal.flow(self.seal.solve(.1)).leak_rate)

@@ -196,10 +196,10 @@ TEST(Scene, TheTheoryAloneIsOfViscousFlow)
                                   "Fluid/Viscosity=2e-5",
                                   "Fluid/Inlet pressure=2e5",
                                   "Contact/Effective modulus=1e7",
-                                  "Units/Length=m",
+                                  "Units/Length=mm",
                                   "Units/Pressure=Pa",
                                   "Units/Time=s",
-                                  "Surface/Size=1e-4"})
+                                  "Surface/Size=1"})
                           .warnings();
   ASSERT_EQ(warnings.size(), 1u);
   expect_in("the theory knows nothing of Fluid/Rarefaction", warnings[0]);

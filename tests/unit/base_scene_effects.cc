@@ -144,10 +144,10 @@ TEST(Scene, RarefactionAndWhatGoesWithIt)
 {
   const Overrides helium = {"Fluid/State=gas",
                             "Fluid/Gas=helium",
-                            "Units/Length=m",
+                            "Units/Length=mm",
                             "Units/Pressure=Pa",
                             "Units/Time=s",
-                            "Surface/Size=1e-4"};
+                            "Surface/Size=1"};
   const auto      with   = [&](const std::string &kind, const std::string &other) {
     Overrides all = helium;
     all.push_back("Fluid/Rarefaction=" + kind);
@@ -157,7 +157,7 @@ TEST(Scene, RarefactionAndWhatGoesWithIt)
   const FluidParameters fluid =
     scene_of("", with("slip", "Fluid/Accommodation=0.9")).fluid;
   EXPECT_EQ(fluid.rarefaction, Rarefaction::slip);
-  EXPECT_NEAR(fluid.thermal_speed, 1103.6, .05);
+  EXPECT_NEAR(fluid.thermal_speed, 1103.6e3, 50.); // mm/s
   for (const char *other :
        {"Fluid/Slip length=-1e-9", "Fluid/Wall feedback/Enabled=true"})
     expect_in("Fluid/Rarefaction", error_of("", with("slip", other)));
