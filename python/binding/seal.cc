@@ -92,7 +92,8 @@ namespace strait::python
     require(here.nx == there.nx && here.ny == there.ny && here.lx == there.lx &&
               here.ly == there.ly &&
               state.gap().layout().communicator() == communicator &&
-              state.contact.has_value() == scene.contact.enabled,
+              state.contact.has_value() == scene.contact.enabled &&
+              (scene.contact.yields || !state.contact || !state.contact->plasticity),
             "The state is one of another seal: its grid, communicator or contact are "
             "not those of this one.");
   }

@@ -132,6 +132,8 @@ class Seals(unittest.TestCase):
         self.assertGreater(seal.solve(0.05, from_=first).contact_area,
                            seal.solve(0.05).contact_area)
         self.assertGreater(first.indentation.max(), 0.)
+        with self.assertRaisesRegex(strait.SceneError, "another seal"):
+            self.seal.solve(0.05, from_=first)
 
     def test_fluid_on_the_walls(self):
         seal = strait.Seal(self.scene.replace({"Fluid/Wall feedback/Enabled": True,
