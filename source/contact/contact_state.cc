@@ -77,11 +77,12 @@ namespace strait
       layout.for_each_point([&](const GridPoint &here) {
         if (here.window >= 0 && layout.rank() != 0) // all ranks hold the windows
           return;
-        const int level = here.window < 0 ? 0 : layout.windows()[here.window].level;
+        const int    level  = here.window < 0 ? 0 : layout.windows()[here.window].level;
+        const double p_here = rows.at(here);
         for (const GridPoint &there : {GridPoint{here.ix + 1, here.iy, here.window},
                                        GridPoint{here.ix, here.iy + 1, here.window}})
           {
-            const double p_here = rows.at(here), p_there = rows.at(there);
+            const double p_there = rows.at(there);
             // Of two points that finer ones cover nothing is known here.
             if (!std::isnan(p_there) && (p_here > 0) != (p_there > 0) &&
                 !flows(std::max(p_here, p_there), limit) &&

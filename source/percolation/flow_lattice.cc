@@ -112,31 +112,6 @@ namespace strait
   }
 
   std::vector<std::size_t>
-  FlowLattice::points_at_distance(const GridPoint &p, const int distance) const
-  {
-    const int along = levels.along_x ? p.ix : p.iy, across = levels.along_x ? p.iy : p.ix;
-    std::vector<std::size_t>                 points;
-    const std::function<void(const Place &)> add = [&](const Place &place) {
-      if (const std::size_t k = number_of(place); k != none)
-        points.push_back(k);
-      if (const Place fine = levels.finer(place); fine.level != place.level)
-        for (const int b : {-1, 0, 1})
-          for (const int a : {-1, 0, 1})
-            add({fine.level, fine.along + a, fine.across + b});
-    };
-    for (int a = along - distance; a <= along + distance; ++a)
-      {
-        const bool on_edge = std::abs(a - along) == distance;
-        const int  step    = on_edge ? 1 : 2 * distance;
-        for (int b = across - distance; b <= across + distance; b += step)
-          if (a >= 0 && a < levels[0].n_along &&
-              (region == nullptr || (b >= 0 && b < levels[0].n_across)))
-            add({0, a, b});
-      }
-    return points;
-  }
-
-  std::vector<std::size_t>
   FlowLattice::points_at(const OutlineKind kind) const
   {
     const bool               outlet = kind == OutlineKind::outlet;

@@ -3,6 +3,7 @@
 #include <strait/percolation/lattice_search.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace strait
@@ -25,6 +26,7 @@ namespace strait
         : gap(lattice)
         , search(lattice, 8)
         , blocked(lattice.size(), false)
+        , spacing(std::max(lattice.layout->grid().dx(), lattice.layout->grid().dy()))
       {
       }
 
@@ -51,24 +53,63 @@ namespace strait
         // A throat is where the resistivity is a twentieth of the bottleneck's or more.
         // Half of that bars wider places, which other paths may share; double of it lets
         // the next path run beside this one.
-        const double           threshold = .05 * resistivity(path.bottleneck_gap);
-        std::vector<GridPoint> throats;
+        const double             threshold = .05 * resistivity(path.bottleneck_gap);
+        std::vector<std::size_t> throats;
         for (std::size_t i = 0; i < path.points.size(); ++i)
-          if (resistivity(path.gaps[i]) > threshold)
-            {
-              // Many points in a window share one of the grid.
-              const GridPoint point = gap.levels.on_grid(path.points[i]);
-              if (throats.empty() || !(throats.back() == point))
-                throats.push_back(point);
-            }
-        const std::vector<int> reaches = reaches_of(throats);
-        for (std::size_t i = 0; i < throats.size(); ++i)
-          for (int distance = 0; distance <= reaches[i]; ++distance)
-            for (const std::size_t k : gap.points_at_distance(throats[i], distance))
-              blocked[k] = true;
+          if (const std::size_t k = gap.number_at(path.points[i]);
+              resistivity(path.gaps[i]) > threshold && k != FlowLattice::none &&
+              gap.is_own(k))
+            throats.push_back(k);
+        if (!to_contact)
+          find_contact();
+        const auto reach = [this](const std::size_t k) {
+          return std::clamp(to_contact->cost(k), shortest * spacing, longest * spacing);
+        };
+        LatticeSearch around(gap, 8);
+        measure(
+          around, throats, [&](const std::size_t k) { return -reach(k); }, 0.);
+        for (std::size_t k = 0; k < gap.size(); ++k)
+          blocked[k] = blocked[k] || around.cost(k) <= 0.;
       }
 
     private:
+      // How far around its points a throat is barred, in spacings: to the contact. The
+      // shortest bars a way through a gap between two points, and one around a corner. A
+      // throat of more than twice the longest is no throat.
+      static constexpr double shortest = 3., longest = 32.;
+
+      /** How long ways are from @p starts, which are start(k) long there, up to @p most.
+       */
+      template <class Start>
+      static void
+      measure(LatticeSearch                  &ways,
+              const std::vector<std::size_t> &starts,
+              const Start                    &start,
+              const double                    most)
+      {
+        ways.run(
+          starts,
+          start,
+          [](const double here, const FlowLattice::Step &step) {
+            return here + step.length;
+          },
+          [](const std::size_t) { return false; },
+          most);
+      }
+
+      /** Find how far it is from each point to the nearest closed one. */
+      void
+      find_contact()
+      {
+        std::vector<std::size_t> closed;
+        for (std::size_t k = 0; k < gap.size(); ++k)
+          if (!(gap[k] > 0) && gap.is_own(k))
+            closed.push_back(k);
+        to_contact.emplace(gap, 8);
+        measure(
+          *to_contact, closed, [](const std::size_t) { return 0.; }, longest * spacing);
+      }
+
       bool
       is_open(const std::size_t k) const
       {
@@ -94,36 +135,6 @@ namespace strait
         const double middle =
           .25 * (here + there + std::max(side_1, 0.) + std::max(side_2, 0.));
         return std::max(mean_ends, resistivity(middle)) * step.length;
-      }
-
-      /** From points of the grid to the nearest closed ones, in spacings. */
-      std::vector<int>
-      reaches_of(const std::vector<GridPoint> &points) const
-      {
-        // The shortest bars a way through a gap between two points, and one around a
-        // corner. A throat of more than twice the longest is no throat.
-        constexpr int    shortest = 2, longest = 32;
-        std::vector<int> reaches;
-        const auto       is_open = [this](const std::size_t k) { return gap[k] > 0; };
-        for (const GridPoint &point : points)
-          {
-            int reach = 0;
-            for (; reach < longest; ++reach)
-              {
-                const std::vector<std::size_t> there =
-                  gap.points_at_distance(point, reach);
-                if (!std::all_of(there.begin(), there.end(), is_open))
-                  break;
-              }
-            reaches.push_back(std::max(reach, shortest));
-          }
-        MPI_Allreduce(MPI_IN_PLACE,
-                      reaches.data(),
-                      static_cast<int>(reaches.size()),
-                      MPI_INT,
-                      MPI_MIN,
-                      gap.communicator);
-        return reaches;
       }
 
       /** The way of the last search to the end with this global number. */
@@ -172,6 +183,9 @@ namespace strait
       const FlowLattice &gap;
       LatticeSearch      search;
       std::vector<bool>  blocked;
+      const double       spacing; // of the grid
+
+      std::optional<LatticeSearch> to_contact; // once there are throats to bar
     };
   } // namespace
 

@@ -115,7 +115,7 @@ namespace strait
   }
 
   LatticeLevels::Place
-  LatticeLevels::finer(const Place &p) const
+  LatticeLevels::finest(const Place &p) const
   {
     for (std::size_t l = 1; l < levels.size(); ++l)
       {
@@ -125,16 +125,9 @@ namespace strait
         const int a = p.along - level.along, from = p.across - level.across;
         const int b = p.level == 0 ? wrapped(from) : from;
         if (a >= 0 && 3 * a < level.n_along && b >= 0 && 3 * b < level.n_across)
-          return {static_cast<int>(l), 3 * a + 1, 3 * b + 1};
+          return finest({static_cast<int>(l), 3 * a + 1, 3 * b + 1});
       }
     return p;
-  }
-
-  LatticeLevels::Place
-  LatticeLevels::finest(const Place &p) const
-  {
-    const Place next = finer(p);
-    return next.level == p.level ? p : finest(next);
   }
 
   bool
@@ -152,17 +145,6 @@ namespace strait
     const int along = along_x ? p.ix : p.iy, across = along_x ? p.iy : p.ix;
     const int level = level_with(p.window, along, false);
     return {level, along - levels[level].first, across};
-  }
-
-  GridPoint
-  LatticeLevels::on_grid(const GridPoint &p) const
-  {
-    if (p.window < 0)
-      return p;
-    Place on_parent = place(p);
-    while (on_parent.level > 0)
-      on_parent = parent_of(on_parent);
-    return point(on_parent);
   }
 
   GridPoint

@@ -117,10 +117,6 @@ namespace strait
      *  @p k. */
     std::size_t start_of(std::size_t k, std::uint8_t number) const;
 
-    /** The points that this rank knows @p distance spacings from the point @p p of the
-     * grid, the larger of both ways, and the points of windows that stand for such. */
-    std::vector<std::size_t> points_at_distance(const GridPoint &p, int distance) const;
-
     /** The point of the grid or a window that is point @p k of the lattice. */
     GridPoint
     point(const std::size_t k) const

@@ -129,10 +129,6 @@ namespace strait
       return !is_periodic ? across : ((across % n) + n) % n;
     }
 
-    /** The point of the next finer level that point @p p is; itself if no window covers
-     *  it. */
-    Place finer(const Place &p) const;
-
     /** The point of the finest level that point @p p is. */
     Place finest(const Place &p) const;
 
@@ -148,9 +144,6 @@ namespace strait
 
     /** The point of the grid or of a window at a place. */
     GridPoint point(const Place &p) const;
-
-    /** The point of the grid that stands for point @p p. */
-    GridPoint on_grid(const GridPoint &p) const;
 
   private:
     void find_lines(const SlabLayout &layout);

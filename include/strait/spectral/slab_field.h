@@ -186,7 +186,10 @@ namespace strait
       const SlabLayout &layout = field.layout();
       const int         nx     = layout.grid().nx;
       if (point.window < 0)
-        return (*this)[point.iy - layout.first_row()][(point.ix + nx) % nx];
+        {
+          const int shift = point.ix < 0 ? nx : point.ix < nx ? 0 : -nx;
+          return (*this)[point.iy - layout.first_row()][point.ix + shift];
+        }
       const ZoomWindow &window = layout.windows()[point.window];
       const bool        exists = point.ix >= 0 && point.ix < window.n_columns() &&
                           point.iy >= 0 && point.iy < window.n_rows();
