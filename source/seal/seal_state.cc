@@ -43,6 +43,7 @@ namespace strait
                        fluid.open_share,
                        fluid.lifted_off);
       }
-    archive.values(state.trend, state.costs);
+    Costs &costs = state.costs; // but for the time that another run has spent
+    archive.values(state.trend, costs.iterations, costs.fft_pairs, costs.rounds);
   }
 } // namespace strait

@@ -58,12 +58,12 @@ namespace strait
       return access == Access::read;
     }
 
-    /** A number, a yes or no, or a record of such as it is in memory, best without gaps,
-     *  for what stands in these is put as well. */
+    /** A number, a yes or no, or a record of such as it is in memory. */
     template <typename Record>
     std::enable_if_t<std::is_trivially_copyable_v<Record>>
     value(Record &record)
     {
+      clear_gaps(record);
       const std::string bytes =
         item({reinterpret_cast<const char *>(&record), sizeof record});
       if (bytes.size() != sizeof record) // on all ranks
@@ -76,6 +76,8 @@ namespace strait
     std::enable_if_t<std::is_trivially_copyable_v<Record>>
     value(std::vector<Record> &records)
     {
+      for (Record &record : records)
+        clear_gaps(record);
       const auto       *begin = reinterpret_cast<const char *>(records.data());
       const std::string bytes = item({begin, records.size() * sizeof(Record)});
       records.resize(bytes.size() / sizeof(Record));
@@ -112,6 +114,17 @@ namespace strait
     void commit();
 
   private:
+    /** What stands between the members of a record is put as well, and shall be the same
+     *  in every run. */
+    template <typename Record>
+    static void
+    clear_gaps([[maybe_unused]] Record &record)
+    {
+#if defined(__GNUC__) && !defined(__clang__) // which knows no such thing
+      __builtin_clear_padding(&record);
+#endif
+    }
+
     template <typename Number>
     void              all_values(Number *local, const SlabLayout &layout);
     void              rows(void *local, std::size_t point_size, const SlabLayout &layout);
