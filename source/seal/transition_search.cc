@@ -45,28 +45,49 @@ namespace strait
       return known;
     }
 
-    /** What interpolates well: on the open side about proportional to the distance from
-     *  the transition. Finite also where the walls part, and not zero, at which a root
-     *  would be found: that is sealed. */
+    /** Where a power law through two points vanishes. */
     double
-    straightened(const double openness)
+    zero_of(const Point &near, const Point &far, const double exponent)
     {
-      const double size = std::clamp(std::abs(openness),
-                                     std::numeric_limits<double>::min(),
-                                     double(std::numeric_limits<float>::max()));
-      return std::copysign(std::pow(size, 1. / power_of_gap), openness > 0 ? 1. : -1.);
+      const double root = std::pow(near.openness / far.openness, 1. / exponent);
+      return near.value + (near.value - far.value) * root / (1. - root);
     }
-    /** Where the straightened openness of the last points of one side vanishes. */
+
+    /** The exponent of a power law that vanishes at @p zero. */
+    double
+    exponent_of(const Point &near, const Point &far, const double zero)
+    {
+      return std::log(far.openness / near.openness) /
+             std::log((zero - far.value) / (zero - near.value));
+    }
+
+    /** Where a power law says that the transition is, of the last points of one side. */
     std::optional<double>
     extrapolate(const std::vector<Point> &side)
     {
-      if (side.size() < 2)
+      const auto is_nearer = [](const Point &near, const Point &far) {
+        return std::abs(near.openness) < std::abs(far.openness);
+      };
+      if (side.size() < 2 || !is_nearer(side.back(), side[side.size() - 2]))
         return {};
-      const Point &near = side.back(), &far = side[side.size() - 2];
-      const double here = straightened(near.openness), there = straightened(far.openness);
-      if (!(std::abs(here) < std::abs(there)))
-        return {};
-      return near.value + (far.value - near.value) * here / (here - there);
+      const Point &first = side.back(), &second = side[side.size() - 2];
+      // Of the pressure where a throat is closed.
+      constexpr double power_of_pressure = .63;
+      const double     usual = first.openness > 0 ? power_of_gap : power_of_pressure;
+      double           zero  = zero_of(first, second, usual);
+      if (side.size() > 2 && is_nearer(second, side[side.size() - 3]) &&
+          second.openness != 0.)
+        {
+          // What exponent makes a third point lie on the same line.
+          constexpr int n_steps = 20;
+          for (int k = 0; k < n_steps; ++k)
+            zero = zero_of(first,
+                           second,
+                           std::clamp(exponent_of(second, side[side.size() - 3], zero),
+                                      .5 * usual,
+                                      2. * usual));
+        }
+      return zero;
     }
 
     /** What to ask as long as all answers are on one side. */
@@ -91,6 +112,18 @@ namespace strait
           factor = std::clamp(towards, 1. + tolerance, largest_step);
       // Half of the way to the end is left to the next steps.
       return upwards ? std::min(edge * factor, .5 * (edge + first.end)) : edge / factor;
+    }
+
+    /** What interpolates well: on the open side about proportional to the distance from
+     *  the transition. Finite also where the walls part, and not zero, at which a root
+     *  would be found: that is sealed. */
+    double
+    straightened(const double openness)
+    {
+      const double size = std::clamp(std::abs(openness),
+                                     std::numeric_limits<double>::min(),
+                                     double(std::numeric_limits<float>::max()));
+      return std::copysign(std::pow(size, 1. / power_of_gap), openness > 0 ? 1. : -1.);
     }
   } // namespace
 

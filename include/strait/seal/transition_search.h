@@ -50,12 +50,12 @@ namespace strait
    *
    * Where only the value counts, the openness v falls with it and changes its sign at the
    * transition. On the open side it is the gap of a constriction, which vanishes as
-   * (1 − L/L_c)^(6/5) with the load L, but for the last grid spacing, on the sealed side
-   * a contact pressure. As long as all answers are on one side, a straight line of
-   * v^(5/6) through the last two of them foretells the transition. Once it is enclosed,
-   * the root of v^(5/6) is sought by the method of Alefeld, Potra and Shi (ACM Trans.
-   * Math. Softw. 21, 1995). Every value that was asked serves later searches at other
-   * levels.
+   * (1 − L/L_c)^(6/5) with the load L, on the sealed side a contact pressure, which was
+   * found to grow as (L/L_c − 1)^0.63. As long as all answers are on one side, a power
+   * law through two of them foretells the transition; a third one tells its exponent,
+   * which is 1 within a grid spacing of closing. Once it is enclosed, the root of v^(5/6)
+   * is sought by the method of Alefeld, Potra and Shi (ACM Trans. Math. Softw. 21, 1995).
+   * Every value that was asked serves later searches at other levels of the openness.
    *
    * Where it counts as well what the seal was before, steps matter: a state that a small
    * step keeps may be lost by a large one. Then the transition is where small steps along
