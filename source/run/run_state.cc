@@ -6,6 +6,7 @@
 #include <zlib.h>
 
 #include <fstream>
+#include <utility>
 
 namespace strait
 {
@@ -57,17 +58,24 @@ namespace strait
     }
   } // namespace
 
-  RunState::RunState(const Scene &scene_, MPI_Comm comm_, const bool resume)
+  RunState::RunState(const Scene &scene_, MPI_Comm comm_, std::vector<std::string> files_)
     : scene(scene_)
     , comm(comm_)
     , path(scene.output.directory + "/checkpoint")
-    , files(resume || scene.output.checkpoint ? files_of(scene, comm)
-                                              : std::vector<std::string>())
+    , files(std::move(files_))
   {
     // Whatever it takes until the folder is written to would be in vain.
     run_on_root(comm, [this]() {
       const auto nobody_else = lock_folder(scene.output.directory);
     });
+  }
+
+  RunState::RunState(const Scene &scene_, MPI_Comm comm_, const bool resume)
+    : RunState(scene_,
+               comm_,
+               resume || scene_.output.checkpoint ? files_of(scene_, comm_)
+                                                  : std::vector<std::string>())
+  {
     if (!resume)
       return;
     archive = std::make_unique<StateArchive>(path, comm, StateArchive::Access::read);
@@ -137,8 +145,8 @@ namespace strait
     refuse_results_of_another_scene(scene, comm);
     try
       {
-        RunState earlier(scene, comm, false);
-        earlier.files.clear(); // that have changed may be restored
+        // Files are not looked at: those that have changed may be restored.
+        RunState     earlier(scene, comm, std::vector<std::string>());
         StateArchive file(earlier.path, comm, StateArchive::Access::read);
         earlier.transfer(file);
         if (earlier.finished || !earlier.has_begun)

@@ -36,13 +36,12 @@ namespace strait
         const double change = product(comm, last_residual, differences.back().residual);
         damping = now < change ? .5 * damping : std::min(growth * damping, 1.);
       }
-    const double              part = combines ? share : damping * share;
-    const std::vector<double> weights =
-      combines ? best_weights() : std::vector<double>(differences.size());
+    const double              part    = combines ? share : damping * share;
+    const std::vector<double> weights = combines ? best_weights() : std::vector<double>();
     for (std::size_t i = 0; i < n; ++i)
       {
         double from = x[i], change = image[i] - x[i];
-        for (std::size_t k = 0; k < differences.size(); ++k)
+        for (std::size_t k = 0; k < weights.size(); ++k)
           {
             from -= weights[k] * differences[k].x[i];
             change -= weights[k] * differences[k].residual[i];

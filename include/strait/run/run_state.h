@@ -42,15 +42,17 @@ namespace strait
     void save_mark(const std::optional<RunSummary> &end);
 
   private:
+    RunState(const Scene &scene, MPI_Comm comm, std::vector<std::string> files);
+
     void transfer(StateArchive &file);
 
     friend void refuse_to_replace_results(const Scene &scene, MPI_Comm comm);
 
-    const Scene                  &scene;
-    MPI_Comm                      comm;
-    std::string                   path;
-    std::unique_ptr<StateArchive> archive; // of the run that is resumed
-    std::vector<std::string>      files;   // the scene's, and what is in them
+    const Scene                   &scene;
+    MPI_Comm                       comm;
+    std::string                    path;
+    std::unique_ptr<StateArchive>  archive; // of the run that is resumed
+    const std::vector<std::string> files;   // the scene's, and what is in them
   };
 
   /** Throws InputError on all ranks if the output directory of @p scene holds results of

@@ -80,6 +80,8 @@ namespace strait
         clear_gaps(record);
       const auto       *begin = reinterpret_cast<const char *>(records.data());
       const std::string bytes = item({begin, records.size() * sizeof(Record)});
+      if (bytes.size() % sizeof(Record) != 0)
+        refuse();
       records.resize(bytes.size() / sizeof(Record));
       std::memcpy(records.data(), bytes.data(), records.size() * sizeof(Record));
     }
