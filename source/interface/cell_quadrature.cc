@@ -39,10 +39,13 @@ namespace strait
   /** The integral over one square, as it grows part by part. */
   struct CellQuadrature::Sum
   {
+    using Values     = std::array<double, max_points * max_points>;
+    using Quadrature = dealii::Quadrature<2>;
+
     const CellQuadrature &quadrature;
-    const CoefficientLaw &law;
-    const CellGap         gap;
+    const CellGap        &gap;
     const Square         &square;
+    const CoefficientLaw &law;
     double               *moments;
     double                scale = 0.; // of the integral
 
@@ -55,13 +58,28 @@ namespace strait
       add_values(part, quadrature.coarse, values, 0.);
     }
 
+    /** What is to be known of the gap on a part first. */
+    struct Look
+    {
+      CellGap::Range range;
+      Values         at_coarse; // points
+    };
+
+    static Look
+    look_at(const CellGap &gap, const Part &part, const Quadrature &coarse)
+    {
+      Look look{gap.range(part.x0, part.y0, part.width, part.height), {}};
+      evaluate(gap, part, coarse, look.at_coarse);
+      return look;
+    }
+
     /** Add a part, which may be halved @p n_halvings times. */
     void
-    add(const Part &part, const int n_halvings)
+    add(const Part &part, const Look &look, const int n_halvings)
     {
-      const CellGap::Range range = gap.range(part.x0, part.y0, part.width, part.height);
-      const double         area  = part.width * part.height;
-      Values               values;
+      const CellGap::Range &range  = look.range;
+      const double          area   = part.width * part.height;
+      Values                values = look.at_coarse;
       const double trusted = range.bends ? trusted_ratio_with_bend : trusted_ratio;
       // Next to contact 1/K has no end, though hardly anything flows there: its largest
       // value would block channels a few spacings wide until the cells are small.
@@ -72,13 +90,13 @@ namespace strait
       if (!quadrature.rigorous && !range.bends &&
           range.highest <= trusted_ratio_with_bend * range.lowest)
         {
-          sample(part, quadrature.coarse, values);
+          apply_law(quadrature.coarse, values);
           add_values(part, quadrature.coarse, values, 0.);
           return;
         }
       if (!quadrature.rigorous && (range.highest <= trusted * range.lowest || has_no_end))
         {
-          const double other = sample(part, quadrature.coarse, values);
+          const double other = apply_law(quadrature.coarse, values);
           const double mean  = sample(part, quadrature.fine, values);
           const double error = std::abs(mean - other);
           if (n_halvings == 0 || has_no_end ||
@@ -111,17 +129,14 @@ namespace strait
           first.height = second.height = .5 * part.height;
           second.y0 += first.height;
         }
-      add(first, n_halvings - 1);
-      add(second, n_halvings - 1);
+      for (const Part &half : {first, second})
+        add(half, look_at(gap, half, quadrature.coarse), n_halvings - 1);
     }
 
   private:
-    using Values     = std::array<double, max_points * max_points>;
-    using Quadrature = dealii::Quadrature<2>;
-
-    /** The coefficient at the points of @p rule. Returns its mean. */
-    double
-    sample(const Part &part, const Quadrature &rule, Values &values) const
+    /** The gap at the points of @p rule. */
+    static void
+    evaluate(const CellGap &gap, const Part &part, const Quadrature &rule, Values &values)
     {
       const auto &along         = rule.get_tensor_basis()[0];
       const int   n             = static_cast<int>(along.size());
@@ -132,13 +147,28 @@ namespace strait
           y[q] = part.y0 + part.height * along.point(q)[0];
         }
       gap.evaluate(n, x, y, values.data());
+    }
+
+    /** Turn gaps at the points of @p rule into the coefficient there. Returns its mean.
+     */
+    double
+    apply_law(const Quadrature &rule, Values &values) const
+    {
       double mean = 0.;
-      for (int k = 0; k < n * n; ++k)
+      for (unsigned int k = 0; k < rule.size(); ++k)
         {
           values[k] = law(values[k]);
           mean += rule.weight(k) * values[k];
         }
       return mean;
+    }
+
+    /** The coefficient at the points of @p rule. Returns its mean. */
+    double
+    sample(const Part &part, const Quadrature &rule, Values &values) const
+    {
+      evaluate(gap, part, rule, values);
+      return apply_law(rule, values);
     }
 
     void
@@ -196,24 +226,29 @@ namespace strait
   }
 
   void
-  CellQuadrature::integrate(const CoefficientLaw &law,
-                            const GapStencil     &gap,
-                            const Square         &square,
-                            double               *moments) const
+  CellQuadrature::integrate(const GapStencil            &gap,
+                            const Square                &square,
+                            const std::vector<Integral> &integrals) const
   {
-    const bool is_open = GapInterpolant::may_be_open(gap);
-    if (!is_open && !law.is_resistivity)
-      return;
-    const double x0 = std::max(square.x0, 0.), y0 = std::max(square.y0, 0.);
-    const Part   part{x0,
+    const double  x0 = std::max(square.x0, 0.), y0 = std::max(square.y0, 0.);
+    const Part    part{x0,
                     y0,
                     std::min(square.x0 + square.edge, 1.) - x0,
                     std::min(square.y0 + square.edge, 1.) - y0};
-    Sum          sum{*this, law, CellGap(interpolant, gap), square, moments};
-    if (!is_open)
-      sum.add_constant(part, law(0.));
-    else
-      sum.add(part,
-              square.edge < small_cell ? most_halvings_of_small_cells : most_halvings);
+    const CellGap cell(interpolant, gap);
+    if (!GapInterpolant::may_be_open(gap))
+      {
+        for (const auto &[law, moments] : integrals)
+          if (law.is_resistivity)
+            Sum{*this, cell, square, law, moments}.add_constant(part, law(0.));
+        return;
+      }
+    const Sum::Look look = Sum::look_at(cell, part, coarse);
+    for (const auto &[law, moments] : integrals)
+      Sum{*this, cell, square, law, moments}.add(part,
+                                                 look,
+                                                 square.edge < small_cell
+                                                   ? most_halvings_of_small_cells
+                                                   : most_halvings);
   }
 } // namespace strait

@@ -73,9 +73,10 @@ namespace strait
                            static_cast<std::ptrdiff_t>(layout().n_local_points()),
                          gap.end());
     known.clear();
-    build(Coefficient::conductivity);
+    std::vector<Coefficient> coefficients{Coefficient::conductivity};
     if (floor_value > 0)
-      build(Coefficient::resistivity);
+      coefficients.push_back(Coefficient::resistivity);
+    build(coefficients);
   }
 
   GapStencil

@@ -165,8 +165,12 @@ namespace strait
       {
         const double *line =
           rows.data() + static_cast<std::size_t>(iy - first_row - 1 + b) * grid.nx;
+        // Remainders would take longer than all else that is done with the values.
         for (int a = 0; a < 4; ++a)
-          gap[b][a] = line[(ix + a - 1 + grid.nx) % grid.nx];
+          {
+            const int i = ix + a - 1;
+            gap[b][a]   = line[i < 0 ? i + grid.nx : i < grid.nx ? i : i - grid.nx];
+          }
       }
     return gap;
   }

@@ -20,20 +20,27 @@ namespace strait
   } // namespace
 
   void
-  GapField::build(const Coefficient coefficient) const
+  GapField::build(const std::vector<Coefficient> &coefficients) const
   {
-    const std::size_t n_moments = moment_set().size();
-    Known            &found     = known[coefficient];
-    found.of_window_cells.resize(window_values.size() * n_moments);
+    const std::size_t     n_moments = moment_set().size();
+    std::vector<Integral> integrals;
+    for (const Coefficient coefficient : coefficients)
+      {
+        known[coefficient].of_window_cells.resize(window_values.size() * n_moments);
+        integrals.push_back({law(coefficient), nullptr});
+      }
     // A window's cells are made of those of the windows in it, which come after it.
     const auto &windows = layout().windows();
     for (int w = static_cast<int>(windows.size()) - 1; w >= 0; --w)
       for (int iy = 1; iy < windows[w].n_rows() - 2; ++iy)
         for (int ix = 1; ix < windows[w].n_columns() - 2; ++ix)
-          add_cell(coefficient,
-                   {ix, iy, w},
-                   Square(),
-                   &found.of_window_cells[position({ix, iy, w}) * n_moments]);
+          {
+            for (std::size_t k = 0; k < coefficients.size(); ++k)
+              integrals[k].moments =
+                &known[coefficients[k]]
+                   .of_window_cells[position({ix, iy, w}) * n_moments];
+            add_cell(coefficients, {ix, iy, w}, Square(), integrals);
+          }
     for (int exponent = finest; exponent <= halvings; ++exponent)
       {
         std::vector<GridCell> cells;
@@ -41,21 +48,32 @@ namespace strait
         for (int j = first_own_row(exponent); j << exponent < end; ++j)
           for (int i = 0; i < layout().grid().nx >> exponent; ++i)
             cells.push_back({exponent, i, j});
-        CellAnswers moments(cells.size(), n_moments);
+        std::vector<CellAnswers> moments(coefficients.size(),
+                                         CellAnswers(cells.size(), n_moments));
         if (exponent == finest)
           for (std::size_t c = 0; c < cells.size(); ++c)
-            sum_up(coefficient, cells[c], &moments(c, 0));
+            {
+              for (std::size_t k = 0; k < coefficients.size(); ++k)
+                integrals[k].moments = &moments[k](c, 0);
+              integrate(coefficients, cells[c], integrals);
+            }
         else
           {
             std::vector<GridCell> children;
             for (const GridCell &cell : cells)
               for (const int number : {0, 1, 2, 3})
                 children.push_back(cell.child(number));
-            const CellAnswers of_children = ask(coefficient, children);
-            for (std::size_t k = 0; k < children.size(); ++k)
-              moment_set().add_child(&moments(k / 4, 0), &of_children(k, 0), k % 4);
+            for (std::size_t k = 0; k < coefficients.size(); ++k)
+              {
+                const CellAnswers of_children = ask(coefficients[k], children);
+                for (std::size_t c = 0; c < children.size(); ++c)
+                  moment_set().add_child(&moments[k](c / 4, 0),
+                                         &of_children(c, 0),
+                                         c % 4);
+              }
           }
-        found.pyramid.push_back(std::move(moments));
+        for (std::size_t k = 0; k < coefficients.size(); ++k)
+          known[coefficients[k]].pyramid.push_back(std::move(moments[k]));
       }
   }
 
@@ -66,16 +84,16 @@ namespace strait
   }
 
   void
-  GapField::add_cell(const Coefficient coefficient,
-                     const GridPoint  &cell,
-                     const Square     &square,
-                     double           *moments) const
+  GapField::add_cell(const std::vector<Coefficient> &coefficients,
+                     const GridPoint                &cell,
+                     const Square                   &square,
+                     const std::vector<Integral>    &integrals) const
   {
     // The lower left one of the 3 × 3 cells by which a window replaces this one.
     const std::optional<GridPoint> first = layout().finer(cell);
     if (!first || first->ix + 2 == layout().windows()[first->window].n_columns() ||
         first->iy + 2 == layout().windows()[first->window].n_rows())
-      return quadrature.integrate(law(coefficient), stencil(cell), square, moments);
+      return quadrature.integrate(stencil(cell), square, integrals);
     for (int b = 0; b < 3; ++b)
       for (int a = 0; a < 3; ++a)
         {
@@ -83,14 +101,15 @@ namespace strait
           const Square    part{3. * square.x0 - a, 3. * square.y0 - b, 3. * square.edge};
           const double    right = part.x0 + part.edge, upper = part.y0 + part.edge;
           if (part.x0 <= 0. && part.y0 <= 0. && right >= 1. && upper >= 1.)
-            moment_set().add_part(moments,
-                                  known.at(coefficient).of_window_cells.data() +
-                                    position(finer) * moment_set().size(),
-                                  -part.x0 / part.edge,
-                                  -part.y0 / part.edge,
-                                  1. / part.edge);
+            for (std::size_t k = 0; k < coefficients.size(); ++k)
+              moment_set().add_part(integrals[k].moments,
+                                    known.at(coefficients[k]).of_window_cells.data() +
+                                      position(finer) * moment_set().size(),
+                                    -part.x0 / part.edge,
+                                    -part.y0 / part.edge,
+                                    1. / part.edge);
           else if (part.x0 < 1. && part.y0 < 1. && right > 0. && upper > 0.)
-            add_cell(coefficient, finer, part, moments);
+            add_cell(coefficients, finer, part, integrals);
         }
   }
 
@@ -110,24 +129,32 @@ namespace strait
                     moments);
         return;
       }
+    integrate({coefficient}, cell, {{law(coefficient), moments}});
+  }
+
+  void
+  GapField::integrate(const std::vector<Coefficient> &coefficients,
+                      const GridCell                 &cell,
+                      const std::vector<Integral>    &integrals) const
+  {
     if (cell.exponent > 0)
       {
-        std::vector<double> child(moment_set().size());
-        for (const int number : {0, 1, 2, 3})
-          {
-            std::fill(child.begin(), child.end(), 0.);
-            sum_up(coefficient, cell.child(number), child.data());
-            moment_set().add_child(moments, child.data(), number);
-          }
+        const int n = 1 << cell.exponent;
+        for (int b = 0; b < n; ++b)
+          for (int a = 0; a < n; ++a)
+            add_cell(coefficients,
+                     {cell.i * n + a, cell.j * n + b},
+                     {-1. * a, -1. * b, 1. * n},
+                     integrals);
         return;
       }
     const int    shift = -cell.exponent;
     const int    ix = cell.i >> shift, iy = cell.j >> shift;
     const double edge = std::ldexp(1., -shift);
-    add_cell(coefficient,
+    add_cell(coefficients,
              {ix, iy},
              {(cell.i - (ix << shift)) * edge, (cell.j - (iy << shift)) * edge, edge},
-             moments);
+             integrals);
   }
 
   void
@@ -158,7 +185,7 @@ namespace strait
       {
         // All but conductivity and resistivity.
         known.erase(known.upper_bound(Coefficient::resistivity), known.end());
-        build(coefficient);
+        build({coefficient});
       }
     using dealii::Utilities::MPI::some_to_some;
     const std::size_t n_moments = moment_set().size();

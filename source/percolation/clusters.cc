@@ -1,67 +1,148 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/percolation/clusters.h>
-#include <strait/percolation/lattice_search.h>
+#include <strait/percolation/flow_lattice.h>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace strait
 {
   namespace
   {
-    void
-    sort_unique(std::vector<double> &labels)
+    /** The first of a set of numbers that @p k is in, each of which leads to one before
+     * it in that set; the way there is shortened. */
+    std::int64_t
+    first_of(std::vector<std::int64_t> &before, std::int64_t k)
     {
-      std::sort(labels.begin(), labels.end());
-      labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+      while (before[k] != k)
+        k = before[k] = before[before[k]];
+      return k;
     }
 
-    /** Whether none of this rank's points before @p k has a step to it. */
-    bool
-    may_be_first(const FlowLattice &gap, const std::size_t k)
+    void
+    join(std::vector<std::int64_t> &before, const std::int64_t a, const std::int64_t b)
     {
-      bool result = true;
-      gap.for_each_step(k, 4, [&](const FlowLattice::Step &step) {
-        if (step.point < k && gap.is_own(step.point) && gap[step.point] > 0 &&
-            !gap.is_copy(step.point))
-          result = false;
-      });
-      return result;
+      const std::int64_t first_of_a            = first_of(before, a),
+                         first_of_b            = first_of(before, b);
+      before[std::max(first_of_a, first_of_b)] = std::min(first_of_a, first_of_b);
     }
 
-    /** Find labels of the clusters as costs of points: the least of the numbers of a
-     *  cluster's points, which spreads over it from point to point; infinite at closed
-     *  ones. Collective. */
-    void
-    find_labels(const FlowLattice &gap, LatticeSearch &search)
+    /** The lattice points that this rank knows as sets that its open points make. */
+    std::vector<std::int64_t>
+    join_points(const FlowLattice &gap)
     {
-      std::vector<std::size_t> starts;
+      std::vector<std::int64_t> before(gap.size());
+      std::iota(before.begin(), before.end(), 0);
       for (std::size_t k = 0; k < gap.size(); ++k)
-        if (gap.is_own(k) && gap[k] > 0 && may_be_first(gap, k))
-          starts.push_back(k);
-      search.run(
-        starts,
-        [&](const std::size_t k) { return static_cast<double>(gap.global_number(k)); },
-        [&](const double label, const FlowLattice::Step &step) {
-          // Copies of the seam are joined to the points before them, not to each other.
-          const bool joins = gap[step.point] > 0 && !gap.is_copy(step.from);
-          return joins ? label : LatticeSearch::infinity;
-        },
-        [](std::size_t) { return false; });
+        if (gap[k] > 0)
+          gap.for_each_step(k, 2, [&](const FlowLattice::Step &step) {
+            // Copies of the seam are joined to the points before them, not to each other.
+            if (gap[step.point] > 0 && !gap.is_copy(step.from))
+              join(before, k, step.point);
+          });
+      return before;
     }
 
-    /** The labels of all ranks there, sorted. Collective. */
-    std::vector<double>
-    labels_at(const OutlineKind kind, const FlowLattice &gap, const LatticeSearch &search)
+    /** The clusters of open lattice points, of all ranks. */
+    struct LatticeClusters
     {
-      std::vector<double> mine;
+      /** Find those of @p gap. Collective. */
+      explicit LatticeClusters(const FlowLattice &gap);
+
+      /** The number of the cluster of point @p k, the same on all ranks; 0 if it is
+       *  closed. */
+      std::int64_t
+      operator[](const std::size_t k) const
+      {
+        return first[numbers[k]];
+      }
+
+      // What each point belongs to as far as this rank knows, and the first of such parts
+      // of all ranks that is of the same cluster.
+      std::vector<std::int64_t> numbers, first;
+    };
+
+    LatticeClusters::LatticeClusters(const FlowLattice &gap)
+      : numbers(join_points(gap))
+    {
+      const MPI_Comm comm = gap.communicator;
+      std::int64_t   next = rank_in(comm) + 1;
+      for (std::size_t k = 0; k < gap.size(); ++k)
+        if (!(gap[k] > 0))
+          numbers[k] = 0;
+        else if (numbers[k] != static_cast<std::int64_t>(k))
+          numbers[k] = numbers[numbers[k]];
+        else
+          {
+            numbers[k] = next;
+            next += n_ranks_in(comm);
+          }
+      // What is the same point on several ranks.
+      std::vector<std::array<std::int64_t, 2>> same;
+      const auto link = [&](const std::size_t k, const std::int64_t theirs) {
+        if (gap[k] > 0 && (same.empty() || same.back() != std::array{numbers[k], theirs}))
+          same.push_back({numbers[k], theirs});
+      };
+      gap.for_each_ghost(numbers, link);
+      const auto                windows = numbers.begin() + gap.levels.n_on_grid;
+      std::vector<std::int64_t> in_windows;
+      if (rank_in(comm) == 0)
+        in_windows.assign(windows, numbers.end());
+      in_windows = gather_all(comm, in_windows);
+      for (std::size_t i = 0; i < in_windows.size(); ++i)
+        link(gap.levels.n_on_grid + i, in_windows[i]);
+
+      first.resize(static_cast<std::size_t>(maximum(comm, static_cast<double>(next))));
+      std::iota(first.begin(), first.end(), 0);
+      for (const auto [a, b] : gather_all(comm, same))
+        join(first, a, b);
+      for (std::int64_t &cluster : first)
+        cluster = first[cluster];
+    }
+
+    /** How many points of each cluster are there. Collective. */
+    std::vector<double>
+    points_at(const OutlineKind      kind,
+              const FlowLattice     &gap,
+              const LatticeClusters &clusters)
+    {
+      std::vector<double> n(clusters.first.size());
       for (const std::size_t k : gap.points_at(kind))
-        if (gap[k] > 0)
-          mine.push_back(search.cost(k));
-      sort_unique(mine);
-      std::vector<double> all = gather_all(gap.communicator, mine);
-      sort_unique(all);
-      return all;
+        n[clusters[k]] += 1.;
+      sum_in_place(gap.communicator, n);
+      return n;
+    }
+
+    /** What each cluster is to the fluid. Collective. */
+    std::vector<NodeState>
+    states_of(const LatticeClusters &clusters, const FlowLattice &gap)
+    {
+      const std::vector<double> at_inlet  = points_at(OutlineKind::inlet, gap, clusters);
+      const std::vector<double> at_outlet = points_at(OutlineKind::outlet, gap, clusters);
+      std::vector<NodeState>    states(at_inlet.size());
+      for (std::size_t c = 1; c < states.size(); ++c)
+        states[c] = at_inlet[c] > 0 && at_outlet[c] > 0 ? NodeState::percolating
+                    : at_inlet[c] > 0                   ? NodeState::inlet_side
+                    : at_outlet[c] > 0                  ? NodeState::outlet_side
+                                                        : NodeState::trapped;
+      return states;
+    }
+
+    /** The least of the global numbers of each cluster's points. Collective. */
+    std::vector<std::size_t>
+    first_points(const LatticeClusters &clusters, const FlowLattice &gap)
+    {
+      std::vector<std::size_t> mine(clusters.first.size(), FlowLattice::none);
+      for (std::size_t k = 0; k < gap.size(); ++k)
+        if (gap.is_own(k))
+          mine[clusters[k]] = std::min(mine[clusters[k]], gap.global_number(k));
+      std::vector<std::size_t> result = mine;
+      const auto               all    = gather_all(gap.communicator, mine);
+      for (std::size_t i = 0; i < all.size(); ++i)
+        result[i % mine.size()] = std::min(result[i % mine.size()], all[i]);
+      return result;
     }
 
     /** The states at the points of a region, of copies across the seam that which carries
@@ -103,22 +184,11 @@ namespace strait
                 const FlowDomain &domain,
                 const bool        tells_trapped)
   {
-    const FlowLattice lattice(open_gap, domain);
-    LatticeSearch     search(lattice, 4);
-    find_labels(lattice, search);
-    const auto at_inlet  = labels_at(OutlineKind::inlet, lattice, search);
-    const auto at_outlet = labels_at(OutlineKind::outlet, lattice, search);
-    const auto state_at  = [&](const std::size_t k) {
-      const double label = search.cost(k);
-      const bool   in    = std::binary_search(at_inlet.begin(), at_inlet.end(), label);
-      const bool   out   = std::binary_search(at_outlet.begin(), at_outlet.end(), label);
-      return !(lattice[k] > 0) ? NodeState::closed
-              : in && out       ? NodeState::percolating
-              : in              ? NodeState::inlet_side
-              : out             ? NodeState::outlet_side
-                                : NodeState::trapped;
-    };
-    Clusters               clusters;
+    const FlowLattice            lattice(open_gap, domain);
+    const LatticeClusters        numbers(lattice);
+    const std::vector<NodeState> states = states_of(numbers, lattice);
+    const auto state_at = [&](const std::size_t k) { return states[numbers[k]]; };
+    Clusters   clusters;
     std::vector<GridPoint> leaks;
     for (const std::size_t k : lattice.points_at(OutlineKind::outlet))
       if (state_at(k) == NodeState::percolating)
@@ -131,6 +201,9 @@ namespace strait
           states_in_region(state_at, *domain.region, open_gap.layout_pointer());
         return clusters;
       }
+    std::vector<std::size_t> first; // point of each cluster
+    if (tells_trapped)
+      first = first_points(numbers, lattice);
     const SlabLayout &layout = open_gap.layout();
     layout.for_each_point([&](GridPoint point) {
       if (point.window >= 0) // whose outermost points stand for those inside of them
@@ -145,7 +218,7 @@ namespace strait
       clusters.states.push_back(is_open ? state_at(k) : NodeState::closed);
       if (tells_trapped)
         clusters.trapped.push_back(clusters.states.back() == NodeState::trapped
-                                     ? static_cast<std::int64_t>(search.cost(k))
+                                     ? static_cast<std::int64_t>(first[numbers[k]])
                                      : -1);
     });
     return clusters;

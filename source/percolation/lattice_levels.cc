@@ -10,6 +10,7 @@ namespace strait
     : along_x(domain.region != nullptr || domain.direction == FlowDirection::x)
     , is_periodic(domain.region == nullptr)
     , length(layout.grid().nx + (along_x ? 1 : 0))
+    , lines_per_point(1. / length)
   {
     find_lines(layout);
     const PeriodicGrid  &grid = layout.grid();

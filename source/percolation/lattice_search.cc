@@ -37,8 +37,8 @@ namespace strait
     const LatticeLevels &levels = lattice.levels;
     if (lattice.in_window(k))
       return blocks_on_grid(levels) + levels.level_of(k) - 1;
-    const std::size_t n = levels.length;
-    return k / n / block_size * blocks_along(n) + k % n / block_size;
+    const std::size_t n = levels.length, line = levels.line_of(k);
+    return line / block_size * blocks_along(n) + (k - line * n) / block_size;
   }
 
   void
@@ -49,15 +49,10 @@ namespace strait
     if (lattice.in_window(k))
       found_in_windows.push_back(k);
     const std::size_t b = block_of(k);
-    if (b == block_at_work && cost == cost_at_work)
-      {
-        equals.push_back(k);
-        return;
-      }
     if (b == block_at_work)
       {
         heap.emplace_back(cost, k);
-        std::push_heap(heap.begin(), heap.end(), std::greater<>());
+        std::push_heap(heap.begin(), heap.end(), CostsMore());
         return;
       }
     pending[b].emplace_back(cost, k);
@@ -79,18 +74,10 @@ namespace strait
     };
     MPI_Comm             comm   = lattice.communicator;
     const LatticeLevels &levels = lattice.levels;
-    std::vector<int>     ghosts;
-    for (const int line : {levels.first, levels.end - 1})
-      if (const std::size_t k = levels.number_of(line, 0);
-          k != LatticeLevels::none && !lattice.is_own(k))
-        ghosts.push_back(line);
-    const std::vector<double> theirs =
-      fetch_rows(*lattice.layout, costs.data() + levels.first_own, levels.length, ghosts);
-    for (std::size_t i = 0; i < theirs.size(); ++i)
-      if (const std::size_t k =
-            levels.number_of(ghosts[i / levels.length], i % levels.length);
-          theirs[i] < costs[k])
-        improve(k, theirs[i], start_of_way);
+    lattice.for_each_ghost(costs, [this](const std::size_t k, const double cost) {
+      if (cost < costs[k])
+        improve(k, cost, start_of_way);
+    });
     std::vector<Finding> mine;
     for (const std::size_t k : found_in_windows)
       mine.push_back({k - levels.n_on_grid, costs[k], last_steps[k]});

@@ -89,7 +89,7 @@ namespace strait
           const Square         part      = square();
           const CoefficientLaw law{1., 1e-12, k % 2 == 0};
           std::vector<double>  moments(quadrature.moment_set().size());
-          quadrature.integrate(law, gap, part, moments.data());
+          quadrature.integrate(gap, part, {{law, moments.data()}});
           const CellGap cell(interpolant, gap);
           double        expected = 0.;
           for (int j = 0; j < n; ++j)
@@ -134,8 +134,8 @@ namespace strait
           part.edge *= k % 3 == 0 ? .125 : 1.;
           const CoefficientLaw law{1., 1e-12, (k / 4) % 2 == 0};
           std::vector<double>  moments(quadrature.moment_set().size()), others = moments;
-          quadrature.integrate(law, gap, part, moments.data());
-          quadrature.integrate(law, rounded, part, others.data());
+          quadrature.integrate(gap, part, {{law, moments.data()}});
+          quadrature.integrate(rounded, part, {{law, others.data()}});
           EXPECT_NEAR(moments[0], others[0], 1e-9 * moments[0]) << k;
         }
     }
@@ -149,7 +149,7 @@ namespace strait
       for (const bool is_resistivity : {false, true})
         {
           std::vector<double> moments(quadrature.moment_set().size());
-          quadrature.integrate({1., 1e-9, is_resistivity}, gap, {}, moments.data());
+          quadrature.integrate(gap, {}, {{{1., 1e-9, is_resistivity}, moments.data()}});
           const double value = is_resistivity ? 8. : .125;
           EXPECT_NEAR(moments[0], value, 1e-14 * value);
           EXPECT_NEAR(moments[quadrature.moment_set().index(2, 0)],

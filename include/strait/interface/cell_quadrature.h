@@ -10,6 +10,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace strait
 {
@@ -55,8 +56,15 @@ namespace strait
     }
   };
 
+  /** The moments of one coefficient, as they are added up. */
+  struct Integral
+  {
+    CoefficientLaw law;
+    double        *moments;
+  };
+
   /**
-   * Moments of a coefficient on (parts of) one cell of a level, from above: each energy
+   * Moments of coefficients on (parts of) one cell of a level, from above: each energy
    * that is formed of them is to be at least the true one.
    *
    * A part is integrated by Gauss quadrature of p + 2 points along each axis, and what
@@ -72,13 +80,12 @@ namespace strait
     explicit CellQuadrature(const FluidParameters &fluid);
 
     /**
-     * Add to the moments of @p square those of what the cell with @p gap at its corners
-     * has of it.
+     * Add to the moments of @p square, of all @p integrals, those of what the cell with
+     * @p gap at its corners has of it.
      */
-    void integrate(const CoefficientLaw &law,
-                   const GapStencil     &gap,
-                   const Square         &square,
-                   double               *moments) const;
+    void integrate(const GapStencil            &gap,
+                   const Square                &square,
+                   const std::vector<Integral> &integrals) const;
 
     const MomentSet &
     moment_set() const

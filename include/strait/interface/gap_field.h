@@ -149,8 +149,9 @@ namespace strait
         small_cells;
     };
 
-    /** Find the moments of @p coefficient on the grid and on the windows. Collective. */
-    void build(Coefficient coefficient) const;
+    /** Find the moments of @p coefficients on the grid and on the windows, looking at the
+     *  gap once. Collective. */
+    void build(const std::vector<Coefficient> &coefficients) const;
 
     /** The first row of cells with that @p exponent that this rank owns. */
     int first_own_row(int exponent) const;
@@ -164,14 +165,20 @@ namespace strait
     /** Position of a point or cell of a window among those of all windows. */
     std::size_t position(const GridPoint &cell) const;
 
-    /** Add to the moments of @p square what a cell that windows may replace has of it. */
-    void add_cell(Coefficient      coefficient,
-                  const GridPoint &cell,
-                  const Square    &square,
-                  double          *moments) const;
+    /** Add to the @p integrals, of @p coefficients, over @p square what a cell that
+     *  windows may replace has of it. */
+    void add_cell(const std::vector<Coefficient> &coefficients,
+                  const GridPoint                &cell,
+                  const Square                   &square,
+                  const std::vector<Integral>    &integrals) const;
+
+    /** The same of a cell that this rank owns as the square. */
+    void integrate(const std::vector<Coefficient> &coefficients,
+                   const GridCell                 &cell,
+                   const std::vector<Integral>    &integrals) const;
 
     /** Find the moments, zero so far, of a cell that this rank owns, from the pyramid as
-     *  far as it is known, else from those of its children or of the gap. */
+     *  far as it is known, else from the gap. */
     void sum_up(Coefficient coefficient, const GridCell &cell, double *moments) const;
 
     /** The same, with small cells kept for the next time if that is worth it. */

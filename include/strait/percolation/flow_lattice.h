@@ -87,9 +87,9 @@ namespace strait
 
     /**
      * Call action(step) for the steps from point @p k to those of the first
-     * @p n_directions of the four nearest and the four diagonal points that this rank
-     * knows. A diagonal one leads to no other level and, of a region, needs a way around
-     * a corner.
+     * @p n_directions of the two next, the two former and the four diagonal points that
+     * this rank knows. A diagonal one leads to no other level and, of a region, needs a
+     * way around a corner.
      */
     template <class Action>
     void
@@ -117,6 +117,23 @@ namespace strait
      *  @p k. */
     std::size_t start_of(std::size_t k, std::uint8_t number) const;
 
+    /** Call action(k, value) for all ghosts, with what their owners have of @p values at
+     *  each point. Collective. */
+    template <class Number, class Action>
+    void
+    for_each_ghost(const std::vector<Number> &values, const Action &action) const
+    {
+      std::vector<int> ghosts;
+      for (const int line : {levels.first, levels.end - 1})
+        if (const std::size_t k = levels.number_of(line, 0);
+            k != LatticeLevels::none && !is_own(k))
+          ghosts.push_back(line);
+      const std::vector<Number> theirs =
+        fetch_rows(*layout, values.data() + levels.first_own, levels.length, ghosts);
+      for (std::size_t i = 0; i < theirs.size(); ++i)
+        action(levels.number_of(ghosts[i / levels.length], i % levels.length), theirs[i]);
+    }
+
     /** The point of the grid or a window that is point @p k of the lattice. */
     GridPoint
     point(const std::size_t k) const
@@ -133,7 +150,7 @@ namespace strait
     using Place = LatticeLevels::Place;
 
     static constexpr std::array<std::array<int, 2>, 8> directions = {
-      {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+      {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
 
     // Added to the number of a step whose end is named by a point of a finer level.
     static constexpr std::uint8_t into_window = 8;
@@ -144,8 +161,9 @@ namespace strait
       const int level = levels.level_of(k);
       if (level == 0)
         {
-          const int line = levels.first + static_cast<int>(k / levels.length);
-          const int i    = static_cast<int>(k % levels.length);
+          const std::size_t from_first = levels.line_of(k);
+          const int         line       = levels.first + static_cast<int>(from_first);
+          const int         i          = static_cast<int>(k - from_first * levels.length);
           return levels.along_x ? Place{0, i, line} : Place{0, line, i};
         }
       const std::size_t i = k - levels[level].begin;
@@ -247,7 +265,7 @@ namespace strait
         // Between two points that a window covers its own, finer steps lead.
         if (point != to && (d >= 4 || !from_is_finest))
           continue;
-        const int kind   = d < 2 ? 0 : d < 4 ? 1 : 2;
+        const int kind   = d < 4 ? d % 2 : 2;
         const int number = point == to ? d : d + into_window;
         action(Step{from,
                     to,

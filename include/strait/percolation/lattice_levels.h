@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace strait
@@ -110,6 +111,16 @@ namespace strait
                : static_cast<std::size_t>(line - first) * length + i;
     }
 
+    /** Which of this rank's lines point @p k of the grid is on. Half a point keeps the
+     *  product away from whole numbers: a division takes longer than a step of a search.
+     */
+    std::size_t
+    line_of(const std::size_t k) const
+    {
+      return static_cast<std::int64_t>(
+        (static_cast<double>(static_cast<std::int64_t>(k)) + .5) * lines_per_point);
+    }
+
     /** The level of point @p k, 0 for the grid. */
     int
     level_of(const std::size_t k) const
@@ -153,6 +164,7 @@ namespace strait
      *  seam the copy at the outlet if @p of_outlet, else that at the inlet. */
     int level_with(int window, int along, bool of_outlet) const;
 
+    double             lines_per_point;
     std::vector<Level> levels;
   };
 } // namespace strait

@@ -72,6 +72,16 @@ namespace strait
   private:
     using Entry = std::pair<double, std::size_t>; // cost, and point or block
 
+    /** Whether the cost of @p a is more; which of equals is the first does not matter. */
+    struct CostsMore
+    {
+      bool
+      operator()(const Entry &a, const Entry &b) const
+      {
+        return a.first > b.first;
+      }
+    };
+
     /** A better way was found to point @p k, whose steps are to be searched. */
     void improve(std::size_t k, double cost, std::uint8_t step);
 
@@ -96,16 +106,12 @@ namespace strait
 
     // Points to be searched by block, the least cost of those of each, and the blocks
     // that have some, of which entries with other costs are outdated.
-    std::vector<std::vector<Entry>>                                pending;
-    std::vector<double>                                            least_pending;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> blocks;
+    std::vector<std::vector<Entry>>                           pending;
+    std::vector<double>                                       least_pending;
+    std::priority_queue<Entry, std::vector<Entry>, CostsMore> blocks;
 
-    // The block at work, its points as a heap, and those with the cost of the one at
-    // work: steps that cost nothing need not be sorted.
-    std::size_t              block_at_work = FlowLattice::none;
-    std::vector<Entry>       heap;
-    double                   cost_at_work = infinity;
-    std::vector<std::size_t> equals;
+    std::size_t        block_at_work = FlowLattice::none;
+    std::vector<Entry> heap; // of its points
   };
 
   template <class Total, class IsEnd>
@@ -118,19 +124,13 @@ namespace strait
     heap.swap(pending[b]);
     least_pending[b] = infinity;
     block_at_work    = b;
-    std::make_heap(heap.begin(), heap.end(), std::greater<>());
-    while (!heap.empty() || !equals.empty())
+    std::make_heap(heap.begin(), heap.end(), CostsMore());
+    while (!heap.empty())
       {
-        if (equals.empty())
-          {
-            cost_at_work = heap.front().first;
-            equals.push_back(heap.front().second);
-            std::pop_heap(heap.begin(), heap.end(), std::greater<>());
-            heap.pop_back();
-          }
-        const double      here = cost_at_work;
-        const std::size_t k    = equals.back();
-        equals.pop_back();
+        const double      here = heap.front().first;
+        const std::size_t k    = heap.front().second;
+        std::pop_heap(heap.begin(), heap.end(), CostsMore());
+        heap.pop_back();
         if (here > costs[k] || here > limit)
           continue;
         const bool own = lattice.is_own(k);
