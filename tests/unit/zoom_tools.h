@@ -3,7 +3,7 @@
 #ifndef strait_tests_zoom_tools_h
 #define strait_tests_zoom_tools_h
 
-#include <strait/seal/zoomed_seal.h>
+#include <strait/seal/place_windows.h>
 
 #include <gtest/gtest.h>
 
