@@ -14,21 +14,104 @@ namespace strait
     class ExtensionProblem
     {
     public:
-      ExtensionProblem(const SlabField &flow_gap, FlowDirection direction);
+      ExtensionProblem(const SlabField &flow_gap, const FlowDirection direction_)
+        : spring(flow_gap.size())
+        , layout(flow_gap.layout())
+        , direction(direction_)
+        , weight_x(layout.grid().dy() / layout.grid().dx())
+        , weight_y(layout.grid().dx() / layout.grid().dy())
+        , share(flow_gap.size())
+      {
+        // The best for contacts of some twenty points across, as there are near the
+        // threshold. Half of what it lacks to 2, and double, take a third more
+        // iterations.
+        constexpr double over_relaxation = 1.8;
 
-      bool is_on_seam(int ix, int local_row) const;
+        const int        nx = layout.grid().nx;
+        const RowsAround rows(flow_gap);
+        for (int row = 0, k = 0; row < layout.n_rows(); ++row)
+          for (int ix = 0; ix < nx; ++ix, ++k)
+            {
+              double largest = 0;
+              for (int b = -1; b <= 1; ++b)
+                for (int a = -1; a <= 1; ++a)
+                  largest = std::max(largest, rows[row + b][(ix + a + nx) % nx]);
+              // A point is open with half of the largest gap beside it.
+              const double ratio =
+                largest > 0 ? 2. * std::max(flow_gap[k], 0.) / largest : 0.;
+              const double sides = weight_x + weight_y;
+              spring[k]          = ratio < 1 && !is_on_seam(ix, row)
+                                     ? sides * ratio * ratio / (1. - ratio)
+                                     : std::numeric_limits<double>::infinity();
+              share[k]           = over_relaxation / (2. * sides + spring[k]);
+              if (std::isfinite(spring[k]))
+                points.push_back(k);
+            }
+      }
+
+      bool
+      is_on_seam(const int ix, const int local_row) const
+      {
+        return direction == FlowDirection::x ? ix == 0
+                                             : layout.first_row() + local_row == 0;
+      }
 
       /** −Laplacian times dx·dy, and the springs' pull towards 0, where the pressure is
        *  sought; the seam counts as @p inlet from its one side and as @p outlet from the
        *  other. Collective. */
-      void apply(const SlabField &values,
-                 double           inlet,
-                 double           outlet,
-                 SlabField       &result) const;
+      void
+      apply(const SlabField &values,
+            const double     inlet,
+            const double     outlet,
+            SlabField       &result) const
+      {
+        const int        nx = layout.grid().nx, ny = layout.grid().ny;
+        const int        begin = layout.first_row(), n_rows = layout.n_rows();
+        const bool       along_x = direction == FlowDirection::x;
+        const RowsAround rows(values);
+        auto             k = points.begin();
+        for (int row = 0; row < n_rows; ++row)
+          {
+            const double *here = rows[row], *below = rows[row - 1],
+                         *above = rows[row + 1];
+            const int iy        = begin + row;
+            for (; k != points.end() && *k < (row + 1) * nx; ++k)
+              {
+                const int    ix = *k - row * nx;
+                const double left =
+                  along_x && ix == 1 ? inlet : here[ix == 0 ? nx - 1 : ix - 1];
+                const double right =
+                  along_x && ix == nx - 1 ? outlet : here[ix == nx - 1 ? 0 : ix + 1];
+                const double lower = !along_x && iy == 1 ? inlet : below[ix];
+                const double upper = !along_x && iy == ny - 1 ? outlet : above[ix];
+                result[*k]         = spring[*k] * here[ix] +
+                             weight_x * (2. * here[ix] - left - right) +
+                             weight_y * (2. * here[ix] - lower - upper);
+              }
+          }
+      }
 
       /** z = the preconditioner times r where the pressure is sought; elsewhere z must be
        *  zero. */
-      void precondition(const SlabField &r, SlabField &z) const;
+      void
+      precondition(const SlabField &r, SlabField &z) const
+      {
+        // Neighbours across the edge of the box, and of other ranks, are left out.
+        const int nx = layout.grid().nx, n = nx * layout.n_rows();
+        for (const int k : points)
+          {
+            const double left  = k % nx > 0 ? z[k - 1] : 0.;
+            const double below = k >= nx ? z[k - nx] : 0.;
+            z[k]               = share[k] * (r[k] + weight_x * left + weight_y * below);
+          }
+        for (auto point = points.rbegin(); point != points.rend(); ++point)
+          {
+            const int    k     = *point;
+            const double right = (k + 1) % nx > 0 ? z[k + 1] : 0.;
+            const double above = k + nx < n ? z[k + nx] : 0.;
+            z[k] += share[k] * (weight_x * right + weight_y * above);
+          }
+      }
 
       // κ dx dy; infinite where the pressure is known.
       std::vector<double> spring;
@@ -43,99 +126,6 @@ namespace strait
       // How much of its own equation's residual a point takes.
       std::vector<double> share;
     };
-
-    ExtensionProblem::ExtensionProblem(const SlabField    &flow_gap,
-                                       const FlowDirection direction_)
-      : spring(flow_gap.size())
-      , layout(flow_gap.layout())
-      , direction(direction_)
-      , weight_x(layout.grid().dy() / layout.grid().dx())
-      , weight_y(layout.grid().dx() / layout.grid().dy())
-      , share(flow_gap.size())
-    {
-      // The best for contacts of some twenty points across, as there are near the
-      // threshold. Half of what it lacks to 2, and double, take a third more iterations.
-      constexpr double over_relaxation = 1.8;
-
-      const int        nx = layout.grid().nx;
-      const RowsAround rows(flow_gap);
-      for (int row = 0, k = 0; row < layout.n_rows(); ++row)
-        for (int ix = 0; ix < nx; ++ix, ++k)
-          {
-            double largest = 0;
-            for (int b = -1; b <= 1; ++b)
-              for (int a = -1; a <= 1; ++a)
-                largest = std::max(largest, rows[row + b][(ix + a + nx) % nx]);
-            // A point is open with half of the largest gap beside it.
-            const double ratio =
-              largest > 0 ? 2. * std::max(flow_gap[k], 0.) / largest : 0.;
-            const double sides = weight_x + weight_y;
-            spring[k]          = ratio < 1 && !is_on_seam(ix, row)
-                                   ? sides * ratio * ratio / (1. - ratio)
-                                   : std::numeric_limits<double>::infinity();
-            share[k]           = over_relaxation / (2. * sides + spring[k]);
-            if (std::isfinite(spring[k]))
-              points.push_back(k);
-          }
-    }
-
-    bool
-    ExtensionProblem::is_on_seam(const int ix, const int local_row) const
-    {
-      return direction == FlowDirection::x ? ix == 0
-                                           : layout.first_row() + local_row == 0;
-    }
-
-    void
-    ExtensionProblem::apply(const SlabField &values,
-                            const double     inlet,
-                            const double     outlet,
-                            SlabField       &result) const
-    {
-      const int        nx = layout.grid().nx, ny = layout.grid().ny;
-      const int        begin = layout.first_row(), n_rows = layout.n_rows();
-      const bool       along_x = direction == FlowDirection::x;
-      const RowsAround rows(values);
-      auto             k = points.begin();
-      for (int row = 0; row < n_rows; ++row)
-        {
-          const double *here = rows[row], *below = rows[row - 1], *above = rows[row + 1];
-          const int     iy = begin + row;
-          for (; k != points.end() && *k < (row + 1) * nx; ++k)
-            {
-              const int    ix = *k - row * nx;
-              const double left =
-                along_x && ix == 1 ? inlet : here[ix == 0 ? nx - 1 : ix - 1];
-              const double right =
-                along_x && ix == nx - 1 ? outlet : here[ix == nx - 1 ? 0 : ix + 1];
-              const double lower = !along_x && iy == 1 ? inlet : below[ix];
-              const double upper = !along_x && iy == ny - 1 ? outlet : above[ix];
-              result[*k]         = spring[*k] * here[ix] +
-                           weight_x * (2. * here[ix] - left - right) +
-                           weight_y * (2. * here[ix] - lower - upper);
-            }
-        }
-    }
-
-    void
-    ExtensionProblem::precondition(const SlabField &r, SlabField &z) const
-    {
-      // Neighbours across the edge of the box, and of other ranks, are left out.
-      const int nx = layout.grid().nx, n = nx * layout.n_rows();
-      for (const int k : points)
-        {
-          const double left  = k % nx > 0 ? z[k - 1] : 0.;
-          const double below = k >= nx ? z[k - nx] : 0.;
-          z[k]               = share[k] * (r[k] + weight_x * left + weight_y * below);
-        }
-      for (auto point = points.rbegin(); point != points.rend(); ++point)
-        {
-          const int    k     = *point;
-          const double right = (k + 1) % nx > 0 ? z[k + 1] : 0.;
-          const double above = k + nx < n ? z[k + nx] : 0.;
-          z[k] += share[k] * (weight_x * right + weight_y * above);
-        }
-    }
   } // namespace
 
   int
