@@ -113,48 +113,15 @@ namespace strait
       return false;
     }
 
-    /**
-     * The change of the mean pressure, had all that was cut off kept the volume that it
-     * had in @p gap_before. Collective.
-     */
-    double
-    uncertainty(const PoolsInGap         &in,
-                const FeedbackParameters &parameters,
-                const TrappedFluid       &fluid,
-                const SlabField          &gap_before)
-    {
-      const std::size_t   n    = fluid.pools.size();
-      const PeriodicGrid &grid = in.gap.grid();
-      std::vector<double> sums(2 * n); // what each lost before it was cut off; points
-      for (std::size_t k = 0; k < in.gap.size(); ++k)
-        if (fluid.owner[k] >= 0)
-          {
-            const auto pool = static_cast<std::size_t>(fluid.owner[k]);
-            if (static_cast<std::size_t>(in.regions[k]) >= in.known.pools.size())
-              sums[pool] +=
-                grid.dx() * grid.dy() * (std::max(gap_before[k], 0.) - in.gap[k]);
-            ++sums[n + pool];
-          }
-      sum_in_place(in.gap.layout().communicator(), sums);
-      double result = 0.;
-      for (std::size_t p = 0; p < n; ++p)
-        {
-          Pool         fuller = fluid.pools[p];
-          const double volume = fuller.volume;
-          fuller.volume += std::abs(sums[p]);
-          result += sums[n + p] / static_cast<double>(grid.n_points()) *
-                    (pressure_to_hold(parameters, fuller, volume, fuller.pressure) -
-                     fuller.pressure);
-        }
-      return result;
-    }
-
-    /** Area, mean pressure and compliance. Collective. */
+    /** Area, mean pressure and compliance; and the change of the mean pressure, had all
+     *  that was cut off kept the volume that it had in @p gap_before. Collective. */
     void
     measure_pools(const PoolsInGap          &in,
-                  TrappedFluid              &fluid,
+                  const FeedbackParameters  &parameters,
                   const std::vector<double> &pressures,
-                  const double               contact_modulus)
+                  const double               contact_modulus,
+                  const SlabField           *gap_before,
+                  TrappedFluid              &fluid)
     {
       // A slit or disc of area A and circumference S that is pressed open between walls
       // in contact all around has dV/dp = 1.6 to 1.7 A²/(S E*), and more where they are
@@ -162,23 +129,28 @@ namespace strait
       // far.
       constexpr double    compliance = 2.5;
       const PeriodicGrid &grid       = in.gap.grid();
+      const double        cell       = grid.dx() * grid.dy();
       const int           nx         = grid.nx;
       const auto          n          = fluid.pools.size();
+      const auto          n_known    = static_cast<int>(in.known.pools.size());
       SlabField           owner(in.gap.layout_pointer());
       std::copy(fluid.owner.begin(), fluid.owner.end(), owner.begin());
-      const RowsAround    rows(owner);
-      std::vector<double> sums(2 * n + 1); // areas, circumferences, ∫p
+      const RowsAround rows(owner);
+      // Areas, circumferences, what each lost before it was cut off, ∫p.
+      std::vector<double> sums(3 * n + 1);
       for (int row = 0, k = 0; row < in.gap.layout().n_rows(); ++row)
         for (int ix = 0; ix < nx; ++ix, ++k)
           if (const double mine = owner[k]; mine >= 0)
             {
               const auto pool = static_cast<std::size_t>(mine);
-              sums[pool] += grid.dx() * grid.dy();
+              sums[pool] += cell;
               for (const int step : {nx - 1, 1})
                 sums[n + pool] += rows[row][(ix + step) % nx] != mine ? grid.dy() : 0.;
               for (const int step : {-1, 1})
                 sums[n + pool] += rows[row + step][ix] != mine ? grid.dx() : 0.;
-              sums[2 * n] += grid.dx() * grid.dy() * pressures[in.regions[k]];
+              if (gap_before != nullptr && in.regions[k] >= n_known)
+                sums[2 * n + pool] += cell * (std::max((*gap_before)[k], 0.) - in.gap[k]);
+              sums[3 * n] += cell * pressures[in.regions[k]];
             }
       sum_in_place(in.gap.layout().communicator(), sums);
       for (std::size_t p = 0; p < n; ++p)
@@ -189,8 +161,15 @@ namespace strait
             (contact_modulus * std::max(sums[n + p], std::min(grid.dx(), grid.dy())));
           fluid.area += sums[p];
           fluid.guessed_area += pool.is_guess ? sums[p] : 0.;
+          Pool fuller = pool;
+          fuller.volume += std::abs(sums[2 * n + p]);
+          if (gap_before != nullptr)
+            fluid.uncertainty +=
+              sums[p] / (grid.lx * grid.ly) *
+              (pressure_to_hold(parameters, fuller, pool.volume, pool.pressure) -
+               pool.pressure);
         }
-      fluid.pressure = fluid.area > 0 ? sums[2 * n] / fluid.area : 0.;
+      fluid.pressure = fluid.area > 0 ? sums[3 * n] / fluid.area : 0.;
       fluid.area /= grid.lx * grid.ly;
       fluid.guessed_area /= grid.lx * grid.ly;
     }
@@ -288,10 +267,8 @@ namespace strait
           owner = shut->second;
         settled.fluid.owner[k] = static_cast<float>(owner);
       }
-    measure_pools(*this, settled.fluid, pressures, contact_modulus);
-    if (gap_before != nullptr)
-      settled.fluid.uncertainty =
-        uncertainty(*this, parameters, settled.fluid, *gap_before);
+    measure_pools(
+      *this, parameters, pressures, contact_modulus, gap_before, settled.fluid);
     return settled;
   }
 } // namespace strait
