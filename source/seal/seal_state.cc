@@ -36,7 +36,15 @@ namespace strait
         archive.field(fluid.pressure, layout);
         archive.value(fluid.load);
         if (transfer_presence(archive, fluid.trapped))
-          transfer(archive, *fluid.trapped, *layout);
+          {
+            TrappedFluid &trapped = *fluid.trapped;
+            archive.field(trapped.owner, *layout);
+            archive.values(trapped.pools,
+                           trapped.area,
+                           trapped.guessed_area,
+                           trapped.pressure,
+                           trapped.uncertainty);
+          }
         archive.values(fluid.mesh_error,
                        fluid.converged,
                        fluid.undecided,

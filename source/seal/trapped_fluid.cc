@@ -55,15 +55,4 @@ namespace strait
       (excess(middle) < 0. ? lower : upper) = middle;
     return upper;
   }
-
-  void
-  transfer(StateArchive &archive, TrappedFluid &trapped, const SlabLayout &layout)
-  {
-    archive.field(trapped.owner, layout);
-    archive.values(trapped.pools,
-                   trapped.area,
-                   trapped.guessed_area,
-                   trapped.pressure,
-                   trapped.uncertainty);
-  }
 } // namespace strait

@@ -3,7 +3,6 @@
 #define strait_seal_trapped_fluid_h
 
 #include <strait/base/fluid_parameters.h>
-#include <strait/spectral/state_archive.h>
 
 #include <vector>
 
@@ -50,9 +49,6 @@ namespace strait
                           const Pool               &pool,
                           double                    volume,
                           double                    pressure);
-
-  /** In either direction. Collective. */
-  void transfer(StateArchive &archive, TrappedFluid &trapped, const SlabLayout &layout);
 } // namespace strait
 
 #endif
