@@ -45,7 +45,19 @@ namespace strait
       void
       update(const GapField &gap) override
       {
-        find_cells(gap.layout().grid());
+        // In spacings of its grid, which is that of the mesh or a coarser one.
+        const int coarser = mesh.grid().n_halvings() - gap.layout().grid().n_halvings();
+        cells.clear();
+        for (const auto &cell : mesh.triangulation().active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              GridCell here = mesh.grid_cell(*cell);
+              here.exponent -= coarser;
+              if (n_parts == 1)
+                cells.push_back(here);
+              for (int child = 0; n_parts == 4 && child < 4; ++child)
+                cells.push_back(here.child(child));
+            }
         answers = gap.ask(coefficient, cells);
       }
 
@@ -77,24 +89,6 @@ namespace strait
       }
 
     private:
-      /** In spacings of @p grid, which is that of the mesh or a coarser one. */
-      void
-      find_cells(const PeriodicGrid &grid)
-      {
-        const int coarser = mesh.grid().n_halvings() - grid.n_halvings();
-        cells.clear();
-        for (const auto &cell : mesh.triangulation().active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              GridCell here = mesh.grid_cell(*cell);
-              here.exponent -= coarser;
-              if (n_parts == 1)
-                cells.push_back(here);
-              for (int child = 0; n_parts == 4 && child < 4; ++child)
-                cells.push_back(here.child(child));
-            }
-      }
-
       const FlowMesh       &mesh;
       ElementMatrix         element;
       GapField::Coefficient coefficient;
