@@ -7,7 +7,7 @@
 #include <strait/run/scaling.h>
 #include <strait/run/step.h>
 #include <strait/seal/path.h>
-#include <strait/seal/transition.h>
+#include <strait/seal/transition_search.h>
 #include <strait/surface/statistics.h>
 
 #include <iosfwd>

@@ -3,7 +3,7 @@
 #define strait_run_scaling_h
 
 #include <strait/base/log.h>
-#include <strait/seal/transition.h>
+#include <strait/seal/transition_search.h>
 
 #include <array>
 #include <cmath>

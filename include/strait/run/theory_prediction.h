@@ -3,7 +3,7 @@
 #define strait_run_theory_prediction_h
 
 #include <strait/base/scene.h>
-#include <strait/seal/transition.h>
+#include <strait/seal/transition_search.h>
 #include <strait/theory/persson.h>
 
 #include <optional>

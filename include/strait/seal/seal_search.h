@@ -6,7 +6,6 @@
 #include <strait/base/scene.h>
 #include <strait/percolation/flow_region.h>
 #include <strait/seal/seal_state.h>
-#include <strait/seal/transition.h>
 #include <strait/seal/transition_search.h>
 
 #include <cstddef>
