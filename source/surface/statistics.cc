@@ -14,6 +14,8 @@ namespace strait
 {
   namespace
   {
+    using Mode = std::complex<double>;
+
     /** log C = a + b max(0, log q − log q_r), by weighted least squares. */
     struct Line
     {
@@ -93,19 +95,15 @@ namespace strait
     const PeriodicGrid &grid = height.grid();
 
     std::array<double, 2> sums{}; // of q² |h~|² and (qx⁴ + qy⁴) |h~|²
-    FourierTransform      transform(height.layout_pointer());
-    transform.analyze(height.data(),
-                      [&](const int                   kx,
-                          const int                   ky,
-                          const std::complex<double> &mode,
-                          const double                weight) {
-                        const double qx_squared = std::pow(2 * M_PI * kx / grid.lx, 2);
-                        const double qy_squared = std::pow(2 * M_PI * ky / grid.ly, 2);
-                        const double power      = weight * std::norm(mode);
-                        sums[0] += power * (qx_squared + qy_squared);
-                        sums[1] +=
-                          power * (qx_squared * qx_squared + qy_squared * qy_squared);
-                      });
+    const auto            add =
+      [&](const int kx, const int ky, const Mode &mode, const double weight) {
+        const double qx_squared = std::pow(2 * M_PI * kx / grid.lx, 2);
+        const double qy_squared = std::pow(2 * M_PI * ky / grid.ly, 2);
+        const double power      = weight * std::norm(mode);
+        sums[0] += power * (qx_squared + qy_squared);
+        sums[1] += power * (qx_squared * qx_squared + qy_squared * qy_squared);
+      };
+    FourierTransform(height.layout_pointer()).analyze(height.data(), add);
     sum_in_place(height.layout().communicator(), sums);
 
     SurfaceStatistics result;
@@ -131,20 +129,16 @@ namespace strait
     const int           n_bins = bin_of(q_most) + 1;
     std::vector<double> sums(2 * static_cast<std::size_t>(std::max(n_bins, 1)), 0.);
 
-    FourierTransform transform(heights.layout_pointer());
-    transform.analyze(heights.data(),
-                      [&](const int                   kx,
-                          const int                   ky,
-                          const std::complex<double> &mode,
-                          const double                weight) {
-                        const double q =
-                          2 * M_PI * std::hypot(kx / grid.lx, ky / grid.ly);
-                        if (q == 0. || q > q_most)
-                          return;
-                        const int bin = bin_of(q);
-                        sums[2 * bin] += weight;
-                        sums[2 * bin + 1] += weight * std::norm(mode);
-                      });
+    const auto add =
+      [&](const int kx, const int ky, const Mode &mode, const double weight) {
+        const double q = 2 * M_PI * std::hypot(kx / grid.lx, ky / grid.ly);
+        if (q == 0. || q > q_most)
+          return;
+        const int bin = bin_of(q);
+        sums[2 * bin] += weight;
+        sums[2 * bin + 1] += weight * std::norm(mode);
+      };
+    FourierTransform(heights.layout_pointer()).analyze(heights.data(), add);
     sum_in_place(heights.layout().communicator(), sums);
 
     std::vector<SpectrumBin> spectrum;
