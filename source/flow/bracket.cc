@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/flow/bracket.h>
 #include <strait/flow/element_matrix.h>
+#include <strait/flow/reynolds_solver.h>
 
 #include <deal.II/distributed/grid_refinement.h>
 #include <deal.II/numerics/rtree.h>
@@ -71,60 +71,6 @@ namespace strait
                         conductivity / shape * change_along_y(p) -
                           leak * change_along_x(psi));
     }
-
-    /**
-     * Of each active cell: the flow through it on which pressure and stream function
-     * disagree, over the whole one, times the part of the pressure drop that the stream
-     * function would take to let it pass, at most one.
-     *
-     * A coarse cell lets the pressure leak through a barrier, or bars the stream
-     * function's way, and costs them nothing: what that changes is at other throats,
-     * where Bracket::contributions show it and refinement does not help. These flows show
-     * the cell itself. In the wide parts of a channel, where the pressure on coarse cells
-     * spreads the flow over many of them, those on the first path of @p channel, if it
-     * has one, and beside it count as if all passed there, or what passes a throat as
-     * wide as long.
-     *
-     * The flows are those of uniform coefficients, the means of the cell.
-     */
-    dealii::Vector<float>
-    hidden_flows(const FlowMesh         &mesh,
-                 const GapField         &gap,
-                 const Bracket          &bracket,
-                 const PotentialProblem &pressure,
-                 const PotentialProblem &stream_function,
-                 const Channel          &channel)
-    {
-      const Points path  = points_of_path(channel, mesh);
-      const double width = 1. - bracket.lower / bracket.upper;
-      const double through_path =
-        channel.paths.empty()
-          ? 0.
-          : std::min(bracket.upper - bracket.lower,
-                     gap.conductivity_of(channel.paths.front().bottleneck_gap));
-      dealii::Vector<float> result(mesh.triangulation().n_active_cells());
-      std::vector<double>   p, psi;
-      for (std::size_t c = 0; c < pressure.cells().size(); ++c)
-        {
-          const auto &cell = pressure.cells()[c];
-          pressure.cell_values(c, p);
-          stream_function.cell_values(c, psi);
-          const double conductivity = pressure.mean_coefficient(c);
-          const double resistivity  = stream_function.mean_coefficient(c);
-          // Where the gap is wide, rounding alone makes currents larger than the leak.
-          const double flow =
-            std::min(disagreement(*cell, p, conductivity, psi, bracket.lower),
-                     bracket.upper - bracket.lower);
-          double hidden = flow / bracket.upper * std::min(flow * resistivity, 1.);
-          // A cell without contact takes as much of the drop however small it is.
-          const double excess  = resistivity - 1. / conductivity;
-          const double on_path = width * std::min(through_path * excess, 1.);
-          if (on_path > hidden && touches(path, *cell))
-            hidden = on_path;
-          result(cell->active_cell_index()) = static_cast<float>(hidden);
-        }
-      return result;
-    }
   } // namespace
 
   Bracket
@@ -153,15 +99,59 @@ namespace strait
     return bracket;
   }
 
+  /**
+   * Of each active cell: the flow through it on which pressure and stream function
+   * disagree, over the whole one, times the part of the pressure drop that the stream
+   * function would take to let it pass, at most one.
+   *
+   * A coarse cell lets the pressure leak through a barrier, or bars the stream
+   * function's way, and costs them nothing: what that changes is at other throats,
+   * where Bracket::contributions show it and refinement does not help. These flows show
+   * the cell itself. In the wide parts of a channel, where the pressure on coarse cells
+   * spreads the flow over many of them, those on the first path of @p channel, if it
+   * has one, and beside it count as if all passed there, or what passes a throat as
+   * wide as long.
+   *
+   * The flows are those of uniform coefficients, the means of the cell.
+   */
+  dealii::Vector<float>
+  ReynoldsSolver::hidden_flows(const Channel &channel) const
+  {
+    const Points path  = points_of_path(channel, flow_mesh);
+    const double width = 1. - plain.lower / plain.upper;
+    const double through_path =
+      channel.paths.empty()
+        ? 0.
+        : std::min(plain.upper - plain.lower,
+                   gap_field.conductivity_of(channel.paths.front().bottleneck_gap));
+    dealii::Vector<float> result(flow_mesh.triangulation().n_active_cells());
+    std::vector<double>   p, psi;
+    for (std::size_t c = 0; c < pressure_problem.cells().size(); ++c)
+      {
+        const auto &cell = pressure_problem.cells()[c];
+        pressure_problem.cell_values(c, p);
+        stream_problem.cell_values(c, psi);
+        const double conductivity = pressure_problem.mean_coefficient(c);
+        const double resistivity  = stream_problem.mean_coefficient(c);
+        // Where the gap is wide, rounding alone makes currents larger than the leak.
+        const double flow =
+          std::min(disagreement(*cell, p, conductivity, psi, plain.lower),
+                   plain.upper - plain.lower);
+        double hidden = flow / plain.upper * std::min(flow * resistivity, 1.);
+        // A cell without contact takes as much of the drop however small it is.
+        const double excess  = resistivity - 1. / conductivity;
+        const double on_path = width * std::min(through_path * excess, 1.);
+        if (on_path > hidden && touches(path, *cell))
+          hidden = on_path;
+        result(cell->active_cell_index()) = static_cast<float>(hidden);
+      }
+    return result;
+  }
+
   bool
-  mark(FlowMesh               &mesh,
-       const GapField         &gap,
-       const Bracket          &bracket,
-       const PotentialProblem &pressure,
-       const PotentialProblem &stream_function,
-       const Channel          &channel,
-       const double            excess,
-       const double            affordable)
+  ReynoldsSolver::mark(const Channel &channel,
+                       const double   excess,
+                       const double   affordable)
   {
     // A cell is refined if it contributes more to the width of the bracket than this
     // fraction of the mean. Half of it refines more cells on each mesh and ends with
@@ -174,13 +164,13 @@ namespace strait
     // By how much the level rises at a time: its root and its square find alike.
     constexpr double rise = 1.25;
     using dealii::Utilities::MPI::sum;
-    auto        &tria              = mesh.triangulation();
+    auto        &tria              = flow_mesh.triangulation();
     MPI_Comm     comm              = tria.get_communicator();
     const auto   n_cells           = static_cast<double>(tria.n_global_active_cells());
-    const double width             = sum(bracket.contributions.l1_norm(), comm);
+    const double width             = sum(plain.contributions.l1_norm(), comm);
     const auto   held_by_more_than = [&](const double contribution) {
       double local = 0.;
-      for (const float each : bracket.contributions)
+      for (const float each : plain.contributions)
         local += each > contribution ? each : 0.;
       return sum(local, comm);
     };
@@ -194,13 +184,12 @@ namespace strait
     if (!channel.paths.empty())
       n_places =
         static_cast<double>(divide_into_constrictions(channel.paths.front().gaps).size());
-    const double hidden_flow = 1. / n_places * (1. - bracket.lower / bracket.upper);
-    const dealii::Vector<float> hidden =
-      hidden_flows(mesh, gap, bracket, pressure, stream_function, channel);
-    unsigned long long n_marked = 0;
+    const double hidden_flow           = 1. / n_places * (1. - plain.lower / plain.upper);
+    const dealii::Vector<float> hidden = hidden_flows(channel);
+    unsigned long long          n_marked = 0;
     for (const auto &cell : tria.active_cell_iterators())
       if (cell->is_locally_owned() &&
-          (bracket.contributions(cell->active_cell_index()) > contribution ||
+          (plain.contributions(cell->active_cell_index()) > contribution ||
            hidden(cell->active_cell_index()) > hidden_flow))
         {
           cell->set_refine_flag();
@@ -218,7 +207,7 @@ namespace strait
         for (const auto &cell : tria.active_cell_iterators())
           cell->clear_refine_flag();
         dealii::parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
-          tria, bracket.contributions, affordable, 0.);
+          tria, plain.contributions, affordable, 0.);
         // Of cells that contribute alike it may mark none.
         n_marked = 0;
         for (const auto &cell : tria.active_cell_iterators())

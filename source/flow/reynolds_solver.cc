@@ -220,14 +220,7 @@ namespace strait
     if (parameters.uniform_refinement && affordable >= 1.)
       tria.set_all_refine_flags();
     else if (parameters.uniform_refinement ||
-             !mark(flow_mesh,
-                   gap_field,
-                   plain,
-                   pressure_problem,
-                   stream_problem,
-                   channel,
-                   1. - wanted / leakage.relative_width(),
-                   affordable))
+             !mark(channel, 1. - wanted / leakage.relative_width(), affordable))
       return false;
     tria.prepare_coarsening_and_refinement();
     pressure_problem.prepare_for_refinement();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The bracket itself: its indicator, its price, and the switch that proves it.
 #include <strait/contact/contact_solver.h>
-#include <strait/flow/bracket.h>
+#include <strait/flow/reynolds_solver.h>
 #include <strait/surface/make_surface.h>
 
 #include <gtest/gtest.h>

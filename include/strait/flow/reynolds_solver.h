@@ -2,9 +2,11 @@
 #ifndef strait_flow_reynolds_solver_h
 #define strait_flow_reynolds_solver_h
 
-#include <strait/flow/bracket.h>
 #include <strait/flow/hierarchical_correction.h>
 #include <strait/flow/leakage.h>
+#include <strait/percolation/channel.h>
+
+#include <deal.II/lac/vector.h>
 
 #include <functional>
 #include <limits>
@@ -13,6 +15,24 @@
 
 namespace strait
 {
+  /** Bounds of the conductance Q/Δp on one mesh. */
+  struct Bracket
+  {
+    double lower = 0.;
+    double upper = 0.;
+
+    /** Of each active cell: what it contributes to upper − lower, over upper. */
+    dealii::Vector<float> contributions;
+  };
+
+  /**
+   * The bracket of a pressure p and a stream function ψ. A cell contributes
+   * ∫ K |∇p + Q_lower/Δp K⁻¹ curl ψ|², which is zero where the flux of both agrees.
+   * Collective.
+   */
+  Bracket plain_bracket(const PotentialProblem &pressure,
+                        const PotentialProblem &stream_function);
+
   /**
    * The Reynolds equation ∇·(K ∇p_f) = 0 in a percolating gap, on a mesh that is
    * refined until the leak rate is bracketed as closely as asked.
@@ -95,6 +115,11 @@ namespace strait
     }
 
   private:
+    /** What another mesh must leave of the bracket at most to pay. One closer to one
+     *  makes more meshes in vain where the grid is too coarse, a smaller one gives up
+     *  where the bracket narrows slowly. */
+    static constexpr double progress = .97;
+
     LinearAccuracy accuracy() const;
     LinearSolve    solve(PotentialProblem &problem);
     double         drive() const;
@@ -116,6 +141,18 @@ namespace strait
 
     /** @return false, without refining, if another mesh would not pay or not fit. */
     bool refine(const Leakage &leakage, const Channel &channel, double wanted);
+
+    /**
+     * Mark the cells to refine, at most @p affordable of all, for the bracket of both
+     * solutions (plain_bracket()), of which the part @p excess is too much: those that
+     * contribute more than others, and those on whose flow the solutions disagree by more
+     * than the part of the bracket's width that is that of one constriction of the first
+     * path of @p channel. Returns false, with none marked, if there are none or if so few
+     * could be that another mesh does not pay. Collective.
+     */
+    bool mark(const Channel &channel, double excess, double affordable);
+
+    dealii::Vector<float> hidden_flows(const Channel &channel) const;
 
     const FluidParameters &parameters;
     const GapField        &gap_field;
