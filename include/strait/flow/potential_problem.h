@@ -212,7 +212,7 @@ namespace strait
     void pin_one_value(UnknownsMatrix &matrix) const;
     void pin_unreached_rows(UnknownsMatrix &matrix);
 
-    /** Add what the potential has besides the solution. */
+    /** Add what the potential has besides the solution, up to a constant. */
     void add_background(const Iterator &cell, std::vector<double> &values) const;
 
     /**
@@ -222,9 +222,6 @@ namespace strait
      * must be continuous, not the other one alone. Collective.
      */
     void find_angles();
-
-    /** Add the angles on a cell, less that at its first unknown. */
-    void add_angles(const Iterator &cell, std::vector<double> &values) const;
 
     GapField::Coefficient              kind_of_coefficient;
     FlowMesh                          &mesh;

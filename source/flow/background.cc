@@ -49,11 +49,25 @@ namespace strait
   }
 
   void
-  PotentialProblem::add_angles(const Iterator &cell, std::vector<double> &values) const
+  PotentialProblem::add_background(const Iterator      &cell,
+                                   std::vector<double> &values) const
   {
-    dealii::Vector<double> turns(values.size());
-    cell->get_dof_values(angles, turns);
+    if (angles.size() > 0)
+      {
+        dealii::Vector<double> turns(values.size());
+        cell->get_dof_values(angles, turns);
+        for (unsigned int i = 0; i < values.size(); ++i)
+          values[i] += shorter_way(turns(i) - turns(0));
+      }
+    if (is_pressure() || mesh.seal() != nullptr)
+      return;
+    // The corner of the cell is as good an origin as any other, and keeps the
+    // values of a small cell small.
+    const auto [width, height] = mesh.edges(mesh.grid_cell(*cell));
+    const unsigned int across  = 1 - mesh.axis_along();
+    const double step   = across == 1 ? height / mesh.grid().ly : -width / mesh.grid().lx;
+    const auto  &points = fe.get_unit_support_points();
     for (unsigned int i = 0; i < values.size(); ++i)
-      values[i] += shorter_way(turns(i) - turns(0));
+      values[i] += step * points[i][across];
   }
 } // namespace strait
