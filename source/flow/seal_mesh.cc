@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
+#include <set>
 #include <utility>
 
 namespace strait
@@ -82,19 +82,15 @@ namespace strait
       void
       find_edges()
       {
-        std::map<std::pair<unsigned int, unsigned int>, int>
-          n_cells; // to the left of an edge
+        std::set<std::pair<unsigned int, unsigned int>> edges; // with a cell to the left
         for (const auto &corners : mesh.cells)
           for (unsigned int v = 0; v < 4; ++v)
-            if (++n_cells[{corners[v], corners[(v + 1) % 4]}] > 1)
+            if (!edges.emplace(corners[v], corners[(v + 1) % 4]).second)
               fail("has cells that overlap at " + place(corners[v]));
-        for (const auto &[ends, n] : n_cells)
-          if (n_cells.count({ends.second, ends.first}) == 0)
-            {
-              const SealMesh::Edge edge{ends.first, ends.second};
-              if (!boundary.emplace(edge.from, edge).second)
-                fail("touches itself at " + place(edge.from));
-            }
+        for (const auto &[from, to] : edges)
+          if (edges.count({to, from}) == 0 &&
+              !boundary.emplace(from, SealMesh::Edge{from, to}).second)
+            fail("touches itself at " + place(from));
       }
 
       SealMesh::Edge *
