@@ -21,17 +21,16 @@ namespace strait
     SealModel
     given_gap(SlabField gap)
     {
-      SlabField open = gap;
-      for (double &value : open)
-        value = std::max(value, 0.);
-      return [gap      = std::move(gap),
-              mean_gap = mean(open)](const Control &control, const SealState *, Aim) {
-        SealState state;
-        state.control   = control;
-        state.given_gap = gap;
-        state.mean_gap  = mean_gap;
-        return state;
-      };
+      const double mean_gap =
+        mean_of(gap, [](const double value) { return std::max(value, 0.); });
+      return
+        [gap = std::move(gap), mean_gap](const Control &control, const SealState *, Aim) {
+          SealState state;
+          state.control   = control;
+          state.given_gap = gap;
+          state.mean_gap  = mean_gap;
+          return state;
+        };
     }
 
     /** A contact, with or without adhesion, on whose walls no fluid presses. */
