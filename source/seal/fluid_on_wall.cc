@@ -2,7 +2,6 @@
 #include <strait/flow/reynolds_solver.h>
 #include <strait/flow/solution_on_grid.h>
 #include <strait/seal/fluid_on_wall.h>
-#include <strait/seal/harmonic_extension.h>
 
 #include <algorithm>
 #include <limits>

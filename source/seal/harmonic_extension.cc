@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/seal/harmonic_extension.h>
+#include <strait/seal/fluid_on_wall.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace strait
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/seal/harmonic_extension.h>
+#include <strait/seal/fluid_on_wall.h>
 
 #include <gtest/gtest.h>
 
