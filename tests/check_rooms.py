@@ -27,7 +27,7 @@ SHARED_HEADERS = ("base/scene.h",
                   "percolation/channel.h", "interface/gap_field.h",
                   "flow/leakage.h", "flow/potential_problem.h", "flow/reynolds_solver.h",
                   "flow/seal_mesh.h",
-                  "seal/fluid_on_wall.h",
+                  "seal/fluid_on_wall.h", "seal/seal_models.h",
                   "run/field_output.h", "run/load_sweep.h", "run/output_directory.h",
                   "run/result_tables.h",
                   "run/scaling.h", "run/simulation.h", "run/step.h")

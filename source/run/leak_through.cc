@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/run/load_sweep.h>
-#include <strait/seal/coupled_seal.h>
+#include <strait/seal/seal_models.h>
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
 #include <strait/flow/reynolds_solver.h>
-#include <strait/seal/coupled_seal.h>
 #include <strait/seal/fluid_on_wall.h>
+#include <strait/seal/seal_models.h>
 #include <strait/seal/wall_feedback.h>
 
 #include <algorithm>

@@ -5,9 +5,8 @@
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/contact/adhesive_contact_solver.h>
 #include <strait/contact/contact_solver.h>
-#include <strait/seal/coupled_seal.h>
 #include <strait/seal/make_seal.h>
-#include <strait/seal/zoomed_seal.h>
+#include <strait/seal/seal_models.h>
 
 #include <algorithm>
 #include <cmath>

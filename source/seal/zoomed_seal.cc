@@ -3,7 +3,7 @@
 #include <strait/contact/grid_transfer.h>
 #include <strait/percolation/bottleneck.h>
 #include <strait/seal/place_windows.h>
-#include <strait/seal/zoomed_seal.h>
+#include <strait/seal/seal_models.h>
 
 #include <algorithm>
 #include <utility>
