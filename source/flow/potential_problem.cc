@@ -136,12 +136,9 @@ namespace strait
           local_matrix *= coefficient_weight(c);
           affine.assign(n, 0.);
           add_background(cell, affine);
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              local_rhs(i) = 0;
-              for (unsigned int j = 0; j < n; ++j)
-                local_rhs(i) -= local_matrix(i, j) * affine[j];
-            }
+          local_matrix.vmult(local_rhs,
+                             dealii::Vector<double>(affine.begin(), affine.end()));
+          local_rhs *= -1.;
           cell->get_dof_indices(indices);
           constraints.distribute_local_to_global(
             local_matrix, local_rhs, indices, matrix, right);
@@ -194,8 +191,7 @@ namespace strait
     multigrid->vmult(smoothed, right_hand_side);
     double      goal = accuracy.energy * (right_hand_side * smoothed);
     LinearSolve total;
-    bool        goes_on = true;
-    while (goes_on)
+    while (true)
       {
         Vector residual(right_hand_side), image(right_hand_side);
         matrix.vmult(image, distributed);
@@ -207,9 +203,9 @@ namespace strait
         goal            = accuracy.energy * energy();
         total.converged = solve.converged && solve.error_energy <= goal;
         // The energy hardly changes any more, and with it the goal, so that this ends.
-        goes_on = solve.converged && !total.converged;
+        if (total.converged || !solve.converged)
+          return total;
       }
-    return total;
   }
 
   void

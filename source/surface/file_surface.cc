@@ -73,14 +73,6 @@ namespace strait
       return twice == n && n_target > n ? .5 : 1.;
     }
 
-    /** The sides of a map that states none: those of the scene, before it is mirrored. */
-    std::array<double, 2>
-    sides_of_map(const SurfaceParameters &parameters)
-    {
-      const double n = parameters.map.make_periodic == MakePeriodic::mirror ? 2. : 1.;
-      return {{parameters.size[0] / n, parameters.size[1] / n}};
-    }
-
     /** Of a file that does not state its size, that of the scene may be meant for what it
      *  was before it was turned or cut. */
     void
@@ -172,7 +164,9 @@ namespace strait
       const bool states_size = map.size.has_value();
       if (!states_size)
         {
-          map.size = sides_of_map(parameters);
+          // Those of the scene, before it is mirrored.
+          const double n = parameters.map.make_periodic == MakePeriodic::mirror ? 2. : 1.;
+          map.size       = {{parameters.size[0] / n, parameters.size[1] / n}};
           warn_of_long_cells(map, parameters, remarks);
         }
       detrend(map, parameters.map.detrend);
