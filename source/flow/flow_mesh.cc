@@ -149,9 +149,8 @@ namespace strait
   dealii::AffineConstraints<double>
   FlowMesh::continuity(const dealii::DoFHandler<2> &dofs) const
   {
-    dealii::IndexSet relevant;
-    dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    dealii::AffineConstraints<double> constraints(relevant);
+    dealii::AffineConstraints<double> constraints(
+      dealii::DoFTools::extract_locally_relevant_dofs(dofs));
     dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
     if (seal_mesh == nullptr)
       dealii::DoFTools::make_periodicity_constraints(

@@ -121,15 +121,14 @@ namespace strait
     LinearAlgebra::distributed::Vector<double>
     vertex_slopes(const PotentialProblem &problem)
     {
-      const DoFHandler<2> &dofs = problem.dof_handler();
-      IndexSet             relevant;
-      DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-      LinearAlgebra::distributed::Vector<double> slopes(dofs.locally_owned_dofs(),
-                                                        relevant,
-                                                        dofs.get_communicator());
-      auto                                       counts(slopes);
-      std::vector<double>                        values;
-      std::vector<types::global_dof_index>       indices(dofs.get_fe().n_dofs_per_cell());
+      const DoFHandler<2>                       &dofs = problem.dof_handler();
+      LinearAlgebra::distributed::Vector<double> slopes(
+        dofs.locally_owned_dofs(),
+        DoFTools::extract_locally_relevant_dofs(dofs),
+        dofs.get_communicator());
+      auto                                 counts(slopes);
+      std::vector<double>                  values;
+      std::vector<types::global_dof_index> indices(dofs.get_fe().n_dofs_per_cell());
       for (std::size_t c = 0; c < problem.cells().size(); ++c)
         {
           const auto &cell = problem.cells()[c];
