@@ -98,10 +98,6 @@ namespace strait
         double       share = mesh_share;
 
         std::optional<double> leak_before;
-        const auto            certify = [&]() -> const Leakage            &{
-          flow.certify(fluid_flow, share);
-          return fluid_flow.leakage;
-        };
         for (int finer = 0, states = 1;;)
           {
             agree(goal);
@@ -115,7 +111,7 @@ namespace strait
               {
                 // A change below the width of the bracket, or below what the iteration
                 // leaves over, is chance.
-                const Leakage &now = certify();
+                const Leakage &now = flow.certify(fluid_flow, share);
                 fluid.mesh_error   = std::max({std::abs(*leak_before / now.rate - 1.),
                                                .5 * now.relative_width(),
                                                loosely});
@@ -137,7 +133,7 @@ namespace strait
                 ++states;
                 flow.discard_mesh();
               }
-            leak_before = certify().rate;
+            leak_before = flow.certify(fluid_flow, share).rate;
           }
         goal.tolerance = tolerance;
         if (fluid.converged && !last_result.agrees_within(goal))

@@ -168,7 +168,7 @@ namespace strait
     flow.leakage.upper = flow.solution->solve_pressure();
   }
 
-  void
+  const Leakage &
   FlowStage::certify(StepFlow &flow, const double tolerance_factor)
   {
     // Cells that are small where a very different gap was narrow are a burden here.
@@ -180,6 +180,7 @@ namespace strait
         fill(gap_field, flow.channel, true);
         bracket(flow, tolerance_factor, ReynoldsSolver::unlimited);
       }
+    return flow.leakage;
   }
 
   /** With a path only where reservoirs differ in pressure. */

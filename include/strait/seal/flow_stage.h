@@ -76,9 +76,10 @@ namespace strait
     /**
      * Complete what follow() left out, the bracket of the leak rate, on the same mesh
      * or finer ones, or on a new one if the leak rate is quite another than when that was
-     * made, to @p tolerance_factor times the target accuracy if possible. Collective.
+     * made, to @p tolerance_factor times the target accuracy if possible. Returns the
+     * leakage. Collective.
      */
-    void certify(StepFlow &flow, double tolerance_factor);
+    const Leakage &certify(StepFlow &flow, double tolerance_factor);
 
     /** Let the next certify() make a new mesh in any case. */
     void
