@@ -137,39 +137,4 @@ namespace strait
     MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, root, comm);
     return text;
   }
-
-  double
-  sum(MPI_Comm comm, double value)
-  {
-    sum_in_place(comm, &value, 1);
-    return value;
-  }
-
-  double
-  maximum(MPI_Comm comm, double value)
-  {
-    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, comm);
-    return value;
-  }
-
-  long long
-  sum(MPI_Comm comm, long long value)
-  {
-    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_LONG_LONG, MPI_SUM, comm);
-    return value;
-  }
-
-  void
-  sum_in_place(MPI_Comm comm, double *values, const std::size_t count)
-  {
-    MPI_Allreduce(
-      MPI_IN_PLACE, values, static_cast<int>(count), MPI_DOUBLE, MPI_SUM, comm);
-  }
-
-  void
-  sum_in_place(MPI_Comm comm, float *values, const std::size_t count)
-  {
-    MPI_Allreduce(
-      MPI_IN_PLACE, values, static_cast<int>(count), MPI_FLOAT, MPI_SUM, comm);
-  }
 } // namespace strait

@@ -54,27 +54,18 @@ namespace strait
   /** Collective: the string of the rank @p root on every rank. */
   std::string broadcast(MPI_Comm comm, std::string text, int root = 0);
 
-  /** The sum of @p value over all ranks. Collective. */
-  double sum(MPI_Comm comm, double value);
-
-  /** The largest @p value of all ranks. Collective. */
-  double maximum(MPI_Comm comm, double value);
-
-  /** The smallest @p value of all ranks. Collective. */
-  inline double
-  minimum(MPI_Comm comm, const double value)
+  /** Collective: sums of several values over all ranks with one message. */
+  template <typename Number>
+  void
+  sum_in_place(MPI_Comm comm, Number *values, const std::size_t count)
   {
-    return -maximum(comm, -value);
+    static_assert(std::is_same_v<Number, double> || std::is_same_v<Number, float> ||
+                  std::is_same_v<Number, long long>);
+    MPI_Datatype type = std::is_same_v<Number, double>  ? MPI_DOUBLE
+                        : std::is_same_v<Number, float> ? MPI_FLOAT
+                                                        : MPI_LONG_LONG;
+    MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(count), type, MPI_SUM, comm);
   }
-
-  /** The sum of whole numbers over all ranks. Collective. */
-  long long sum(MPI_Comm comm, long long value);
-
-  /** Collective: sums of several values with one message. */
-  void sum_in_place(MPI_Comm comm, double *values, std::size_t count);
-
-  /** The same in single precision. */
-  void sum_in_place(MPI_Comm comm, float *values, std::size_t count);
 
   /** The same of all values of a container. */
   template <typename Values>
@@ -82,6 +73,30 @@ namespace strait
   sum_in_place(MPI_Comm comm, Values &values)
   {
     sum_in_place(comm, values.data(), values.size());
+  }
+
+  /** The sum of @p value over all ranks. Collective. */
+  template <typename Number>
+  Number
+  sum(MPI_Comm comm, Number value)
+  {
+    sum_in_place(comm, &value, 1);
+    return value;
+  }
+
+  /** The largest @p value of all ranks. Collective. */
+  inline double
+  maximum(MPI_Comm comm, double value)
+  {
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, comm);
+    return value;
+  }
+
+  /** The smallest @p value of all ranks. Collective. */
+  inline double
+  minimum(MPI_Comm comm, const double value)
+  {
+    return -maximum(comm, -value);
   }
 
   /** Σ a[k] b[k] over the values of all ranks, in double precision. Collective. */
