@@ -187,8 +187,9 @@ namespace strait
             has_checkpoint(alone, MPI_COMM_WORLD))
           const RunState of_this_scene(alone, MPI_COMM_WORLD, true);
     const auto lock = begin_results(scene, MPI_COMM_WORLD, log, resume);
+    state.finished.reset();
     state.has_begun = true;
-    state.save_mark({}); // that it is these realisations
+    state.save(); // that it is these realisations
     Table<RealisationRow> table = ensemble_table(scene);
     run_on_root(MPI_COMM_WORLD, [&]() { table.open(folder, true); });
 
@@ -244,7 +245,8 @@ namespace strait
         assess_whole_seal(scene, log);
       draw_results(scene, log);
     });
-    state.save_mark(RunSummary());
+    state.finished = RunSummary();
+    state.save();
     return all_converged;
   }
 } // namespace strait

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
+#include <strait/run/output_directory.h>
 #include <strait/run/run_state.h>
 
 #include <zlib.h>
@@ -41,20 +42,6 @@ namespace strait
           files.push_back("'" + name + "' (checksum " + broadcast(comm, checksum) + ")");
         }
       return files;
-    }
-
-    void
-    transfer_parts(StateArchive    &archive,
-                   LoadSweep       &sweep,
-                   OutputDirectory &output,
-                   Log             &log)
-    {
-      output.transfer(archive);
-      sweep.transfer(archive);
-      std::vector<std::string> warnings = log.warnings();
-      archive.value(warnings);
-      if (archive.is_reading())
-        log.keep_warnings(warnings);
     }
   } // namespace
 
@@ -110,33 +97,23 @@ namespace strait
   }
 
   void
-  RunState::restore(LoadSweep &sweep, OutputDirectory &output, Log &log)
+  RunState::restore(const Parts &parts)
   {
-    transfer_parts(*archive, sweep, output, log);
+    parts(*archive);
     has_begun = true;
   }
 
   void
-  RunState::save(LoadSweep &sweep, OutputDirectory &output, Log &log)
+  RunState::save(const Parts &parts)
   {
     if (!scene.output.checkpoint)
       return;
     StateArchive writer(path, comm, StateArchive::Access::write);
     transfer(writer);
-    transfer_parts(writer, sweep, output, log);
+    if (parts)
+      parts(writer);
     writer.commit();
     has_begun = true; // the first time nothing is done yet
-  }
-
-  void
-  RunState::save_mark(const std::optional<RunSummary> &end)
-  {
-    finished = end;
-    if (!scene.output.checkpoint)
-      return;
-    StateArchive writer(path, comm, StateArchive::Access::write);
-    transfer(writer);
-    writer.commit();
   }
 
   void

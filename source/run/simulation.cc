@@ -179,9 +179,17 @@ namespace strait
     state.surface_energy = sweep.progress().surface_energy;
     // The first thing that is written, after the last check of the input.
     OutputDirectory output(scene, comm, log, resume);
+    const auto      parts = [&](StateArchive &archive) {
+      output.transfer(archive);
+      sweep.transfer(archive);
+      std::vector<std::string> warnings = log.warnings();
+      archive.value(warnings);
+      if (archive.is_reading())
+        log.keep_warnings(warnings);
+    };
     if (resume)
       {
-        state.restore(sweep, output, log);
+        state.restore(parts);
         log.line(
           sweep.search() != nullptr
             ? format("resumed after %zu solves of a search", sweep.search()->n_probes())
@@ -190,7 +198,7 @@ namespace strait
     else
       {
         write_surface(scene, shown);
-        state.save(sweep, output, log);
+        state.save(parts);
       }
     const auto stop_if_asked = [&]() {
       const bool is_done =
@@ -201,7 +209,7 @@ namespace strait
     const auto save = [&]() {
       {
         const auto scope = timers.scope("checkpoint");
-        state.save(sweep, output, log);
+        state.save(parts);
       }
       stop_if_asked();
     };
@@ -241,7 +249,8 @@ namespace strait
            ? "the same command with --resume continues."
            : "with Output/Checkpoint = true it could have been resumed."));
     summary.converged = sweep.progress().converged;
-    state.save_mark(summary);
+    state.finished    = summary;
+    state.save();
     return summary;
   }
 

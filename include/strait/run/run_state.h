@@ -2,12 +2,11 @@
 #ifndef strait_run_run_state_h
 #define strait_run_run_state_h
 
-#include <strait/base/log.h>
 #include <strait/base/scene.h>
-#include <strait/run/load_sweep.h>
-#include <strait/run/output_directory.h>
+#include <strait/run/scaling.h>
 #include <strait/spectral/state_archive.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,15 +30,15 @@ namespace strait
     bool   has_begun      = false; // there is something that a resumed run goes on from
     double surface_energy = 0.;    // of the adhesion; 0 if it is not known yet
 
-    /** Put @p sweep, @p output and @p log where the run stopped. Collective. */
-    void restore(LoadSweep &sweep, OutputDirectory &output, Log &log);
+    /** Puts all that a run works with into an archive, or takes it from there. */
+    using Parts = std::function<void(StateArchive &)>;
 
-    /** Collective. Throws ComputationError if the disk is full. */
-    void save(LoadSweep &sweep, OutputDirectory &output, Log &log);
+    /** Put the run where it stopped. Collective. */
+    void restore(const Parts &parts);
 
-    /** Replace the checkpoint by a mark of the scene alone, and of what it left if it has
-     *  come to its @p end. Collective. */
-    void save_mark(const std::optional<RunSummary> &end);
+    /** Without @p parts it is a mark of the scene alone, and of what the run left if it
+     *  has finished. Collective. Throws ComputationError if the disk is full. */
+    void save(const Parts &parts = {});
 
   private:
     RunState(const Scene &scene, MPI_Comm comm, std::vector<std::string> files);
