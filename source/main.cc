@@ -5,9 +5,9 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/log.h>
 #include <strait/base/signals.h>
+#include <strait/run/output_directory.h>
 #include <strait/run/result_tables.h>
 #include <strait/run/run_state.h>
-#include <strait/run/scripts.h>
 #include <strait/run/simulation.h>
 #include <strait/surface/read_scene.h>
 

@@ -6,7 +6,6 @@
 #include <strait/run/output_directory.h>
 #include <strait/run/result_tables.h>
 #include <strait/run/run_state.h>
-#include <strait/run/scripts.h>
 #include <strait/run/simulation.h>
 
 #include <algorithm>

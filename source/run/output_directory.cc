@@ -4,7 +4,6 @@
 #include <strait/base/files.h>
 #include <strait/run/field_output.h>
 #include <strait/run/output_directory.h>
-#include <strait/run/scripts.h>
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 #include <strait/base/build_info.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
-#include <strait/run/scripts.h>
+#include <strait/run/output_directory.h>
 
 #include <boost/algorithm/string/replace.hpp>
 
