@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
+#include <strait/base/parameter_table.h>
 #include <strait/base/scene.h>
 #include <strait/base/text.h>
 
