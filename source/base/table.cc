@@ -35,12 +35,6 @@ namespace strait
     out << "\n";
   }
 
-  std::string
-  full_precision(const double value)
-  {
-    return format("%.17g", value);
-  }
-
   TableFile::TableFile(const std::string &file_,
                        const Condition   &condition,
                        const std::string &definition)

@@ -2,6 +2,8 @@
 #ifndef strait_base_table_h
 #define strait_base_table_h
 
+#include <strait/base/text.h>
+
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -77,9 +79,6 @@ namespace strait
     std::string file_name;
   };
 
-  /** A number with all its digits, as it is written to tables. */
-  std::string full_precision(double value);
-
   /** A table whose columns take their entries from a @p Row. */
   template <typename Row>
   class Table : public TableFile
@@ -108,7 +107,7 @@ namespace strait
         using Entry       = std::decay_t<decltype(std::invoke(value, row))>;
         const Entry entry = std::invoke(value, row);
         if constexpr (std::is_floating_point_v<Entry>)
-          return full_precision(entry);
+          return format("%.17g", entry); // all its digits
         else if constexpr (std::is_integral_v<Entry>)
           return std::to_string(entry);
         else
