@@ -60,9 +60,7 @@ namespace strait
   bool
   stop_requested(MPI_Comm comm)
   {
-    int number = caught;
-    MPI_Allreduce(MPI_IN_PLACE, &number, 1, MPI_INT, MPI_MAX, comm);
-    return number != 0;
+    return maximum(comm, caught) > 0;
   }
 
   std::string
