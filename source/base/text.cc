@@ -84,12 +84,11 @@ namespace strait
   std::string
   nearest_name(const std::string &word, const std::vector<std::string> &candidates)
   {
+    const auto is_nearer = [&word](const std::string &a, const std::string &b) {
+      return edit_distance(word, a) < edit_distance(word, b);
+    };
     const auto nearest =
-      std::min_element(candidates.begin(),
-                       candidates.end(),
-                       [&word](const std::string &a, const std::string &b) {
-                         return edit_distance(word, a) < edit_distance(word, b);
-                       });
+      std::min_element(candidates.begin(), candidates.end(), is_nearer);
     // A smaller part of the length misses more misspellings, a larger one suggests names
     // that have nothing to do with the word.
     const bool is_near = nearest != candidates.end() &&

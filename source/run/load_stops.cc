@@ -25,12 +25,11 @@ namespace strait
       for (const double reduced : scene.programme.reduced_loads)
         near_threshold.push_back(
           {(1 - reduced) * threshold.middle(), threshold.slip_length, true});
-    const bool upwards = scene.programme.path != LoadPath::unloading;
-    std::stable_sort(near_threshold.begin(),
-                     near_threshold.end(),
-                     [upwards](const LoadStop &a, const LoadStop &b) {
-                       return upwards ? a.target < b.target : a.target > b.target;
-                     });
+    const bool upwards     = scene.programme.path != LoadPath::unloading;
+    const auto comes_first = [upwards](const LoadStop &a, const LoadStop &b) {
+      return upwards ? a.target < b.target : a.target > b.target;
+    };
+    std::stable_sort(near_threshold.begin(), near_threshold.end(), comes_first);
     if (!near_threshold.empty())
       near_threshold.front().begins_anew = true;
     stops.insert(stops.end(), near_threshold.begin(), near_threshold.end());

@@ -63,11 +63,9 @@ namespace strait
   std::vector<ExponentFit>
   local_slopes(std::vector<ScalingPoint> points)
   {
-    std::sort(points.begin(),
-              points.end(),
-              [](const ScalingPoint &a, const ScalingPoint &b) {
-                return a.reduced_load > b.reduced_load;
-              });
+    std::sort(points.begin(), points.end(), [](const auto &a, const auto &b) {
+      return a.reduced_load > b.reduced_load;
+    });
     std::vector<ExponentFit> slopes;
     for (std::size_t k = 1; k < points.size(); ++k)
       if (points[k].reduced_load < points[k - 1].reduced_load)

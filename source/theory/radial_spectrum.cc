@@ -31,12 +31,10 @@ namespace strait
     std::vector<RadialSpectrum::Section>::const_iterator
     section_of(const std::vector<RadialSpectrum::Section> &sections, const double q)
     {
-      return std::upper_bound(sections.begin(),
-                              sections.end(),
-                              q,
-                              [](const double value, const auto &s) {
-                                return value < s.to;
-                              });
+      const auto ends_beyond = [](const double value, const auto &section) {
+        return value < section.to;
+      };
+      return std::upper_bound(sections.begin(), sections.end(), q, ends_beyond);
     }
 
     /** C = (q/from)^(−decay), not yet scaled. */
@@ -156,22 +154,16 @@ namespace strait
 
     const std::size_t   n_rings = edges.size() - 1;
     std::vector<double> sums(2 * n_rings, 0.);
-    FourierTransform    transform(heights.layout_pointer());
-    transform.analyze(heights.data(),
-                      [&](const int                   kx,
-                          const int                   ky,
-                          const std::complex<double> &mode,
-                          const double                weight) {
-                        const double q =
-                          2 * M_PI * std::hypot(kx / grid.lx, ky / grid.ly);
-                        if (q < edges.front())
-                          return;
-                        const std::size_t ring =
-                          std::upper_bound(edges.begin(), edges.end(), q) -
-                          edges.begin() - 1;
-                        sums[2 * ring] += weight * std::norm(mode);
-                        sums[2 * ring + 1] += weight * std::norm(mode) * q * q;
-                      });
+    const auto          add_mode = [&](int kx, int ky, const auto &mode, double weight) {
+      const double q = 2 * M_PI * std::hypot(kx / grid.lx, ky / grid.ly);
+      if (q < edges.front())
+        return;
+      const std::size_t ring =
+        std::upper_bound(edges.begin(), edges.end(), q) - edges.begin() - 1;
+      sums[2 * ring] += weight * std::norm(mode);
+      sums[2 * ring + 1] += weight * std::norm(mode) * q * q;
+    };
+    FourierTransform(heights.layout_pointer()).analyze(heights.data(), add_mode);
     sum_in_place(heights.layout().communicator(), sums);
 
     // What adds nothing to the sum is rounding beyond the shortest wave, no roughness.
