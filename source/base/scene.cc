@@ -63,14 +63,6 @@ namespace strait
     output.bind({table, "Output"});
   }
 
-  bool
-  Scene::can_flow_in_a_row() const
-  {
-    return fluid.enabled && fluid.direction == FlowDirection::x &&
-           fluid.mesh_file.empty() && fluid.rarefaction == Rarefaction::none &&
-           !fluid.feedback.enabled && !contact.zoom.enabled;
-  }
-
   Scene
   parse_scene(const std::vector<SceneEntry> &entries)
   {

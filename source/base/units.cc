@@ -16,9 +16,7 @@ namespace strait
     look_up(const Factors &table, const std::string &unit)
     {
       const auto found = table.find(unit);
-      if (found == table.end())
-        return {};
-      return found->second;
+      return found == table.end() ? std::nullopt : std::optional(found->second);
     }
 
     /** @p text with any of the micro signs replaced by u. */
@@ -85,12 +83,6 @@ namespace strait
     if (!unit || !(factor > 0.) || !std::isfinite(factor))
       return {name, {}};
     return {name, factor * *unit};
-  }
-
-  bool
-  UnitParameters::are_complete() const
-  {
-    return !length.empty() && !pressure.empty() && !time.empty();
   }
 
   void

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/run/simulation.h>
+#include <strait/surface/read_scene.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,9 +28,7 @@ namespace strait
     std::optional<ThroatLaw>
     throat_law(const Scene &scene)
     {
-      const double spacing =
-        std::max(scene.surface.size[0] / scene.contact.grid_points[0],
-                 scene.surface.size[1] / scene.contact.grid_points[1]);
+      const double spacing = std::max(grid_of(scene).dx(), grid_of(scene).dy());
       // Both numbers were computed.
       if (scene.surface.kind == SurfaceKind::square_saddle)
         return ThroatLaw{.228605, .212 * scene.surface.size[0] / spacing};
@@ -71,8 +70,7 @@ namespace strait
           "windows follow the throat, so the largest error is not predicted: see "
           "leak_rate_error; reduced loads below about %.2g are beyond this grid of the "
           "contact, however fine the windows",
-          points_nearest / (static_cast<double>(scene.contact.grid_points[0]) *
-                            scene.contact.grid_points[1]));
+          points_nearest / static_cast<double>(grid_of(scene).n_points()));
       }
     const std::optional<ThroatLaw> law = throat_law(scene);
     const std::optional<double>    reduced =

@@ -48,7 +48,13 @@ namespace strait
 
     /** Whether the flow through two boxes in a row can be solved, given that through one:
      *  it must add up, and not change the gap. */
-    bool can_flow_in_a_row() const;
+    bool
+    can_flow_in_a_row() const
+    {
+      return fluid.enabled && fluid.direction == FlowDirection::x &&
+             fluid.mesh_file.empty() && fluid.rarefaction == Rarefaction::none &&
+             !fluid.feedback.enabled && !contact.zoom.enabled;
+    }
 
     /** Whether the flow through two boxes in a row is solved beside that through one: it
      *  is asked for, or the patches of the seal must be taken in rows, for their ends to

@@ -65,7 +65,11 @@ namespace strait
     std::string time;
 
     /** Whether all three are stated. */
-    bool are_complete() const;
+    bool
+    are_complete() const
+    {
+      return !length.empty() && !pressure.empty() && !time.empty();
+    }
 
     void bind(ParameterSection section);
   };
