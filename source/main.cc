@@ -38,19 +38,20 @@ namespace
   {
     using namespace strait;
     const CommandLine command = parse_command_line(argc, argv);
-    const bool        on_root = rank_in(MPI_COMM_WORLD) == 0;
-    if (command.asks_for_text())
+    if (!command.text.empty())
       {
-        if (on_root && command.help)
-          std::cout << help_text();
-        else if (on_root && command.version)
+        if (rank_in(MPI_COMM_WORLD) > 0)
+          return 0;
+        if (command.text == "--version")
           std::cout << "strait " << version << std::endl;
-        else if (on_root && command.scenes)
+        else if (command.text == "--scenes")
           std::cout << list_of_scenes();
-        else if (on_root && !command.columns_format.empty())
-          print_columns(std::cout, command.columns_format);
-        else if (on_root)
-          print_parameters(std::cout, command.parameters_format);
+        else if (command.text == "--columns")
+          print_columns(std::cout, command.format);
+        else if (command.text == "--parameters")
+          print_parameters(std::cout, command.format);
+        else
+          std::cout << help_text();
         return 0;
       }
     const Scene scene = read_scene(command.scene, command.overrides);

@@ -18,11 +18,16 @@ namespace strait
       {"--resume", &CommandLine::resume},
       {"--force", &CommandLine::force},
       {"--dry-run", &CommandLine::dry_run},
-      {"--quiet", &CommandLine::quiet},
-      {"--scenes", &CommandLine::scenes},
-      {"--version", &CommandLine::version},
-      {"--help", &CommandLine::help},
-      {"-h", &CommandLine::help}};
+      {"--quiet", &CommandLine::quiet}};
+
+    /** What asks for something to read, and its formats, the usual one first. */
+    const std::map<std::string, std::vector<std::string>> texts = {{"--parameters",
+                                                                    {"prm", "md"}},
+                                                                   {"--columns", {"md"}},
+                                                                   {"--scenes", {}},
+                                                                   {"--version", {}},
+                                                                   {"--help", {}},
+                                                                   {"-h", {}}};
 
     /** The first clause of the comment at the head of a scene file. */
     std::string
@@ -63,34 +68,32 @@ namespace strait
           return *value;
         };
 
-        // The first of them where none follows.
-        const auto take_one_of = [&](const std::vector<std::string> &formats) {
-          if (!value && word + 1 != words.end() &&
-              std::find(formats.begin(), formats.end(), word[1]) != formats.end())
-            value = *++word;
-          return value.value_or(formats.front());
-        };
-
-        if (const auto flag = flags.find(name); flag != flags.end())
+        const auto flag = flags.find(name);
+        const auto text = texts.find(name);
+        require(!value ||
+                  (flag == flags.end() && (text == texts.end() || !text->second.empty())),
+                "The option " + name + " takes no value.");
+        if (flag != flags.end())
+          command.*flag->second = true;
+        else if (text != texts.end())
           {
-            require(!value, "The option " + name + " takes no value.");
-            command.*flag->second = true;
+            const std::vector<std::string> &formats = text->second;
+            if (!value && word + 1 != words.end() &&
+                std::find(formats.begin(), formats.end(), word[1]) != formats.end())
+              value = *++word;
+            command.text   = name;
+            command.format = value.value_or(formats.empty() ? "" : formats.front());
           }
         else if (name == "--set")
           command.overrides.push_back(take_value("\"Section/Parameter=value\""));
         else if (name == "--output")
           output = take_value("a folder");
-        else if (name == "--parameters")
-          command.parameters_format = take_one_of({"prm", "md"});
-        else if (name == "--columns")
-          command.columns_format = take_one_of({"md"});
         else if (name.compare(0, 1, "-") == 0)
           {
-            std::vector<std::string> known = {"--set",
-                                              "--output",
-                                              "--parameters",
-                                              "--columns"};
+            std::vector<std::string> known = {"--set", "--output"};
             for (const auto &[option, member] : flags)
+              known.push_back(option);
+            for (const auto &[option, formats] : texts)
               known.push_back(option);
             throw InputError(
               "Unknown option '" + name + "'" +
@@ -107,11 +110,11 @@ namespace strait
 
     if (!output.empty())
       command.overrides.push_back("Output/Directory=" + output);
-    require(command.scene.empty() || !command.asks_for_text(),
+    require(command.scene.empty() || command.text.empty(),
             "'" + command.scene +
               "' is no scene to be run where something to read is asked for; leave it "
               "out, or see 'strait --help' for the formats.");
-    require(!command.scene.empty() || command.asks_for_text(),
+    require(!command.scene.empty() || !command.text.empty(),
             "No scene was given; try 'strait SCENE.prm' or 'strait --help'.");
     return command;
   }

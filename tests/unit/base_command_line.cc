@@ -39,7 +39,7 @@ TEST(CommandLine, SceneAndOptionsInAnyOrder)
             (std::vector<std::string>{"A/b=c", "A/d=e=f", "Output/Directory=out"}));
   EXPECT_TRUE(command.quiet);
   EXPECT_FALSE(command.dry_run);
-  EXPECT_FALSE(command.help);
+  EXPECT_EQ(command.text, "");
   EXPECT_TRUE(parse({"a.prm", "--dry-run"}).dry_run);
   EXPECT_TRUE(parse({"a.prm", "--resume"}).resume);
   EXPECT_FALSE(parse({"a.prm"}).resume);
@@ -48,17 +48,17 @@ TEST(CommandLine, SceneAndOptionsInAnyOrder)
 
 TEST(CommandLine, OptionsThatNeedNoScene)
 {
-  EXPECT_TRUE(parse({"--help"}).help);
-  EXPECT_TRUE(parse({"-h"}).help);
-  EXPECT_TRUE(parse({"--version"}).version);
-  EXPECT_EQ(parse({"--parameters"}).parameters_format, "prm");
-  EXPECT_EQ(parse({"--parameters", "md"}).parameters_format, "md");
-  EXPECT_EQ(parse({"--parameters=md"}).parameters_format, "md");
+  for (const char *option : {"--help", "-h", "--version", "--scenes"})
+    EXPECT_EQ(parse({option}).text, option);
+  EXPECT_EQ(parse({"--parameters"}).text, "--parameters");
+  EXPECT_EQ(parse({"--parameters"}).format, "prm");
+  EXPECT_EQ(parse({"--parameters", "md"}).format, "md");
+  EXPECT_EQ(parse({"--parameters=md"}).format, "md");
+  EXPECT_EQ(parse({"--columns"}).format, "md");
 }
 
 TEST(CommandLine, ScenesThatComeWithIt)
 {
-  EXPECT_TRUE(parse({"--scenes"}).asks_for_text());
   const std::string scenes = list_of_scenes();
   for (const char *line :
        {"\n  quickstart.prm", "\n  given_gap.prm               A pure flow problem\n"})
@@ -80,6 +80,7 @@ TEST(CommandLine, WrongUse)
                                                  {"a.prm", "--output"},
                                                  {"a.prm", "--output="},
                                                  {"a.prm", "--quiet=yes"},
-                                                 {"a.prm", "--resume=yes"}})
+                                                 {"a.prm", "--resume=yes"},
+                                                 {"--help=md"}})
     EXPECT_NE(error_of(wrong), "none");
 }

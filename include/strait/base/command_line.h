@@ -12,23 +12,12 @@ namespace strait
   {
     std::string              scene;     // empty only if no scene is needed
     std::vector<std::string> overrides; // "Section/Parameter=value"; --output is the last
-    std::string              parameters_format; // "prm" or "md" if --parameters was given
-    std::string              columns_format;    // "md" if --columns was given
+    std::string              text;      // the option that asks for something to read
+    std::string              format;    // of that
     bool                     resume  = false;
     bool                     force   = false;
     bool                     dry_run = false;
     bool                     quiet   = false;
-    bool                     version = false;
-    bool                     help    = false;
-    bool                     scenes  = false;
-
-    /** Whether it asks for something to read rather than for a scene to be run. */
-    bool
-    asks_for_text() const
-    {
-      return version || help || scenes || !parameters_format.empty() ||
-             !columns_format.empty();
-    }
   };
 
   /** Read the arguments; argv[0] is skipped. Values follow their option or an equals sign
