@@ -16,7 +16,6 @@
 #include <fstream>
 #include <map>
 #include <regex>
-#include <set>
 #include <vector>
 
 namespace strait
@@ -54,21 +53,14 @@ namespace strait
     }
 
     /** What may change from one part of a run to the next: no number of a step depends
-     *  on it. */
+     *  on it. A Seal is made of the steps of all patches. */
     bool
     may_change(const std::string &name)
     {
-      if (name.compare(0, 5, "Seal/") == 0) // what is made of the steps of all patches
-        return name != "Seal/Two in a row";
-      static const std::set<std::string> free = {"Output/Directory",
-                                                 "Output/Pictures",
-                                                 "Output/Report",
-                                                 "Output/Fields",
-                                                 "Output/Surface map",
-                                                 "Output/Surface spectrum",
-                                                 "Output/Checkpoint",
-                                                 "Realisations/Ranks each"};
-      return free.count(name) > 0;
+      static const std::regex free(
+        "Output/(Directory|Pictures|Report|Fields|Checkpoint|Surface (map|spectrum))|"
+        "Realisations/Ranks each|Seal/(?!Two in a row$).*");
+      return std::regex_match(name, free);
     }
 
     /** The values of a resolved scene by "Section/Parameter". */
