@@ -39,9 +39,9 @@ namespace strait
     const PotentialProblem &problem = step.flow->solution->pressure();
     const auto             &dofs    = problem.dof_handler();
     const auto             &tria    = dofs.get_triangulation();
+    MPI_Comm                comm    = step.state.gap().layout().communicator();
 
-    PotentialProblem::Vector owned_pressure(dofs.locally_owned_dofs(),
-                                            step.state.gap().layout().communicator());
+    PotentialProblem::Vector owned_pressure(dofs.locally_owned_dofs(), comm);
     owned_pressure = problem.solution();
     for (const auto k : dofs.locally_owned_dofs())
       owned_pressure(k) = step.flow->solution->pressure_at(owned_pressure(k));
@@ -72,7 +72,6 @@ namespace strait
     out.add_data_vector(leaks, "leaks");
     out.build_patches(step.flow->solution->mesh().mapping(), dofs.get_fe().degree);
     const std::string name = directory + "/flow-" + std::to_string(step.number);
-    MPI_Comm          comm = step.state.gap().layout().communicator();
     // About what it takes, compressed; the library would print errors of its own.
     const std::uintmax_t bytes_per_cell =
       30 * dofs.get_fe().degree * dofs.get_fe().degree;

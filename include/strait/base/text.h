@@ -23,10 +23,8 @@ namespace strait
   auto
   find_row(const Table &table, const std::string &name)
   {
-    const auto row =
-      std::find_if(std::begin(table), std::end(table), [&name](const auto &candidate) {
-        return candidate.name == name;
-      });
+    const auto is_named = [&name](const auto &row) { return row.name == name; };
+    const auto row      = std::find_if(std::begin(table), std::end(table), is_named);
     return row == std::end(table) ? nullptr : &*row;
   }
 
