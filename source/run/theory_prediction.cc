@@ -59,39 +59,6 @@ namespace strait
                ? with.contact_area(critical)
                : with.distribution(with.solve(critical), -2 * slip_length).contact_area;
     }
-
-    /** Without what compares this theory, or its gaps, with others. */
-    TheoryResult
-    evaluate(const Scene         &scene,
-             const PerssonTheory &with,
-             const double         pressure,
-             const double         slip_length,
-             const SlabField     *gap,
-             const Transition    *threshold)
-    {
-      TheoryResult result;
-      result.pressure     = pressure;
-      result.contact_area = result.mean_gap = result.leak_rate = std::nan("");
-      GapDistribution gaps;
-      if (pressure > 0)
-        {
-          const PerssonState state = with.solve(pressure);
-          result.mean_gap          = state.mean_gap;
-          result.contact_area      = state.contact_area;
-          gaps                     = with.distribution(state, -2 * slip_length);
-          if (scene.output.fields != FieldOutput::none)
-            result.persson_gaps =
-              with.distribution(state, 0., with.bins_per_decade() / bins_shown);
-        }
-      if (scene.theory.simulated_gaps)
-        gaps = gap_histogram(*gap, n_decades, with.bins_per_decade(), -2 * slip_length);
-      if (scene.theory.simulated_gaps || pressure > 0)
-        result.leak_rate =
-          conductance_of_box(scene) *
-          effective_cubed_gap(
-            gaps, 1 / (1 - critical_fraction(scene, with, slip_length, threshold)));
-      return result;
-    }
   } // namespace
 
   TheoryPrediction::TheoryPrediction(const Scene &scene_, const SlabField *heights)
@@ -109,10 +76,35 @@ namespace strait
                             const SlabField  *gap,
                             const Transition *threshold) const
   {
-    TheoryResult result = evaluate(scene, persson, pressure, slip_length, gap, threshold);
-    const TheoryResult other =
-      evaluate(scene, coarse, pressure, slip_length, gap, threshold);
-    result.error = relative_difference(result.leak_rate, other.leak_rate);
+    const bool shows_gaps = scene.output.fields != FieldOutput::none;
+    // Without what compares a theory, or its gaps, with others.
+    const auto evaluate = [&](const PerssonTheory &with) {
+      TheoryResult result;
+      result.pressure     = pressure;
+      result.contact_area = result.mean_gap = result.leak_rate = std::nan("");
+      GapDistribution gaps;
+      if (pressure > 0)
+        {
+          const PerssonState state = with.solve(pressure);
+          result.mean_gap          = state.mean_gap;
+          result.contact_area      = state.contact_area;
+          gaps                     = with.distribution(state, -2 * slip_length);
+          if (shows_gaps)
+            result.persson_gaps =
+              with.distribution(state, 0., with.bins_per_decade() / bins_shown);
+        }
+      if (scene.theory.simulated_gaps)
+        gaps = gap_histogram(*gap, n_decades, with.bins_per_decade(), -2 * slip_length);
+      if (scene.theory.simulated_gaps || pressure > 0)
+        result.leak_rate =
+          conductance_of_box(scene) *
+          effective_cubed_gap(
+            gaps, 1 / (1 - critical_fraction(scene, with, slip_length, threshold)));
+      return result;
+    };
+    TheoryResult       result = evaluate(persson);
+    const TheoryResult other  = evaluate(coarse);
+    result.error              = relative_difference(result.leak_rate, other.leak_rate);
     if (scene.contact.yields)
       result.yielding = pressure > 0
                           ? persson.contact_areas(pressure, scene.contact.hardness)
@@ -121,7 +113,7 @@ namespace strait
       result.error =
         std::max(result.error, relative_difference(result.mean_gap, other.mean_gap));
     // Over the same bins where there are some.
-    if (gap != nullptr && scene.output.fields != FieldOutput::none)
+    if (gap != nullptr && shows_gaps)
       result.simulated_gaps = result.persson_gaps
                                 ? gap_histogram(*gap, result.persson_gaps->edges)
                                 : gap_histogram(*gap, n_decades, bins_shown);
