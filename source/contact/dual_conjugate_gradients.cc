@@ -30,7 +30,7 @@ namespace strait
     find_gap();
     while (true)
       {
-        solution.residual = survey(); // C, y, and z = M y
+        solution.residual = survey(); // C and y
         const bool small  = solution.residual <= tolerance.residual;
         const bool late   = solution.iterations >= tolerance.max_iterations;
         if (!any_beyond && (small || late || !std::isfinite(energy)))
@@ -127,8 +127,8 @@ namespace strait
   /**
    * Choose C: the points between the limits of the pressure or beyond and, unless the
    * pressure was just truncated, those that penetrate without pressure or part under the
-   * largest. Precondition y, the gap on C and 0 elsewhere, and leave z = M y in the
-   * scratch room. Return the residual, the largest gap that should be none.
+   * largest. Leave y, the gap on C and 0 elsewhere, in the scratch room. Return the
+   * residual, the largest gap that should be none.
    */
   double
   DualConjugateGradients::survey()
@@ -156,13 +156,12 @@ namespace strait
             worst             = std::max(worst, is_wrong ? std::abs(centred) : 0.f);
           }
       }
-    problem.precondition(z, c);
     return maximum(problem.communicator, worst);
   }
 
   /**
-   * Make the direction t = z + beta t on C conjugate to the last one and
-   * admissible. Return <y, t> > 0.
+   * Precondition y, which leaves z = M y in the scratch room, and make the direction
+   * t = z + beta t on C conjugate to the last one and admissible. Return <y, t> > 0.
    */
   double
   DualConjugateGradients::choose_direction()
@@ -174,6 +173,7 @@ namespace strait
     float       *z = problem.scratch();
     const auto  *c = in_contact.data();
     const auto   s = static_cast<float>(shift);
+    problem.precondition(z, c);
     const auto [area, sum_z, sum_t, sum_y, sum_r, z_r, t_r, y_z, y_t] =
       weighted_sums<9>(problem, [=](const auto i, auto &sums) {
         if (!c[i])

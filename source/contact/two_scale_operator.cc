@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace strait
 {
@@ -123,7 +122,7 @@ namespace strait
   {
     const int n_waves = transform.layout().grid().nx / 2 + 1;
     transform.multiply(values, values, [this, n_waves](const int kx, const int ky) {
-      return box_symbol[std::abs(ky) * n_waves + kx];
+      return box_symbol[ky * n_waves + kx];
     });
   }
 } // namespace strait

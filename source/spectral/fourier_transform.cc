@@ -4,6 +4,7 @@
 #include <fftw3.h>
 
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 namespace strait
@@ -64,7 +65,8 @@ namespace strait
      * With half as many a pair of transforms takes up to a tenth longer, with twice as
      * many as long or some per cent longer (512² to 2048², on 1 and 2 ranks).
      */
-    static constexpr int block_width = 128 / sizeof(Complex);
+    static constexpr int line        = 64 / sizeof(Complex); // of the cache
+    static constexpr int block_width = 2 * line;
 
     explicit Parts(const SlabLayout &layout)
       : comm(layout.communicator())
@@ -72,7 +74,7 @@ namespace strait
       , n_rows_most(layout.first_row_of(1))
       , n_half(layout.grid().nx / 2 + 1)
       , n_columns_most((n_half + n_ranks - 1) / n_ranks)
-      , n_in_row(n_half + n_half % 2)
+      , n_in_row((n_half + line - 1) / line * line)
       , n_modes(static_cast<std::size_t>(n_in_row) * layout.n_rows())
       , row(layout.grid().nx)
       , column(layout.grid().ny)
@@ -105,24 +107,40 @@ namespace strait
                        n_half});
     }
 
-    /** move(place in modes, place in of_rows) for all modes of a block. */
-    template <class Move>
+    /** Copy the modes of a block from the rows to of_rows, or @p back. */
+    template <bool back>
     void
-    for_each_mode_of_rows(const int block, const Move &move) const
+    copy_block(const int block)
     {
       // As many rows at a time as fill a line of the cache with the modes of a column, so
-      // that lines are written as a whole.
-      constexpr std::size_t n_at_once = 64 / sizeof(Complex);
-      const std::size_t     n_rows    = n_modes / n_in_row;
+      // that lines are written as a whole; what the next rows have is on its way
+      // meanwhile. (Copies of members, as a write might change these.)
+      const std::size_t from_row = n_in_row, from_column = n_rows_most,
+                        n_rows = n_modes / from_row;
       for (int rank = 0; rank < n_ranks; ++rank)
         {
-          const std::size_t first = first_column(rank, block),
-                            width = first_column(rank, block + 1) - first;
-          for (std::size_t row = 0; row < n_rows; row += n_at_once)
-            for (std::size_t k = 0; k < width; ++k)
-              for (std::size_t y = row; y < std::min(row + n_at_once, n_rows); ++y)
-                move(y * n_in_row + first + k,
-                     (rank * block_width + k) * n_rows_most + y);
+          const std::size_t width =
+            first_column(rank, block + 1) - first_column(rank, block);
+          Complex *const        in_rows = modes() + first_column(rank, block),
+                         *const in_columns =
+                           of_rows.data() + rank * block_width * from_column;
+          for (std::size_t row = 0, next = 0; row < n_rows; row = next)
+            {
+              next = std::min(row + line, n_rows);
+              for (std::size_t y = next; y < std::min(next + line, n_rows); ++y)
+                for (std::size_t k = 0; k < width; k += line)
+                  __builtin_prefetch(in_rows + y * from_row + k);
+              for (std::size_t k = 0; k < width; ++k)
+                for (std::size_t y = row; y < next; ++y)
+                  {
+                    Complex *here  = in_rows + y * from_row + k,
+                            *there = in_columns + k * from_column + y;
+                    if (back)
+                      std::swap(here, there);
+                    // Assigned, its parts would move one after the other.
+                    std::memcpy(there, here, sizeof(Complex));
+                  }
+            }
         }
     }
 
@@ -151,9 +169,7 @@ namespace strait
     void
     fetch_columns(const int block)
     {
-      for_each_mode_of_rows(block, [&](const std::size_t i, const std::size_t place) {
-        of_rows[place] = modes()[i];
-      });
+      copy_block<false>(block);
       exchange(of_rows, of_columns);
     }
 
@@ -162,9 +178,7 @@ namespace strait
     return_columns(const int block)
     {
       exchange(of_columns, of_rows);
-      for_each_mode_of_rows(block, [&](const std::size_t i, const std::size_t place) {
-        modes()[i] = of_rows[place];
-      });
+      copy_block<true>(block);
     }
 
     /** Find the ny modes of column @p k of the block. */
@@ -200,7 +214,8 @@ namespace strait
     Complex *
     modes() const
     {
-      return reinterpret_cast<Complex *>(room.get());
+      const auto address = reinterpret_cast<std::uintptr_t>(room.get());
+      return reinterpret_cast<Complex *>((address + 63) / 64 * 64);
     }
 
     /** What arrived for the columns of this rank. */
@@ -212,7 +227,7 @@ namespace strait
 
     MPI_Comm    comm;
     int         n_ranks, n_rows_most, n_half, n_columns_most;
-    int         n_in_row; // modes from one row to the next: a multiple of 16 B
+    int         n_in_row; // modes from one row to the next: whole lines of the cache
     std::size_t n_modes;
     std::unique_ptr<Number[]> room;     // for the modes of the rows of this rank, or null
     std::vector<Number>       row;      // points of a row
@@ -229,7 +244,7 @@ namespace strait
   BasicFourierTransform<Number>::BasicFourierTransform(SlabLayoutPtr layout)
     : slab_layout(std::move(layout))
     , parts(std::make_unique<Parts>(*slab_layout))
-    , factors(slab_layout->grid().ny)
+    , factors(2 * static_cast<std::size_t>(slab_layout->grid().ny))
   {
   }
 
@@ -242,7 +257,7 @@ namespace strait
   {
     // Not set to zeros, which would take a pass over the memory.
     if (parts->room == nullptr)
-      parts->room.reset(new Number[2 * parts->n_modes]);
+      parts->room.reset(new Number[2 * (parts->n_modes + Parts::line)]);
     return parts->modes();
   }
 

@@ -35,12 +35,12 @@ namespace strait
   auto
   wave_compliance(const PeriodicGrid &grid, const double contact_modulus)
   {
-    const double unit   = grid.lx / (M_PI * contact_modulus);
-    const auto   aspect = static_cast<Number>(grid.lx / grid.ly);
+    const auto unit   = static_cast<Number>(grid.lx / (M_PI * contact_modulus)),
+               aspect = static_cast<Number>(grid.lx / grid.ly);
     return [=](const auto kx, const auto ky) {
       const Number x = static_cast<Number>(kx), y = static_cast<Number>(ky) * aspect;
       const Number square = x * x + y * y;
-      return square > 0 ? unit / std::sqrt(square) : 0.;
+      return square > 0 ? unit / std::sqrt(square) : Number(0);
     };
   }
 } // namespace strait

@@ -61,7 +61,7 @@ namespace strait
     }
 
     /**
-     * out = F⁻¹[ symbol(kx, ky) F[in] ]; @p in and @p out may be the same, and either
+     * out = F⁻¹[ symbol(kx, |ky|) F[in] ]; @p in and @p out may be the same, and either
      * may be scratch().
      * @return the local part of Σ_q symbol |f~|², that is of the grid mean of
      * in·out, by Parseval. Collective; one FFT pair.
@@ -74,7 +74,8 @@ namespace strait
       double     product = 0;
       const auto scale   = 1. / static_cast<double>(slab_layout->grid().n_points());
       for_each_column(true, true, [&](const int kx, Complex *modes) {
-        product += weight_of(kx) * multiply_column(modes, kx, scale, symbol);
+        product +=
+          weight_of(kx) * multiply_column(modes, kx, static_cast<Number>(scale), symbol);
       });
       store_rows(out);
       ++pairs;
@@ -160,25 +161,24 @@ namespace strait
     double
     multiply_column(Complex      *values,
                     const int     kx,
-                    const double  scale,
+                    const Number  scale,
                     const Symbol &symbol)
     {
       const int ny = slab_layout->grid().ny;
-      for (int i = 0; i < ny; ++i)
-        factors[i] = static_cast<Number>(scale * symbol(kx, signed_wave_number(i, ny)));
-      // Several sums, of which the processor need not wait for one.
-      double     products[4] = {};
-      const auto multiply    = [&](const int i, double &sum) {
-        const double re = values[i].real(), im = values[i].imag();
-        sum += factors[i] * (re * re + im * im);
-        values[i] = {factors[i] * values[i].real(), factors[i] * values[i].imag()};
-      };
-      for (int i = 0; i + 4 <= ny; i += 4)
-        for (int j = 0; j < 4; ++j)
-          multiply(i + j, products[j]);
-      for (int i = ny - ny % 4; i < ny; ++i)
-        multiply(i, products[0]);
-      return (products[0] + products[1]) + (products[2] + products[3]);
+      for (int i = 0; 2 * i <= ny; ++i)
+        factors[2 * i] = factors[2 * i + 1] = static_cast<Number>(scale * symbol(kx, i));
+      for (int i = 1; 2 * i < ny; ++i)
+        factors[2 * (ny - i)] = factors[2 * (ny - i) + 1] = factors[2 * i];
+      const Number *factor  = factors.data();
+      Number       *part    = reinterpret_cast<Number *>(values); // real or imaginary
+      double        product = 0;
+#pragma omp simd reduction(+ : product)
+      for (int i = 0; i < 2 * ny; ++i)
+        {
+          product += factor[i] * (static_cast<double>(part[i]) * part[i]);
+          part[i] *= factor[i];
+        }
+      return product;
     }
 
     SlabLayoutPtr          slab_layout;
