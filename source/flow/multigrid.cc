@@ -2,6 +2,8 @@
 #include <strait/base/exceptions.h>
 #include <strait/flow/multigrid.h>
 
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_Map.h>
 #include <HYPRE.h>
 #include <HYPRE_IJ_mv.h>
 #include <HYPRE_parcsr_ls.h>
@@ -36,8 +38,8 @@ namespace strait
       {
         HYPRE_Init();
         // A rank without rows still has to name an empty range that ascends.
-        const auto n_mine = static_cast<int>(matrix.local_size());
-        int        end    = n_mine;
+        const int n_mine = matrix.trilinos_matrix().NumMyRows();
+        int       end    = n_mine;
         MPI_Scan(MPI_IN_PLACE, &end, 1, MPI_INT, MPI_SUM, comm);
         first = end - n_mine;
         last  = end - 1;
@@ -94,16 +96,24 @@ namespace strait
       void
       copy_matrix(const UnknownsMatrix &matrix)
       {
-        const auto          n_rows = static_cast<int>(rows.size());
-        std::vector<int>    sizes(n_rows), columns;
-        std::vector<double> values;
-        for (const auto &entry : matrix)
-          if (entry.value() != 0)
-            {
-              columns.push_back(static_cast<int>(entry.column()));
-              values.push_back(entry.value());
-              ++sizes[entry.row() - first];
-            }
+        const Epetra_CrsMatrix &source = matrix.trilinos_matrix();
+        const int               n_rows = source.NumMyRows();
+        std::vector<int>        sizes(n_rows), columns;
+        std::vector<double>     values;
+        for (int row = 0; row < n_rows; ++row)
+          {
+            int     n_entries     = 0;
+            double *row_values    = nullptr;
+            int    *local_columns = nullptr;
+            source.ExtractMyRowView(row, n_entries, row_values, local_columns);
+            for (int k = 0; k < n_entries; ++k)
+              if (row_values[k] != 0)
+                {
+                  columns.push_back(source.GCID(local_columns[k]));
+                  values.push_back(row_values[k]);
+                  ++sizes[row];
+                }
+          }
         check(HYPRE_IJMatrixCreate(comm, first, last, first, last, &ij_matrix),
               "creating a matrix");
         HYPRE_IJMatrixSetObjectType(ij_matrix, HYPRE_PARCSR);
