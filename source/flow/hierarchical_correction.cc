@@ -27,7 +27,7 @@ namespace strait
     public:
       using Vector = LinearAlgebra::distributed::Vector<double>;
 
-      explicit RimSystems(const std::vector<FreedNodes> &nodes_)
+      explicit RimSystems(const FreedNodes &nodes_)
         : nodes(nodes_)
       {
       }
@@ -46,8 +46,10 @@ namespace strait
              Vector                        &r,
              Vector                        &d)
       {
-        const auto &[indices, dependences] = nodes[n_cells++];
-        const std::size_t m                = indices.size();
+        const FreedNodes::Begin begin   = nodes.begins[n_cells++];
+        const FreedNodes::Begin end     = nodes.begins[n_cells];
+        const unsigned int     *indices = nodes.indices.data() + begin.index;
+        const std::size_t       m       = end.index - begin.index;
         matrices.resize(matrices.size() + m * m);
         double *entries = matrices.data() + matrices.size() - m * m;
         if (closed)
@@ -66,13 +68,15 @@ namespace strait
             for (unsigned int j = 0; j < n_rim; ++j)
               rim[i][j] = matrix(i, j) - ratio * matrix(centre, j);
           }
-        for (const FreedNodes::Dependence &row : dependences)
+        for (std::size_t k = begin.dependence; k < end.dependence; ++k)
           {
+            const FreedNodes::Dependence &row = nodes.dependences[k];
             if (fixed[row.node])
               continue;
             r.local_element(indices[row.column]) += row.weight * residual[row.node];
-            for (const FreedNodes::Dependence &other : dependences)
-              if (!fixed[other.node])
+            for (std::size_t l = begin.dependence; l < end.dependence; ++l)
+              if (const FreedNodes::Dependence &other = nodes.dependences[l];
+                  !fixed[other.node])
                 entries[row.column * m + other.column] +=
                   row.weight * other.weight * rim[row.node][other.node];
           }
@@ -88,23 +92,28 @@ namespace strait
       {
         image = 0.;
         x.update_ghost_values();
-        const double *entry = matrices.data();
-        for (const FreedNodes &cell : nodes)
-          for (const unsigned int row : cell.indices)
-            {
-              double sum = 0;
-              for (const unsigned int column : cell.indices)
-                sum += *entry++ * x.local_element(column);
-              image.local_element(row) += sum;
-            }
+        const double       *entry   = matrices.data();
+        const unsigned int *indices = nodes.indices.data();
+        for (std::size_t c = 1; c < nodes.begins.size(); ++c)
+          {
+            const std::size_t m = nodes.begins[c].index - nodes.begins[c - 1].index;
+            for (std::size_t k = 0; k < m; ++k)
+              {
+                double sum = 0;
+                for (std::size_t l = 0; l < m; ++l)
+                  sum += *entry++ * x.local_element(indices[l]);
+                image.local_element(indices[k]) += sum;
+              }
+            indices += m;
+          }
         x.zero_out_ghost_values();
         image.compress(VectorOperation::add);
       }
 
     private:
-      const std::vector<FreedNodes> &nodes;
-      std::size_t                    n_cells = 0; // that were appended
-      std::vector<double>            matrices;    // one after the other, row by row
+      const FreedNodes   &nodes;
+      std::size_t         n_cells = 0; // that were appended
+      std::vector<double> matrices;    // one after the other, row by row
     };
 
     /** The bilinear function with the given values at the vertices, less the first. */
@@ -140,21 +149,22 @@ namespace strait
     layout.reinit(dofs.locally_owned_dofs(),
                   constraints.get_local_lines(),
                   dofs.get_communicator());
+    nodes.begins.emplace_back();
     const auto &partitioner = *layout.get_partitioner();
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          FreedNodes &freed = nodes.emplace_back();
-          const auto  add   = [&](const unsigned int            node,
+          const std::size_t first = nodes.indices.size();
+          const auto        add   = [&](const unsigned int            node,
                                const types::global_dof_index dof,
                                const double                  weight) {
             const unsigned int k     = partitioner.global_to_local(dof);
-            const auto         begin = freed.indices.begin(), end = freed.indices.end();
-            const auto         found = std::find(begin, end, k);
-            freed.dependences.push_back(
+            const auto         begin = nodes.indices.begin() + first;
+            const auto         found = std::find(begin, nodes.indices.end(), k);
+            nodes.dependences.push_back(
               {node, static_cast<unsigned int>(found - begin), weight});
-            if (found == end)
-              freed.indices.push_back(k);
+            if (found == nodes.indices.end())
+              nodes.indices.push_back(k);
           };
           cell->get_dof_indices(local);
           for (unsigned int node = 0; node < n_rim; ++node)
@@ -163,6 +173,7 @@ namespace strait
             else if (const auto *line = constraints.get_constraint_entries(local[node]))
               for (const auto &[dof, weight] : *line)
                 add(node, dof, weight);
+          nodes.begins.push_back({nodes.indices.size(), nodes.dependences.size()});
         }
   }
 

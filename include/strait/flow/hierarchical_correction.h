@@ -11,19 +11,26 @@
 
 namespace strait
 {
-  /** The nodes that a correction frees, as one cell sees them. */
+  /** The nodes that a correction frees, as cells see them, one cell after the other. */
   struct FreedNodes
   {
     /** A node on the rim of the cell depends on this freed one. */
     struct Dependence
     {
       unsigned int node;
-      unsigned int column; // position among the indices
+      unsigned int column; // position among the indices of the cell
       double       weight;
+    };
+
+    /** Where the part of a cell begins, and that of the cell before it ends. */
+    struct Begin
+    {
+      std::size_t index = 0, dependence = 0;
     };
 
     std::vector<unsigned int> indices; // positions in this rank's part of a vector
     std::vector<Dependence>   dependences;
+    std::vector<Begin>        begins; // of all cells, and of one after the last
   };
 
   /**
@@ -48,10 +55,10 @@ namespace strait
   private:
     using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-    const FlowMesh         &mesh;
-    dealii::FE_Q_iso_Q1<2>  fe;
-    Vector                  layout;
-    std::vector<FreedNodes> nodes; // of each owned cell
+    const FlowMesh        &mesh;
+    dealii::FE_Q_iso_Q1<2> fe;
+    Vector                 layout;
+    FreedNodes             nodes;
   };
 } // namespace strait
 
