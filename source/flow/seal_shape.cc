@@ -133,6 +133,30 @@ namespace strait
                                  : consists_of(loops[0], OutlineKind::inlet) &&
                                      consists_of(loops[1], OutlineKind::outlet);
     }
+
+    /** A chain of points on the arc of @p circle between two points on it, the shorter
+     * way, in steps of at most @p longest; @p from is included, @p to is not. */
+    std::vector<Point<2>>
+    divide_arc(const SealMesh::Circle &circle,
+               const Point<2>         &from,
+               const Point<2>         &to,
+               const double            longest)
+    {
+      const Tensor<1, 2> first = from - circle.centre, last = to - circle.centre;
+      const double       angle  = std::atan2(cross(first, last), first * last);
+      const double       length = std::abs(angle) * circle.radius;
+      const int          n = std::max(1, static_cast<int>(std::ceil(length / longest)));
+      std::vector<Point<2>> chain = {from};
+      for (int k = 1; k < n; ++k)
+        {
+          const double t = angle * k / n;
+          chain.push_back(
+            circle.centre +
+            Tensor<1, 2>({std::cos(t) * first[0] - std::sin(t) * first[1],
+                          std::sin(t) * first[0] + std::cos(t) * first[1]}));
+        }
+      return chain;
+    }
   } // namespace
 
   void
@@ -198,24 +222,11 @@ namespace strait
     std::vector<OutlineEdge> result;
     for (const Edge &edge : edges)
       {
+        const Point<2>       &to    = points[edge.to];
         std::vector<Point<2>> chain = {points[edge.from]};
-        if (edge.circle >= 0) // the shorter way along the arc
-          {
-            const auto &[centre, radius] = circles[edge.circle];
-            const Tensor<1, 2> first     = chain.front() - centre,
-                               last      = points[edge.to] - centre;
-            const double angle           = std::atan2(cross(first, last), first * last);
-            const double n               = std::ceil(std::abs(angle) * radius / longest);
-            for (int k = 1; k < n; ++k)
-              {
-                const double t = angle * k / n;
-                chain.push_back(
-                  centre +
-                  Tensor<1, 2>({std::cos(t) * first[0] - std::sin(t) * first[1],
-                                std::sin(t) * first[0] + std::cos(t) * first[1]}));
-              }
-          }
-        chain.push_back(points[edge.to]);
+        if (edge.circle >= 0)
+          chain = divide_arc(circles[edge.circle], points[edge.from], to, longest);
+        chain.push_back(to);
         for (std::size_t k = 0; k + 1 < chain.size(); ++k)
           result.push_back(
             {chain[k][0], chain[k][1], chain[k + 1][0], chain[k + 1][1], edge.kind});

@@ -58,7 +58,8 @@ namespace strait
       add_values(part, quadrature.coarse, values, 0.);
     }
 
-    /** What is to be known of the gap on a part first. */
+    /** What is to be known of the gap on a part first; for rigorous bounds its range is
+     *  all that counts. */
     struct Look
     {
       CellGap::Range range;
@@ -66,10 +67,11 @@ namespace strait
     };
 
     static Look
-    look_at(const CellGap &gap, const Part &part, const Quadrature &coarse)
+    look_at(const CellQuadrature &quadrature, const CellGap &gap, const Part &part)
     {
       Look look{gap.range(part.x0, part.y0, part.width, part.height), {}};
-      evaluate(gap, part, coarse, look.at_coarse);
+      if (!quadrature.rigorous)
+        evaluate(gap, part, quadrature.coarse, look.at_coarse);
       return look;
     }
 
@@ -130,7 +132,7 @@ namespace strait
           second.y0 += first.height;
         }
       for (const Part &half : {first, second})
-        add(half, look_at(gap, half, quadrature.coarse), n_halvings - 1);
+        add(half, look_at(quadrature, gap, half), n_halvings - 1);
     }
 
   private:
@@ -243,7 +245,7 @@ namespace strait
             Sum{*this, cell, square, law, moments}.add_constant(part, law(0.));
         return;
       }
-    const Sum::Look look = Sum::look_at(cell, part, coarse);
+    const Sum::Look look = Sum::look_at(*this, cell, part);
     for (const auto &[law, moments] : integrals)
       Sum{*this, cell, square, law, moments}.add(part,
                                                  look,

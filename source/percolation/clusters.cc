@@ -104,9 +104,9 @@ namespace strait
 
     /** How many points of each cluster are there. Collective. */
     std::vector<double>
-    points_at(const OutlineKind      kind,
-              const FlowLattice     &gap,
-              const LatticeClusters &clusters)
+    n_points_at(const OutlineKind      kind,
+                const FlowLattice     &gap,
+                const LatticeClusters &clusters)
     {
       std::vector<double> n(clusters.first.size());
       for (const std::size_t k : gap.points_at(kind))
@@ -119,9 +119,10 @@ namespace strait
     std::vector<NodeState>
     states_of(const LatticeClusters &clusters, const FlowLattice &gap)
     {
-      const std::vector<double> at_inlet  = points_at(OutlineKind::inlet, gap, clusters);
-      const std::vector<double> at_outlet = points_at(OutlineKind::outlet, gap, clusters);
-      std::vector<NodeState>    states(at_inlet.size());
+      const std::vector<double> at_inlet = n_points_at(OutlineKind::inlet, gap, clusters);
+      const std::vector<double> at_outlet =
+        n_points_at(OutlineKind::outlet, gap, clusters);
+      std::vector<NodeState> states(at_inlet.size());
       for (std::size_t c = 1; c < states.size(); ++c)
         states[c] = at_inlet[c] > 0 && at_outlet[c] > 0 ? NodeState::percolating
                     : at_inlet[c] > 0                   ? NodeState::inlet_side

@@ -28,7 +28,8 @@ namespace strait
     std::optional<ThroatLaw>
     throat_law(const Scene &scene)
     {
-      const double spacing = std::max(grid_of(scene).dx(), grid_of(scene).dy());
+      const PeriodicGrid grid    = grid_of(scene);
+      const double       spacing = std::max(grid.dx(), grid.dy());
       // Both numbers were computed.
       if (scene.surface.kind == SurfaceKind::square_saddle)
         return ThroatLaw{.228605, .212 * scene.surface.size[0] / spacing};

@@ -6,7 +6,6 @@
 #include <strait/percolation/flow_lattice.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <queue>
 #include <utility>
