@@ -26,8 +26,8 @@ namespace strait
     do
       {
         before = gap;
-        gap    = viscous *
-              std::cbrt((high - low) * fluid.mean_pressure() / gas.drive(gap, low, high));
+        gap =
+          viscous * std::cbrt(fluid.mean_pressure() / gas.mean_mobility(gap, low, high));
       }
     while (gap < before);
     return gap;

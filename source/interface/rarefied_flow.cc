@@ -211,14 +211,17 @@ namespace strait
     // logarithm of the pressure. Half and double of it move the bounds by 2·10⁻⁴ of the
     // leak rate.
     constexpr int n = 128;
+    // Of differences that may all vanish only ratios are taken.
+    const double mean_mobility = gas.mean_mobility(reference_gap, low, high);
+    double       part = 0., p = low, potential = 0.;
     for (int i = 0; i <= n; ++i)
       {
-        const double t = static_cast<double>(i) / n;
-        const double p = low + (high - low) * t * t * t;
-        potentials.push_back(i == 0 ? 0.
-                                    : potentials.back() +
-                                        gas.drive(reference_gap, pressures.back(), p) /
-                                          total_drive);
+        const double part_before = part, p_before = p;
+        part = std::pow(static_cast<double>(i) / n, 3);
+        p    = low + (high - low) * part;
+        potential += (part - part_before) / mean_mobility *
+                     gas.mean_mobility(reference_gap, p_before, p);
+        potentials.push_back(potential);
         pressures.push_back(p);
         slopes.push_back(total_drive / gas.mobility(reference_gap, p));
       }

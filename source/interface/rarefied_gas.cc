@@ -66,18 +66,16 @@ namespace strait
   }
 
   double
-  RarefiedGas::drive(const double gap, const double low, const double high) const
+  RarefiedGas::mean_mobility(const double gap, const double low, const double high) const
   {
-    const double difference = high - low;
     if (kind != Rarefaction::transitional)
-      return difference * mobility(gap, .5 * (low + high));
+      return mobility(gap, .5 * (low + high));
     // In t with p = low + (high − low) t⁴, which tames the logarithm at
     // vacuum. These points miss 5·10⁻⁷ of the result, half as many 3·10⁻⁶.
     const auto integrand = [&](const double t) {
-      return 4. * t * t * t * mobility(gap, low + difference * std::pow(t, 4));
+      return 4. * t * t * t * mobility(gap, low + (high - low) * std::pow(t, 4));
     };
-    return difference *
-           boost::math::quadrature::gauss<double, 30>::integrate(integrand, 0., 1.);
+    return boost::math::quadrature::gauss<double, 30>::integrate(integrand, 0., 1.);
   }
 
   double

@@ -117,6 +117,18 @@ namespace strait
           }
     }
 
+    // What drives the gas may be as little as rounding, or nothing.
+    TEST(RarefiedFlow, PressuresThatHardlyDiffer)
+    {
+      for (const Rarefaction kind : {Rarefaction::slip, Rarefaction::transitional})
+        for (const double outlet : {2e5 * (1. - 1e-13), 2e5})
+          {
+            const RarefiedFlow flow(helium(kind, outlet), {{.5e-7, 1.}, {1e-7, 1.}});
+            EXPECT_NEAR(flow.pressure(.5), 2e5, 1e-6);
+            EXPECT_NEAR(flow.least_weight(1e-7) / flow.largest_weight(1e-7), 1., 1e-4);
+          }
+    }
+
     /** A channel, or several networks in a row or side by side. */
     struct Network
     {

@@ -33,9 +33,16 @@ namespace strait
      */
     double mobility(double gap, double p) const;
 
+    /** The mean of the mobility at pressures from @p low to @p high [pressure]. */
+    double mean_mobility(double gap, double low, double high) const;
+
     /** ∫ mobility dp from @p low to @p high [pressure²]: the throughput between plates,
      *  per length and viscous conductivity. */
-    double drive(double gap, double low, double high) const;
+    double
+    drive(const double gap, const double low, const double high) const
+    {
+      return (high - low) * mean_mobility(gap, low, high);
+    }
 
     /** Mean free path over @p gap at @p p, λ = (√π/2) η v0/p [1]. */
     double knudsen_number(double gap, double p) const;
