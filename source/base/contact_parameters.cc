@@ -102,7 +102,8 @@ namespace strait
       "gap).";
     section.add("Solver", method, Names{"dual CG", "polonsky-keer"}).meaning =
       "dual CG: preconditioned conjugate gradients on the pressure; polonsky-keer: the "
-      "textbook method, slower, for reference.";
+      "textbook method, slower, for reference. Adhesion has a Solver of its own, which "
+      "this one only finds a start for.";
     section.add("Tolerance", tolerance, positive.below(1.)).meaning =
       "Largest gap under pressure and largest penetration elsewhere, in units of the rms "
       "height [1].";

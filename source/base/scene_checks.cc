@@ -299,6 +299,11 @@ namespace strait
     if (!fluid.enabled && output.error_budget)
       warnings.emplace_back(
         "Output/Error budget is of the leak rate, and Fluid/Enabled = false.");
+    if (!programme.find_threshold && !programme.find_blow_out &&
+        programme.threshold_tolerance != ProgrammeParameters().threshold_tolerance)
+      warnings.emplace_back(
+        "Load programme/Threshold tolerance has no effect without Find threshold or Find "
+        "blow-out.");
     if (is_theory_only() && (output.surface_map || output.surface_spectrum))
       warnings.emplace_back(
         "the theory alone writes neither Output/Surface map nor Surface spectrum; switch "

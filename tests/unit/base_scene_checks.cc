@@ -51,6 +51,15 @@ TEST(Scene, ParametersWithoutEffectAreNamed)
               "without Surface/Kind = self-affine these have no effect: RMS value"});
   EXPECT_TRUE(
     warnings_of({"Contact/Zoom/Enabled=true", "Contact/Zoom/Maximum levels=2"}).empty());
+  const std::string loose = "Load programme/Threshold tolerance=1e-3";
+  EXPECT_EQ(warnings_of({loose}),
+            std::vector<std::string>{"Load programme/Threshold tolerance has no effect "
+                                     "without Find threshold or Find blow-out."});
+  EXPECT_TRUE(warnings_of({loose, "Load programme/Find threshold=true"}).empty());
+  EXPECT_TRUE(
+    warnings_of(
+      {loose, "Load programme/Find blow-out=true", "Fluid/Wall feedback/Enabled=true"})
+      .empty());
   expect_in("Surface/Kind is no file", error_of("", {"Surface/File=/a/map.nc"}));
 }
 
