@@ -77,7 +77,9 @@ namespace strait
       "itself, closed where it is not positive; a pure flow problem, for which Control "
       "and Load programme/Pressures are ignored.";
     section
-      .add("Grid points", grid_points, any_number.at_least(4).at_most(most_grid_points))
+      .add("Grid points",
+           grid_points,
+           any_number.at_least(least_grid_points).at_most(most_grid_points))
       .meaning =
       "Nx, Ny: grid points of the periodic box in x and y [1]; one number: both. "
       "Products of small primes are fastest. Surface/Kind = file: if empty, the map's "

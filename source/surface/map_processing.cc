@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/contact_parameters.h>
 #include <strait/base/text.h>
 #include <strait/surface/map_processing.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace strait
@@ -236,10 +238,10 @@ namespace strait
       return;
     parameters.map.check_window(parameters.seed);
     const int nx = map.nx / n_x, ny = map.ny / n_y;
-    if (nx == 0 || ny == 0)
+    if (std::min(nx, ny) < least_grid_points)
       reject_height_map(map.file,
-                        "has fewer points than Surface/Windows asks for windows: give "
-                        "fewer of them.");
+                        "has only " + std::to_string(nx) + " x " + std::to_string(ny) +
+                          " points for each of Surface/Windows: give fewer of them.");
     const auto          number  = static_cast<int>(parameters.seed - 1);
     const int           first_x = number % n_x * nx, first_y = number / n_x * ny;
     std::vector<double> values;

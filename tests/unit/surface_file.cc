@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "surface_test_tools.h"
 
@@ -139,22 +140,29 @@ namespace
   TEST(FileSurface, WindowsOfTheMap)
   {
     // Three windows along x, two along y; a column and a row are left over.
-    const TemporaryFile file(
-      "# Width: 7\n# Height: 5\n"
-      "1 2 3 4 5 6 7\n11 12 13 14 15 16 17\n21 22 23 24 25 26 27\n"
-      "31 32 33 34 35 36 37\n41 42 43 44 45 46 47\n");
-    auto parameters        = surface_from(file, 2., 2.);
-    parameters.map.windows = {{3, 2}};
-    EXPECT_EQ(whole_surface(parameters, 2, 2), (std::vector<double>{1, 2, 11, 12}));
-    parameters.seed = 6;
-    EXPECT_EQ(whole_surface(parameters, 2, 2), (std::vector<double>{25, 26, 35, 36}));
-    parameters.seed = 2;
-    EXPECT_EQ(whole_surface(parameters, 2, 2), (std::vector<double>{3, 4, 13, 14}));
+    std::string text = "# Width: 13\n# Height: 9\n";
+    for (int y = 0; y < 9; ++y)
+      for (int x = 0; x < 13; ++x)
+        text += std::to_string(100 * y + x) + (x < 12 ? " " : "\n");
+    const TemporaryFile file(text);
+    auto                parameters = surface_from(file, 4., 4.);
+    parameters.map.windows         = {{3, 2}};
+    for (const auto &[seed, first] :
+         {std::pair{1, 0.}, std::pair{6, 408.}, std::pair{2, 4.}})
+      {
+        parameters.seed                   = seed;
+        const std::vector<double> heights = whole_surface(parameters, 4, 4);
+        for (int i = 0; i < 16; ++i)
+          EXPECT_EQ(heights[i], first + 100 * (i / 4) + i % 4);
+      }
     parameters.seed = 7;
-    EXPECT_TRUE(mentions(complaint(parameters, 2, 2), "numbered from 1 to 6"));
-    parameters.seed        = 1;
-    parameters.map.windows = {{8, 1}};
-    EXPECT_TRUE(mentions(complaint(parameters, 2, 2), "give fewer of them"));
+    EXPECT_TRUE(mentions(complaint(parameters, 4, 4), "numbered from 1 to 6"));
+    parameters.seed = 1;
+    for (const int n : {4, 14})
+      {
+        parameters.map.windows = {{n, 1}};
+        EXPECT_TRUE(mentions(complaint(parameters, 4, 4), "give fewer of them"));
+      }
   }
 
   TEST(FileSurface, TwoRoughBodies)

@@ -13,7 +13,7 @@ namespace strait
 
   /** Along a side of the grid: the product of two must fit into the 32-bit indices of
    *  deal.II's vectors. */
-  constexpr int most_grid_points = 65535;
+  constexpr int least_grid_points = 4, most_grid_points = 65535;
 
   /** How the energy with adhesion is minimised. */
   enum class AdhesionMethod
