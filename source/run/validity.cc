@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace strait
@@ -61,9 +60,11 @@ namespace strait
       return pressure > 0. ? pressure / load : 0.;
     }
 
-    /** @p what, which @p change does to the scene, or why that may not have it. */
+    /** @p what, which @p change does to the scene, or why that may not have it; if that
+     *  is not the only advice, nothing instead. */
+    template <typename Change>
     std::string
-    advice_to(const char *what, Scene scene, const std::function<void(Scene &)> &change)
+    advice_to(const char *what, Scene scene, const Change &change, bool is_only = true)
     {
       change(scene);
       // A seal's patches do without it where they must.
@@ -75,7 +76,9 @@ namespace strait
         }
       catch (const InputError &error)
         {
-          return std::string(what) + ", which this scene excludes: " + error.what();
+          return is_only
+                   ? std::string(what) + ", which this scene excludes: " + error.what()
+                   : "";
         }
     }
 
@@ -196,10 +199,11 @@ namespace strait
                 points) +
            (scene.contact.zoom.enabled
               ? ""
-              : ", or " +
-                  advice_to("switch on Contact/Zoom",
-                            scene,
-                            [](Scene &other) { other.contact.zoom.enabled = true; })),
+              : advice_to(
+                  ", or switch on Contact/Zoom",
+                  scene,
+                  [](Scene &other) { other.contact.zoom.enabled = true; },
+                  false)),
          true});
     }
 
