@@ -15,6 +15,7 @@
 
 #include <malloc.h>
 
+#include <filesystem>
 #include <iostream>
 
 namespace
@@ -78,6 +79,12 @@ namespace
 int
 main(int argc, char **argv)
 {
+  // PETSc, which deal.II starts together with MPI, aborts where there is none.
+  if (std::error_code none; std::filesystem::current_path(none).empty())
+    {
+      std::cerr << "strait: The current folder is gone; change to another." << std::endl;
+      return 2;
+    }
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   give_freed_memory_back();
   return strait::with_clear_exit(MPI_COMM_WORLD, [&]() { return run(argc, argv); });

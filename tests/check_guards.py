@@ -109,6 +109,14 @@ class Guards(unittest.TestCase):
             self.assertEqual(process.returncode, 2)
             self.assertIn(f"STRAIT_RANKS = '{ranks}'", process.stderr)
 
+    def test_current_folder_that_is_gone(self):
+        process = subprocess.run(
+            ["sh", "-c", 'mkdir gone; cd gone; rmdir ../gone; exec "$0" --version', self.program],
+            cwd=self.here, text=True, stderr=subprocess.PIPE, timeout=20, check=False)
+        self.assertEqual(process.returncode, 2, process.stderr)
+        self.assertEqual(process.stderr.count("\n"), 1, process.stderr)
+        self.assertIn("current folder", process.stderr)
+
     def test_nested_subsections(self):
         n = 100000
         for text in ("subsection Surface\n" * n + "end\n" * n, "subsection A\n" * n):
