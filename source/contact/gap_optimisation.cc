@@ -2,7 +2,6 @@
 #include <strait/contact/gap_optimisation.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

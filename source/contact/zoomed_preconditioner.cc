@@ -2,8 +2,6 @@
 #include <strait/base/collective.h>
 #include <strait/contact/zoomed_preconditioner.h>
 
-#include <algorithm>
-
 namespace strait
 {
   ZoomedPreconditioner::ZoomedPreconditioner(const SlabLayoutPtr &layout_,

@@ -2,8 +2,6 @@
 #include <strait/percolation/flow_lattice.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <functional>
 
 namespace strait
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/lattice_levels.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace strait

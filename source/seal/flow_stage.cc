@@ -4,7 +4,6 @@
 #include <strait/seal/flow_stage.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace strait
 {
