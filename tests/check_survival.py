@@ -315,6 +315,10 @@ class Survival(unittest.TestCase):
 
     def test_stopped_with_error_budget(self):
         self.stopped_and_resumed(WITH_ERRORS, [1])
+        output = self.path("stopped")
+        self.run_to_end(self.scene(WITH_ERRORS), output, "--resume",
+                        "--set", "Output/Surface spectrum=true")
+        self.assertIn("spectrum.csv", os.listdir(output))
 
     def test_stopped_with_zoom(self):
         self.stopped_and_resumed(ZOOMED, [1, 2])

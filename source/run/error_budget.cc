@@ -86,12 +86,12 @@ namespace strait
     const Leakage &leakage     = step.flow->leakage;
     const double   by_wall     = step.state.fluid ? step.state.fluid->mesh_error : 0.;
     const bool     is_rarefied = scene.fluid.rarefaction != Rarefaction::none;
-    const double   of_mesh = is_rarefied ? leakage.mesh_width : leakage.relative_width();
-    errors.items.push_back({"mesh", .5 * of_mesh - by_wall, "Fluid/Target accuracy"});
+    const double   of_mesh =
+      is_rarefied ? .5 * leakage.mesh_width : leakage.relative_error();
+    errors.items.push_back({"mesh", of_mesh - by_wall, "Fluid/Target accuracy"});
     if (is_rarefied)
-      errors.items.push_back({"order of gaps",
-                              .5 * (leakage.relative_width() - of_mesh),
-                              "Fluid/Rarefaction"});
+      errors.items.push_back(
+        {"order of gaps", leakage.relative_error() - of_mesh, "Fluid/Rarefaction"});
     errors.items.push_back(
       {"linear solver", leakage.linear_error, "Fluid/Target accuracy"});
     if (step.state.contact)
@@ -151,11 +151,11 @@ namespace strait
                      "cannot be told",
                      reduced)
             : format("at a reduced load of %.3g the throat has %.2g grid points along "
-                     "it, %.0f are needed: a grid finer by a factor of %.2g would do",
+                     "it, %.0f are needed: a grid finer by a factor of %.3g would do",
                      reduced,
                      points_along,
                      points_along_needed,
-                     points_along_needed / points_along));
+                     std::ceil(100. * points_along_needed / points_along) / 100.));
       }
     return doubts;
   }

@@ -196,10 +196,8 @@ namespace strait
             : format("resumed after step %d", sweep.progress().n_done));
       }
     else
-      {
-        write_surface(scene, shown);
-        state.save(parts);
-      }
+      state.save(parts);
+    write_surface(scene, shown);
     const auto stop_if_asked = [&]() {
       const bool is_done =
         sweep.search() == nullptr && sweep.progress().n_done == sweep.n_steps();

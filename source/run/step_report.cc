@@ -61,7 +61,7 @@ namespace strait
     else if (step.flow && step.flow->channel.percolates())
       text += format("; leak rate %.5g ± %.1g %% (%llu cells, %.1f s)",
                      step.flow->leakage.rate,
-                     50. * step.flow->leakage.relative_width(),
+                     100. * step.flow->leakage.relative_error(),
                      step.flow->leakage.cells,
                      step.flow_seconds);
     else if (step.flow)

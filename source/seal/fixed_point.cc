@@ -38,16 +38,28 @@ namespace strait
       }
     const double              part    = combines ? share : damping * share;
     const std::vector<double> weights = combines ? best_weights() : std::vector<double>();
+    const bool                leads_on = along_residual(weights) > 0.;
     for (std::size_t i = 0; i < n; ++i)
       {
         double from = x[i], change = image[i] - x[i];
-        for (std::size_t k = 0; k < weights.size(); ++k)
+        for (std::size_t k = 0; leads_on && k < weights.size(); ++k)
           {
             from -= weights[k] * differences[k].x[i];
             change -= weights[k] * differences[k].residual[i];
           }
         x[i] = from + part * change;
       }
+  }
+
+  double
+  FixedPoint::along_residual(const std::vector<double> &weights) const
+  {
+    double result = share * product(comm, last_residual, last_residual);
+    for (std::size_t k = 0; k < weights.size(); ++k)
+      result -=
+        weights[k] * (product(comm, differences[k].x, last_residual) +
+                      share * product(comm, differences[k].residual, last_residual));
+    return result;
   }
 
   void

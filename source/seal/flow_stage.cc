@@ -75,7 +75,7 @@ namespace strait
       log.warn(
         format("effective gaps are uncertain, as the shape of the mesh is known to "
                "%.2g %% only because %s",
-               50. * leakage.relative_width(),
+               100. * leakage.relative_error(),
                leakage.reason.c_str()));
     log.line(format("mesh %s: %s of %zu cells, shape factor %.5g",
                     parameters.mesh_file.c_str(),
@@ -244,8 +244,8 @@ namespace strait
   FlowStage::warn_of_width(const Leakage &leakage)
   {
     if (!leakage.reason.empty())
-      log.warn(format("the leak rate is known to %.1f %% only because %s",
-                      50. * leakage.relative_width(),
+      log.warn(format("the leak rate is known to %.2g %% only because %s",
+                      100. * leakage.relative_error(),
                       leakage.reason.c_str()));
   }
 } // namespace strait

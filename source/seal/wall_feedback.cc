@@ -143,7 +143,7 @@ namespace strait
   void
   WallFeedback::propose(const SlabField &image, const int round, const FeedbackGoal &goal)
   {
-    const bool combines = (round <= 8 || round % 2 == 0) && round < last_combined;
+    const bool combines = round < last_combined;
     fixed_point.advance(assumed.data(), image.data(), assumed.size(), combines);
     if (combines && mean(assumed) >= goal.largest_mean)
       {

@@ -38,9 +38,7 @@ namespace strait
   ClosingLaw::Exponents
   ClosingLaw::at(const double reduced_load) const
   {
-    // In this order an unknown constant stays unknown.
-    const double root   = std::sqrt(std::max(constant - .5 * std::log(reduced_load), 0.));
-    const double lambda = 1. + root;
+    const double lambda = 1. + std::sqrt(constant - .5 * std::log(reduced_load));
     const double gap    = 1. + .5 / lambda;
     const double width  = 1. / (2. + std::pow(lambda, -2));
     return {gap, width, .5 * gap, 2.5 * gap + width};

@@ -36,6 +36,16 @@ namespace strait
       return {solved.leakage.rate, flow.change_by_interpolation(solved)};
     }
 
+    TEST(Leakage, MayBeOffByAllOfAWideBracketWhoseUpperEndItIs)
+    {
+      Leakage leakage;
+      leakage.upper = 1.;
+      leakage.lower = .98;
+      EXPECT_NEAR(leakage.relative_error(), .01, 1e-15);
+      leakage.lower = .1;
+      EXPECT_NEAR(leakage.relative_error(), .9, 1e-15);
+    }
+
     // Of a throat that is open, and of one that is nearly closed, where a mesh for the
     // one gap is none for the other.
     TEST(FlowStage, ChangeByInterpolationIsThatOfTwoSolutions)

@@ -80,6 +80,16 @@ namespace strait
       EXPECT_NEAR(seal.pressure, .3, feedback_tolerance);
     }
 
+    TEST(WallFeedback, LeavesAStateThatRelaxationLeadsAwayFrom)
+    {
+      // Two rounds near 0.3 tell where that is, and that it repels.
+      UniformSeal seal(
+        [](const double p) { return p < .5 ? .3 + 1.5 * (p - .3) : .6 + .2 * (p - .6); },
+        always);
+      EXPECT_TRUE(seal.solve(.31, {feedback_tolerance, feedback_tolerance}).converged);
+      EXPECT_NEAR(seal.pressure, .6, 2. * feedback_tolerance);
+    }
+
     TEST(WallFeedback, TheLeakRateMustHaveSettledToo)
     {
       // Even where the pressure is right at once, one round says nothing of it.

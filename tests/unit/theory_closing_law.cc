@@ -86,6 +86,12 @@ namespace
            width * profile / (12. * viscosity);
   }
 
+  TEST(ClosingLaw, SaysNothingWhereTheConstrictionIsNoSmallPart)
+  {
+    EXPECT_TRUE(std::isnan(ClosingLaw{-1.3}.at(.3).leak_rate));
+    EXPECT_FALSE(std::isnan(ClosingLaw{-1.3}.at(.05).leak_rate));
+  }
+
   // Each filament of the flow runs straight across the ridge.
   TEST(ClosingLaw, ConductanceOfASlenderThroat)
   {

@@ -47,6 +47,20 @@ namespace strait
     {
       return upper > 0 ? (upper - lower) / upper : 0.;
     }
+
+    /** By how much the rate may be off: half of that, or all of it where the bracket is
+     *  so wide that the rate is its upper end. */
+    double
+    relative_error() const
+    {
+      return (is_wide() ? 1. : .5) * relative_width();
+    }
+
+    bool
+    is_wide() const
+    {
+      return 2. * lower < upper;
+    }
   };
 
   /** The uniform gap that would leak as much [length]: (12 η Q · aspect/Δp)^(1/3), unless

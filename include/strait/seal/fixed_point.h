@@ -17,6 +17,10 @@ namespace strait
    * combinations of the last rounds, with weights that add up to one, the one whose
    * residual F(x) − x would be smallest if F were affine. Without history it is plain
    * relaxation. Knows no physics.
+   *
+   * A combination that leads against the residual is not taken, but relaxation: it is on
+   * the way to a fixed point, or to where there has just been one, from which relaxation
+   * leads away. Where relaxation comes near a fixed point both lead the same way.
    */
   class FixedPoint
   {
@@ -62,6 +66,9 @@ namespace strait
 
     void                remember(const double *x, const double *image, std::size_t n);
     std::vector<double> best_weights() const;
+
+    /** The product of the residual and the step to the combination with these weights. */
+    double along_residual(const std::vector<double> &weights) const;
 
     MPI_Comm                comm;
     int                     history;

@@ -64,13 +64,11 @@ namespace strait
    * Finds the fluid pressure that contact and flow agree on: that under which the gap
    * is such that the fluid has this pressure.
    *
-   * The first rounds combine those before (FixedPoint), then every other one does, and
-   * after 30 none, as in alternating Anderson mixing (Banerjee, Suryanarayana, Pask,
-   * Chem. Phys. Lett. 647, 2016). Where the verdict on percolation changes, the map has
-   * jumped and the rounds begin again; after a few such changes the iteration goes along
-   * the jump (slide()). It also jumps where a gap is ajar: there the steps become smaller
-   * until they stay in one place (stays_in_place()). What each rule spares is in
-   * doc/feedback.md.
+   * The first 30 rounds combine those before (FixedPoint), the next ones do not. Where
+   * the verdict on percolation changes, the map has jumped and the rounds begin again;
+   * after a few such changes the iteration goes along the jump (slide()). It also jumps
+   * where a gap is ajar: there the steps become smaller until they stay in one place
+   * (stays_in_place()). What each rule spares is in doc/feedback.md.
    */
   class WallFeedback
   {
