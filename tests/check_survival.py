@@ -272,8 +272,8 @@ class Survival(unittest.TestCase):
         self.assertRegex(message, "run of this scene that has not come to its end; .*--force")
         self.assertEqual(contents(output), before)
 
-    def stopped_and_resumed(self, text, rows, number=signal.SIGTERM):
-        """Stop a run after each of the numbers of rows; compare it.
+    def stopped_and_resumed(self, text, rows, number=signal.SIGTERM, more=()):
+        """Stop a run after each of the numbers of rows, resume it with more options; compare it.
 
         Many steps shall remain: on a busy machine some pass before the signal arrives.
         """
@@ -296,7 +296,7 @@ class Survival(unittest.TestCase):
             self.assertTrue(os.path.exists(os.path.join(output, "run.json")))
             options = ["--resume"]
         self.assert_not_begun_anew(scene, output)
-        self.run_to_end(scene, output, "--resume")
+        self.run_to_end(scene, output, "--resume", *more)
         self.assert_same(reference, output)
         before = contents(output)
         self.run_to_end(scene, output, "--resume")  # nothing is left to do
@@ -314,11 +314,8 @@ class Survival(unittest.TestCase):
         self.stopped_and_resumed(YIELDING, [1, 4])
 
     def test_stopped_with_error_budget(self):
-        self.stopped_and_resumed(WITH_ERRORS, [1])
-        output = self.path("stopped")
-        self.run_to_end(self.scene(WITH_ERRORS), output, "--resume",
-                        "--set", "Output/Surface spectrum=true")
-        self.assertIn("spectrum.csv", os.listdir(output))
+        self.stopped_and_resumed(WITH_ERRORS, [1], more=["--set", "Output/Surface spectrum=true"])
+        self.assertIn("spectrum.csv", os.listdir(self.path("stopped")))
 
     def test_stopped_with_zoom(self):
         self.stopped_and_resumed(ZOOMED, [1, 2])

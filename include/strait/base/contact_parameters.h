@@ -11,9 +11,12 @@ namespace strait
 {
   struct ParameterSection;
 
-  /** Along a side of the grid: the product of two must fit into the 32-bit indices of
-   *  deal.II's vectors. */
-  constexpr int least_grid_points = 4, most_grid_points = 65535;
+  /** Along a side of the grid. */
+  constexpr int least_grid_points = 4;
+
+  /** Likewise: the product of two must fit into the 32-bit indices of deal.II's vectors.
+   */
+  constexpr int most_grid_points = 65535;
 
   /** How the energy with adhesion is minimised. */
   enum class AdhesionMethod
