@@ -43,12 +43,7 @@ namespace strait
     {
       result.lower *= std::max(0., 1. - fluid.mesh_error);
       result.upper *= 1. + fluid.mesh_error;
-      if (fluid.undecided)
-        {
-          result.lower = 0; // it is closed at times
-          result.rate *= fluid.open_share;
-        }
-      else if (result.status == "ok" && result.relative_width() > target_accuracy)
+      if (result.status == "ok" && result.relative_width() > target_accuracy)
         {
           result.status = "flow-accuracy";
           result.reason = "the fluid's pressure on the wall still changes with the mesh";

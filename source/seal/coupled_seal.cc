@@ -175,8 +175,6 @@ namespace strait
             last_result.converged = last_result.converged && !meet;
             fluid.trapped         = on_wall.trapped();
             fluid.converged       = last_result.converged;
-            fluid.undecided       = last_result.undecided;
-            fluid.open_share      = last_result.open_share;
             fluid.load            = mean(feedback.pressure());
           }
         catch (const LiftedOff &)

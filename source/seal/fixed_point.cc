@@ -11,9 +11,10 @@
 
 namespace strait
 {
-  FixedPoint::FixedPoint(MPI_Comm comm_, const int history_, const double relaxation)
+  FixedPoint::FixedPoint(MPI_Comm comm_, const int history_, const double relaxation_)
     : comm(comm_)
     , history(history_)
+    , relaxation(relaxation_)
     , share(relaxation)
   {
   }
@@ -24,42 +25,27 @@ namespace strait
                       const std::size_t n,
                       const bool        combines)
   {
-    // Slower than it falls: doubled, the share would stay as it is where the residual
-    // turns round in every other round. With half of the growth it recovers later from
-    // turns on the way, with double of it takes longer to settle in circles.
-    constexpr double growth     = 1.25;
+    // A circle through a jump, of some ten rounds, has to become smaller. With half of the
+    // growth the share recovers later from turns on the way, with double of it circles
+    // take twice the rounds to come to rest.
+    constexpr double growth     = 1.0625;
     const bool       has_before = has_last; // never without history
     remember(x, image, n);
-    if (has_before && !combines)
-      {
-        const double now    = product(comm, last_residual, last_residual);
-        const double change = product(comm, last_residual, differences.back().residual);
-        damping = now < change ? .5 * damping : std::min(growth * damping, 1.);
-      }
-    const double              part    = combines ? share : damping * share;
+    if (!combines && has_before && turns_round())
+      share *= .5;
+    else
+      share = std::min(growth * share, relaxation);
     const std::vector<double> weights = combines ? best_weights() : std::vector<double>();
-    const bool                leads_on = along_residual(weights) > 0.;
     for (std::size_t i = 0; i < n; ++i)
       {
         double from = x[i], change = image[i] - x[i];
-        for (std::size_t k = 0; leads_on && k < weights.size(); ++k)
+        for (std::size_t k = 0; k < weights.size(); ++k)
           {
             from -= weights[k] * differences[k].x[i];
             change -= weights[k] * differences[k].residual[i];
           }
-        x[i] = from + part * change;
+        x[i] = from + share * change;
       }
-  }
-
-  double
-  FixedPoint::along_residual(const std::vector<double> &weights) const
-  {
-    double result = share * product(comm, last_residual, last_residual);
-    for (std::size_t k = 0; k < weights.size(); ++k)
-      result -=
-        weights[k] * (product(comm, differences[k].x, last_residual) +
-                      share * product(comm, differences[k].residual, last_residual));
-    return result;
   }
 
   void
@@ -90,39 +76,58 @@ namespace strait
   std::vector<double>
   FixedPoint::best_weights() const
   {
-    const std::size_t      m = differences.size();
-    dealii::Vector<double> b(m), weights(m);
-    if (m > 0)
+    const std::size_t m = differences.size();
+    if (m == 0)
+      return {};
+    dealii::LAPACKFullMatrix<double> A(m, m);
+    dealii::Vector<double>           b(m), weights(m);
+    for (std::size_t i = 0; i < m; ++i)
       {
-        dealii::LAPACKFullMatrix<double> A(m, m);
-        for (std::size_t i = 0; i < m; ++i)
-          {
-            for (std::size_t j = 0; j <= i; ++j)
-              A(i, j) = A(j, i) =
-                product(comm, differences[i].residual, differences[j].residual);
-            b(i) = product(comm, differences[i].residual, last_residual);
-          }
-        // Rounds that say almost the same as others must not fight each other.
-        A.compute_inverse_svd(std::numeric_limits<float>::epsilon());
-        A.vmult(weights, b);
+        for (std::size_t j = 0; j <= i; ++j)
+          A(i, j) = A(j, i) =
+            product(comm, differences[i].residual, differences[j].residual);
+        b(i) = product(comm, differences[i].residual, last_residual);
       }
+    // Rounds that say almost the same as others must not fight each other.
+    A.compute_inverse_svd(std::numeric_limits<float>::epsilon());
+    A.vmult(weights, b);
+    double along_residual = share * product(comm, last_residual, last_residual);
+    for (std::size_t i = 0; i < m; ++i)
+      along_residual -=
+        weights(i) * (product(comm, differences[i].x, last_residual) + share * b(i));
+    if (along_residual <= 0.)
+      return {};
     return {weights.begin(), weights.end()};
   }
 
-  void
-  FixedPoint::restart(const double relaxation)
+  bool
+  FixedPoint::turns_round() const
   {
-    differences.clear();
-    move_on(relaxation);
+    return product(comm, last_residual, last_residual) <
+           product(comm, last_residual, differences.back().residual);
   }
 
   void
-  FixedPoint::move_on(const double relaxation)
+  FixedPoint::jump()
+  {
+    const double before = share;
+    restart();
+    share = .5 * before;
+  }
+
+  void
+  FixedPoint::restart()
+  {
+    differences.clear();
+    move_on();
+  }
+
+  void
+  FixedPoint::move_on()
   {
     share = relaxation;
     last_residual.clear();
     last_x.clear();
     has_last = false;
-    damping  = 1.;
   }
 } // namespace strait

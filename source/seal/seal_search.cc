@@ -258,8 +258,7 @@ namespace strait
   SealSearch::report(const SealState &state, const bool leaks) const
   {
     const Control &control = state.control;
-    const bool     agrees  = !state.fluid || state.fluid->converged ||
-                        state.fluid->undecided || state.fluid->lifted_off;
+    const bool agrees = !state.fluid || state.fluid->converged || state.fluid->lifted_off;
     log.progress(format("  load %.8g, inlet pressure %.6g: %s",
                         control.target,
                         control.inlet_pressure,

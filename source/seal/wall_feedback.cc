@@ -16,14 +16,9 @@ namespace strait
     // from places where the map was another one.
     constexpr int rounds_combined = 6;
 
-    // Rounds of one map; see the class. Half as many give combinations up that would
-    // still have paid, twice as many lose as many rounds where none does.
+    // Rounds; see the class. Half as many give combinations up that would still have
+    // paid, twice as many lose as many rounds where none does.
     constexpr int last_combined = 30;
-
-    // So often the verdict may change before the two sides are enclosed. Half as often,
-    // sides are halved where the iteration would have settled on one; twice as often,
-    // rounds are spent on jumping to and fro.
-    constexpr int changes_allowed = 3;
 
     double
     root_mean_square(const SlabField &field)
@@ -41,14 +36,21 @@ namespace strait
       return from;
     }
 
+    /** The difference of two leak rates in parts of the larger one. */
+    double
+    relative_difference(const double a, const double b)
+    {
+      return a == b ? 0. : std::abs(a - b) / std::max(a, b);
+    }
+
     SlabField
     difference(SlabField from, const SlabField &field)
     {
       return moved(std::move(from), -1., field);
     }
 
-    /** Replace @p a by its mixture with @p b that is smallest. Returns the share of b. */
-    double
+    /** Replace @p a by its mixture with @p b that is smallest. */
+    void
     mix_towards_zero(SlabField &a, const SlabField &b)
     {
       const SlabField way    = difference(b, a);
@@ -56,7 +58,6 @@ namespace strait
       const double    share =
         square > 0 ? std::clamp(-product(a, way) / square, 0., 1.) : 0.;
       a = moved(std::move(a), share, way);
-      return share;
     }
   } // namespace
 
@@ -76,92 +77,68 @@ namespace strait
                       const FeedbackGoal &goal)
   {
     FeedbackResult      result;
-    int                 changes_of_verdict = 0;
-    int                 rounds_of_map      = 0; // since it has jumped
-    std::optional<bool> percolated;             // in the round before
-    const auto          begin_again = [&](const double relaxation) {
-      fixed_point.restart(relaxation);
-      walk          = Walk();
-      rounds_of_map = 0;
-    };
+    std::optional<bool> percolated; // in the round before
     if (goal.goes_on && !last_image.empty())
       {
-        propose(last_image, 0, goal);
-        fixed_point.move_on(parameters.relaxation);
+        propose(last_image, true, goal);
+        fixed_point.move_on();
       }
     else
       {
-        fixed_point.restart(parameters.relaxation);
+        fixed_point.restart();
         last_leak_rate = 0;
       }
     last_image = SlabField();
     walk       = Walk();
     while (result.iterations < parameters.maximum_iterations)
       {
-        FeedbackRound now = round(assumed);
-        ++result.iterations;
-        ++rounds_of_map;
+        FeedbackRound now      = round(assumed);
+        const bool    combines = ++result.iterations < last_combined;
         // Trapped fluid may have a higher pressure than the reservoirs.
         scale         = std::max(largest_pressure, root_mean_square(now.fluid_pressure));
         result.change = size(difference(now.fluid_pressure, assumed));
-        result.leak_change =
-          now.leak_rate > 0 ? std::abs(last_leak_rate / now.leak_rate - 1.) : 0.;
-        const bool flips = percolated && *percolated != now.percolates;
+        result.leak_change = relative_difference(now.leak_rate, last_leak_rate);
         const bool agrees =
           result.agrees_within(goal) ||
           (now.percolates && std::max(result.change, result.leak_change) <=
                                parameters.relaxation * goal.once_open);
-        if (agrees || (!flips && rounds_of_map >= last_combined &&
-                       stays_in_place(now, goal, result)))
+        if (agrees || stays_in_place(now, goal, result))
           {
             result.converged = true;
             last_image       = agrees ? std::move(now.fluid_pressure) : assumed;
             return result;
           }
-        if (flips)
-          {
-            begin_again(.5 * fixed_point.relaxation());
-            ++changes_of_verdict;
-          }
-        percolated                                 = now.percolates;
-        last_leak_rate                             = now.leak_rate;
-        (now.percolates ? open_side : closed_side) = assumed;
-        if (changes_of_verdict <= changes_allowed)
-          propose(now.fluid_pressure, rounds_of_map, goal);
-        else if (slide(round, goal, result))
-          return result;
-        else
-          {
-            changes_of_verdict = 0;
-            percolated.reset();
-            begin_again(parameters.relaxation);
-          }
+        if (percolated && *percolated != now.percolates)
+          fixed_point.jump();
+        percolated     = now.percolates;
+        last_leak_rate = now.leak_rate;
+        propose(now.fluid_pressure, combines, goal);
       }
     return result;
   }
 
   void
-  WallFeedback::propose(const SlabField &image, const int round, const FeedbackGoal &goal)
+  WallFeedback::propose(const SlabField    &image,
+                        const bool          combines,
+                        const FeedbackGoal &goal)
   {
-    const bool combines = round < last_combined;
     fixed_point.advance(assumed.data(), image.data(), assumed.size(), combines);
     if (combines && mean(assumed) >= goal.largest_mean)
       {
         assumed = image;
-        fixed_point.restart(fixed_point.relaxation());
+        fixed_point.restart();
       }
   }
 
   /** Whether the rounds of relaxation stay within the tolerance of one place, where a
-   *  mixture of their changes is none. */
+   *  mixture of their changes is none. Where some of them open the channel, it leaks. */
   bool
   WallFeedback::stays_in_place(const FeedbackRound &now,
                                const FeedbackGoal  &goal,
                                FeedbackResult      &result)
   {
-    SlabField    change = difference(now.fluid_pressure, assumed);
-    const double leak_change =
-      walk.leak_rate > 0 ? std::abs(now.leak_rate / walk.leak_rate - 1.) : 0.;
+    SlabField    change      = difference(now.fluid_pressure, assumed);
+    const double leak_change = relative_difference(now.leak_rate, walk.leak_rate);
     if (walk.start.empty() || leak_change > goal.leak_tolerance ||
         size(difference(assumed, walk.start)) > goal.tolerance)
       {
@@ -169,89 +146,12 @@ namespace strait
         return false;
       }
     mix_towards_zero(walk.mixture, change);
+    walk.leak_rate        = std::max(walk.leak_rate, now.leak_rate);
     const double smallest = size(walk.mixture);
-    if (smallest > goal.tolerance)
+    if (smallest > goal.tolerance || (walk.leak_rate > 0. && !now.percolates))
       return false;
     result.change      = smallest;
     result.leak_change = leak_change;
-    return true;
-  }
-
-  /**
-   * Between a pressure that leaves the channel open and one that closes it. Where these
-   * are one within the tolerance the fluid changes as a mixture of what follows from
-   * either: the one that changes least (Filippov's, for differential equations). Go that
-   * way along the jump, until the mixture changes nothing and there is no state, or until
-   * it leads away: then returns false, and the iteration is to go on from what is
-   * assumed.
-   */
-  bool
-  WallFeedback::slide(const Round        &round,
-                      const FeedbackGoal &goal,
-                      FeedbackResult     &result)
-  {
-    SlabField  on_open, on_closed; // changes on either side
-    const auto may_ask = [&]() {
-      return !result.converged && result.iterations < parameters.maximum_iterations;
-    };
-    const auto is_open = [&](SlabField side) {
-      assumed           = std::move(side);
-      FeedbackRound now = round(assumed);
-      ++result.iterations;
-      SlabField change = difference(std::move(now.fluid_pressure), assumed);
-      result.change    = size(change);
-      result.converged = result.change <= goal.tolerance;
-      (now.percolates ? open_side : closed_side) = assumed;
-      (now.percolates ? on_open : on_closed)     = std::move(change);
-      return now.percolates;
-    };
-    while (may_ask())
-      {
-        if (const SlabField apart = difference(closed_side, open_side);
-            size(apart) > goal.tolerance)
-          {
-            is_open(moved(open_side, .5, apart));
-            continue;
-          }
-        if (on_closed.empty() || on_open.empty())
-          {
-            is_open(on_closed.empty() ? closed_side : open_side);
-            continue;
-          }
-        SlabField    change = on_open;
-        const double share  = mix_towards_zero(change, on_closed);
-        result.change       = size(change);
-        result.undecided    = result.change <= goal.tolerance;
-        result.open_share   = result.undecided ? 1. - share : 1.;
-        if (result.undecided)
-          {
-            is_open(open_side);
-            result.converged = false;
-            return true;
-          }
-        if (share == 0. || share == 1.)
-          {
-            assumed = moved(share == 0. ? open_side : closed_side, 1., change);
-            return false;
-          }
-        const SlabField open   = moved(open_side, 1., change);
-        const bool      opens  = is_open(moved(closed_side, 1., change));
-        const bool      closes = may_ask() && !is_open(open);
-        if (opens != closes && may_ask())
-          {
-            // Both are on one side. What follows from there leads to the other one.
-            const SlabField side = opens ? open_side : closed_side;
-            const SlabField way  = opens ? on_open : on_closed;
-            double          part = goal.tolerance / size(way);
-            while (may_ask() && part < 1. && is_open(moved(side, part, way)) == opens)
-              part *= 2;
-            if (part >= 1.)
-              {
-                assumed = moved(side, 1., way);
-                return false;
-              }
-          }
-      }
     return true;
   }
 

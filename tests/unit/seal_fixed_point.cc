@@ -73,7 +73,7 @@ namespace strait
       std::vector<double> x = {0, 0, 0};
       for (int round = 0; round < 3; ++round)
         iteration.advance(x.data(), affine(x).data(), x.size());
-      iteration.restart(1.);
+      iteration.restart();
       x                               = {5, 5, 5};
       const std::vector<double> image = affine(x);
       iteration.advance(x.data(), image.data(), x.size());
@@ -87,7 +87,7 @@ namespace strait
       std::vector<double> x = {0, 0, 0};
       for (int round = 0; round < 5; ++round)
         iteration.advance(x.data(), affine(x).data(), x.size());
-      iteration.move_on(1.);
+      iteration.move_on();
       std::vector<double> y = {1, 1, 1};
       for (int round = 0; round < 2; ++round)
         {

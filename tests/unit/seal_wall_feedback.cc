@@ -143,45 +143,14 @@ namespace strait
 
     TEST(WallFeedback, OpensAndClosesWhereNeitherFluidKeepsItsChannel)
     {
-      const auto  open = [](const double p) { return p > .4; };
-      UniformSeal seal([open](const double p) { return open(p) ? .1 : .8; }, open);
-      const FeedbackResult result =
-        seal.solve(.5, {feedback_tolerance, feedback_tolerance});
-      EXPECT_FALSE(result.converged);
-      EXPECT_TRUE(result.undecided);
-      EXPECT_TRUE(open(seal.pressure)); // so that there is a leak rate
+      // A verdict is all that can be had: it leaks, but how much no state says.
+      constexpr double any  = std::numeric_limits<double>::infinity();
+      const auto       open = [](const double p) { return p > .4; };
+      UniformSeal      seal([open](const double p) { return open(p) ? .1 : .8; }, open);
+      EXPECT_TRUE(seal.solve(.5, {feedback_tolerance, any}).converged);
+      EXPECT_TRUE(open(seal.pressure));
       EXPECT_NEAR(seal.pressure, .4, 2. * feedback_tolerance);
-      // .1 · 4/7 + .8 · 3/7 = .4
-      EXPECT_NEAR(result.open_share, 4. / 7, 1e-4);
-    }
-
-    TEST(WallFeedback, GoesAlongAJumpUntilAllElseHasSettled)
-    {
-      // The channel depends on the fluid in the first row; that in the others follows
-      // slowly what both are.
-      const SlabLayoutPtr layout = make_layout({8, 6, 1., 1.}, MPI_COMM_WORLD);
-      const auto          n_row  = static_cast<std::size_t>(layout->grid().nx);
-      FeedbackParameters  parameters;
-      WallFeedback        feedback(parameters, layout);
-      feedback.pressure() = SlabField(layout, .1);
-      const auto round    = [&](const SlabField &assumed) {
-        FeedbackRound result;
-        result.percolates     = assumed[0] > .4 + .1 * assumed[n_row];
-        result.leak_rate      = result.percolates ? 1. : 0.;
-        result.fluid_pressure = assumed;
-        for (std::size_t k = 0; k < assumed.size(); ++k)
-          result.fluid_pressure[k] = k < n_row ? (result.percolates ? .1 : .8)
-                                                  : .5 * assumed[k] + .2 + .1 * assumed[0];
-        return result;
-      };
-      const double         coarse = 1e-5;
-      const FeedbackResult result = feedback.solve(round, 1., {coarse, 1.});
-      EXPECT_TRUE(result.undecided);
-      EXPECT_LE(result.iterations, 150);
-      // b = .4 + .2 a and a = .4 + .1 b
-      EXPECT_NEAR(feedback.pressure()[0], .44 / .98, 4. * coarse);
-      EXPECT_NEAR(feedback.pressure()[n_row], .4 + .2 * .44 / .98, 4. * coarse);
-      EXPECT_NEAR(result.open_share, (.8 - .44 / .98) / .7, 1e-3);
+      EXPECT_FALSE(seal.solve(.5, {feedback_tolerance, .1}).converged);
     }
 
     TEST(WallFeedback, TurnsAwayFromAJumpThatIsInNobodysWay)
@@ -196,7 +165,6 @@ namespace strait
       const FeedbackResult result =
         seal.solve(.9, {feedback_tolerance, feedback_tolerance});
       EXPECT_TRUE(result.converged) << result.iterations;
-      EXPECT_FALSE(result.undecided);
       EXPECT_NEAR(seal.pressure, .55, 2. * feedback_tolerance);
     }
 
@@ -207,7 +175,6 @@ namespace strait
       UniformSeal          seal([](const double p) { return p < .5 ? .9 : .2; }, always);
       const FeedbackResult result = seal.solve(.8, {coarse, coarse});
       EXPECT_TRUE(result.converged);
-      EXPECT_FALSE(result.undecided);
       EXPECT_LE(result.iterations, 150);
       EXPECT_LE(result.change, coarse);
       EXPECT_NEAR(seal.pressure, .5, 2. * coarse);

@@ -131,9 +131,7 @@ namespace strait
         add_words(words, flow->leakage.status);
       if (state.fluid && !state.fluid->converged)
         add_words(words,
-                  state.fluid->lifted_off  ? "lifted-off"
-                  : state.fluid->undecided ? "feedback-undecided"
-                                           : "feedback-not-converged");
+                  state.fluid->lifted_off ? "lifted-off" : "feedback-not-converged");
       for (const std::string &doubt : doubts)
         add_words(words, doubt);
       return words;

@@ -27,33 +27,29 @@ namespace strait
   public:
     /**
      * The values are divided among the ranks of @p comm. @p history: how many earlier
-     * rounds are combined, 0 or more, at 8 B a value each; @p relaxation: share of the
-     * residual that is taken, in (0, 1].
+     * rounds are combined, 0 or more, at 8 B a value each; @p relaxation: the
+     * largest share of the residual that is taken, in (0, 1].
      */
     FixedPoint(MPI_Comm comm, int history, double relaxation);
 
     /**
      * The next iterate, in place of @p x, after F(@p x) = @p image was found. Both have
      * @p n values on this rank. Unless it @p combines the rounds before it is plain
-     * relaxation, with half the share each time that the residual turns round, and more
-     * of it again where it does not; what this round says is remembered all the same.
-     * Collective.
+     * relaxation, with half the share each time that the residual turns round; what this
+     * round says is remembered all the same. Collective.
      */
     void advance(double *x, const double *image, std::size_t n, bool combines = true);
 
-    /** Forget the rounds before, because the map has changed, and take the share
-     *  @p relaxation of each residual from now on. */
-    void restart(double relaxation);
+    /** Forget the rounds before and take half the share, because the map has jumped. */
+    void jump();
 
-    /** Begin at another point or with a map that has changed a little, with that share:
-     *  what the rounds before say about directions still holds. */
-    void move_on(double relaxation);
+    /** Forget the rounds before, because the map is another one, and take all of the
+     *  share. */
+    void restart();
 
-    double
-    relaxation() const
-    {
-      return share;
-    }
+    /** Begin at another point or with a map that has changed a little, with all of the
+     *  share: what the rounds before say about directions still holds. */
+    void move_on();
 
   private:
     // Differences between one round and the next. Single precision is enough to
@@ -64,19 +60,22 @@ namespace strait
       std::vector<float> residual;
     };
 
-    void                remember(const double *x, const double *image, std::size_t n);
+    void remember(const double *x, const double *image, std::size_t n);
+
+    /** Of the differences; none if the step to that combination leads against the
+     *  residual. */
     std::vector<double> best_weights() const;
 
-    /** The product of the residual and the step to the combination with these weights. */
-    double along_residual(const std::vector<double> &weights) const;
+    /** Whether the residual leads back to where it was the round before. */
+    bool turns_round() const;
 
     MPI_Comm                comm;
     int                     history;
-    double                  share;
+    double                  relaxation;  // the largest share
+    double                  share;       // of the residual, now
     std::vector<Difference> differences; // the latest last
     std::vector<float>      last_residual;
     std::vector<double>     last_x;
-    double                  damping  = 1.;    // factor of the share
     bool                    has_last = false; // on a rank without values as well
   };
 } // namespace strait

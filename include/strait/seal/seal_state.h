@@ -28,10 +28,8 @@ namespace strait
 
     double mesh_error = 0.; // what the last mesh changed of the leak rate, relative
 
-    bool   converged  = false;
-    bool   undecided  = false; // the seal opens and closes at this control
-    double open_share = 1.;    // then of what the open seal leaks
-    bool   lifted_off = false; // the fluid carries more than the load
+    bool converged  = false;
+    bool lifted_off = false; // the fluid carries more than the load
   };
 
   /** How a path that ends in a state went on in its last step. */

@@ -43,15 +43,6 @@ namespace strait
     double leak_change = 0; // of the leak rate in these, relative
     bool   converged   = false;
 
-    /**
-     * The fluid of the open channel closes it and that of the closed one opens it, and no
-     * state between agrees with itself within the tolerance: it opens and closes at
-     * this load, or its throat lets @c open_share of the open channel's flow through, in
-     * which case the fluid's pressure is that between.
-     */
-    bool   undecided  = false;
-    double open_share = 1.;
-
     /** Whether these changes are as small as that. */
     bool
     agrees_within(const FeedbackGoal &goal) const
@@ -64,11 +55,10 @@ namespace strait
    * Finds the fluid pressure that contact and flow agree on: that under which the gap
    * is such that the fluid has this pressure.
    *
-   * The first 30 rounds combine those before (FixedPoint), the next ones do not. Where
-   * the verdict on percolation changes, the map has jumped and the rounds begin again;
-   * after a few such changes the iteration goes along the jump (slide()). It also jumps
-   * where a gap is ajar: there the steps become smaller until they stay in one place
-   * (stays_in_place()). What each rule spares is in doc/feedback.md.
+   * The first 30 rounds combine those before (FixedPoint), and begin again with half the
+   * share where the verdict on percolation changes, as the map has jumped there. The next
+   * ones do not: where a channel opens and closes, or a gap is ajar, their steps become
+   * smaller until they stay in one place (stays_in_place()).
    */
   class WallFeedback
   {
@@ -98,21 +88,19 @@ namespace strait
     {
       SlabField start;         // assumed then; empty: it has not begun
       SlabField mixture;       // of the changes, the smallest
-      double    leak_rate = 0; // then
+      double    leak_rate = 0; // the largest
     };
 
-    void   propose(const SlabField &image, int round, const FeedbackGoal &goal);
+    void   propose(const SlabField &image, bool combines, const FeedbackGoal &goal);
     bool   stays_in_place(const FeedbackRound &now,
                           const FeedbackGoal  &goal,
                           FeedbackResult      &result);
-    bool   slide(const Round &round, const FeedbackGoal &goal, FeedbackResult &result);
     double size(const SlabField &change) const;
 
     const FeedbackParameters parameters;
     double                   scale = 1.;
     SlabField                assumed;
     FixedPoint               fixed_point;
-    SlabField                open_side, closed_side; // the last with either verdict
     Walk                     walk;
     SlabField                last_image;         // of an iteration that has converged
     double                   last_leak_rate = 0; // 0: there was none
