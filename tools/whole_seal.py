@@ -102,8 +102,8 @@ class Patches:
         self.along, self.ends = np.array(self.along), np.array(self.ends)
         self.across = np.array(self.across) if self.across else self.along
         # Not all grids can be compared with coarser ones.
-        self.knows_grid = self.knows_budget and all("contact grid" in step["relative_errors"]
-                                                    for step in budgets)
+        self.knows_grid = self.knows_budget and all(
+            step["relative_errors"].get("contact grid") is not None for step in budgets)
 
     @staticmethod
     def _of_loads(run, box, seal):

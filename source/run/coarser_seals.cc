@@ -43,7 +43,8 @@ namespace strait
       return;
     const auto warn_of_unknown = [&](const char *why) {
       if (n_compared_grids(scene) > 0)
-        log.warn(std::string("leak_rate_error is without that of the contact grid, as ") +
+        log.warn(std::string("leak_rate_error is nan, as that of the contact grid is "
+                             "not known: ") +
                  why);
     };
     if (scene.depends_on_path())

@@ -48,9 +48,8 @@ namespace strait
                         by_reduced_load ? step.reduced_load : std::nullopt);
           leaks.push_back(1. + change_to(gap, step, scene.fluid));
         }
-      if (leaks.empty())
-        return;
-      const double first = 1. - leaks[0];
+      // Not a number where no coarser grid tells.
+      const double first = leaks.empty() ? std::nan("") : 1. - leaks[0];
       double       error = std::abs(first);
       // Two grids tell no order: at the first, and with the factor of safety of the grid
       // convergence index (Roache, J. Fluids Eng. 116, 1994). With two of it a finer
@@ -117,13 +116,17 @@ namespace strait
     std::stable_sort(errors.items.begin(),
                      errors.items.end(),
                      [](const ErrorItem &a, const ErrorItem &b) {
-                       return a.relative > b.relative;
+                       return std::isnan(a.relative) ? !std::isnan(b.relative)
+                                                     : a.relative > b.relative;
                      });
     return errors;
   }
 
   std::vector<std::string>
-  doubts_near_threshold(const Step &step, const Transition &threshold, Log &log)
+  doubts_near_threshold(const Step       &step,
+                        const Transition &threshold,
+                        const bool        zooms,
+                        Log              &log)
   {
     std::vector<std::string> doubts;
     const double             reduced = *step.reduced_load;
@@ -147,15 +150,17 @@ namespace strait
         log.warn(
           std::isnan(points_along)
             ? format("at a reduced load of %.3g the narrowest point is no saddle of the "
-                     "gap, as on the boundary of a mesh: how well the grid resolves it "
-                     "cannot be told",
+                     "gap: how well the grid resolves it cannot be told",
                      reduced)
             : format("at a reduced load of %.3g the throat has %.2g grid points along "
-                     "it, %.0f are needed: a grid finer by a factor of %.3g would do",
+                     "it, %.0f are needed: ",
                      reduced,
                      points_along,
-                     points_along_needed,
-                     std::ceil(100. * points_along_needed / points_along) / 100.));
+                     points_along_needed) +
+                (zooms ? "raise Contact/Zoom/Points along throat"
+                       : format("a grid finer by a factor of %.3g would do",
+                                std::ceil(100. * points_along_needed / points_along) /
+                                  100.)));
       }
     return doubts;
   }

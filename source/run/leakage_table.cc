@@ -43,7 +43,8 @@ namespace strait
         .add([](const Step &step) { return step.errors.sum(); },
              "leak_rate_error [1]: relative error of the leak rate: mesh, contact grid, "
              "gap interpolation and tolerances together, see "
-             "[run.json](#runjson); `nan` if nothing percolates");
+             "[run.json](#runjson); `nan` if nothing percolates or one of them is not "
+             "known");
       table.when({"with `Output/Leak rate units`", scene.fluid.enabled});
       for (const std::string &name : scene.output.leak_rate_units)
         {

@@ -208,7 +208,8 @@ namespace strait
     if (threshold != nullptr && is_of_branch)
       {
         step.reduced_load = 1. - pressure / threshold->middle();
-        step.doubts       = doubts_near_threshold(step, *threshold, log);
+        step.doubts =
+          doubts_near_threshold(step, *threshold, scene.contact.zoom.enabled, log);
       }
     if (theory)
       {
@@ -227,7 +228,8 @@ namespace strait
                                     *flow,
                                     coarser);
       }
-    if (scene.contact.zoom.enabled && step.errors.sum() > scene.fluid.target_accuracy)
+    if (scene.contact.zoom.enabled && !step.errors.items.empty() &&
+        !(step.errors.sum() <= scene.fluid.target_accuracy))
       step.doubts.emplace_back("inaccurate");
     judge_validity(step, scene, surface.rms_slope, log);
     done.converged = done.converged && step.converged();

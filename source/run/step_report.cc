@@ -20,7 +20,10 @@ namespace strait
     largest_of(const StepErrors &errors)
     {
       const ErrorItem &largest = errors.items.front();
-      std::string      text = format("  largest error of the leak rate: %s, %.2g %% (%s)",
+      if (std::isnan(largest.relative))
+        return "  the error of the leak rate from the " + largest.source +
+               " is not known (" + largest.parameter + ")";
+      std::string text = format("  largest error of the leak rate: %s, %.2g %% (%s)",
                                 largest.source.c_str(),
                                 100. * largest.relative,
                                 largest.parameter.c_str());

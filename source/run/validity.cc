@@ -194,9 +194,12 @@ namespace strait
         {"coarse-throat",
          points,
          least_points_along_throat,
-         format("there are %.2g grid points along the throat, so that the contact grid's "
-                "error may exceed that of the bracket: raise Contact/Grid points",
-                points) +
+         (points > 0.
+            ? format("there are %.2g grid points along the throat", points)
+            : std::string(
+                "the grid points do not tell how the gap grows along the throat")) +
+           ", so that the contact grid's error may exceed that of the bracket: raise "
+           "Contact/Grid points" +
            (scene.contact.zoom.enabled
               ? ""
               : advice_to(

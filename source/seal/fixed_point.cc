@@ -25,9 +25,9 @@ namespace strait
                       const std::size_t n,
                       const bool        combines)
   {
-    // A circle through a jump, of some ten rounds, has to become smaller. With half of the
-    // growth the share recovers later from turns on the way, with double of it circles
-    // take twice the rounds to come to rest.
+    // A circle through a jump, of some ten rounds, has to become smaller. With half of
+    // the growth the share recovers later from turns on the way, with double of it
+    // circles take twice the rounds to come to rest.
     constexpr double growth     = 1.0625;
     const bool       has_before = has_last; // never without history
     remember(x, image, n);

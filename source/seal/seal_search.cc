@@ -33,8 +33,12 @@ namespace strait
     const auto              ask_load    = [&](const double load) {
       return ask({load, scene.fluid.inlet_pressure, slip_length}, side_of_path);
     };
-    const auto   name_of = [](const double load) { return "a load of " + to_text(load); };
-    const double tolerance = scene.programme.threshold_tolerance;
+    const auto name_of = [&](const double load) {
+      return "a load of " + to_text(load) +
+             (scene.fluid.has_slip() ? " with a slip length of " + to_text(slip_length)
+                                     : "");
+    };
+    const double                    tolerance = scene.programme.threshold_tolerance;
     std::optional<TransitionSearch> search;
     for (const double next_length : scene.fluid.slip_lengths)
       {

@@ -198,6 +198,15 @@ namespace strait
       EXPECT_NEAR(found.middle() / .2417, 1., .001);
     }
 
+    TEST(ZoomedSaddle, DoesNotStateAnErrorThatNoCoarserGridTells)
+    {
+      Scene scene               = zoomed(saddle_scene(32));
+      scene.programme.pressures = {1.};
+      const Row row             = run_sweep(scene).rows.front();
+      EXPECT_TRUE(std::isnan(row.error));
+      EXPECT_EQ(row.status, "inaccurate");
+    }
+
     bool
     has_column(const Scene &scene, const std::string &name)
     {

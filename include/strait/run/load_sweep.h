@@ -117,9 +117,12 @@ namespace strait
                            CoarserSeals     &coarser);
 
   /** Why the exponent of the leak rate cannot be told from a step that leaks below its
-   *  @p threshold: words for the column `status`. Warns of each, with what would help. */
-  std::vector<std::string>
-  doubts_near_threshold(const Step &step, const Transition &threshold, Log &log);
+   *  @p threshold: words for the column `status`. Warns of each, with what would help,
+   *  which depends on whether the scene @p zooms. */
+  std::vector<std::string> doubts_near_threshold(const Step       &step,
+                                                 const Transition &threshold,
+                                                 bool              zooms,
+                                                 Log              &log);
 
   /** How far a sweep has come. */
   struct SweepProgress

@@ -36,8 +36,8 @@ namespace strait
   struct ErrorItem
   {
     std::string source;
-    double      relative = 0.;
-    std::string parameter; // that would reduce it
+    double      relative = 0.; // not a number: not known
+    std::string parameter;     // that would reduce it
   };
 
   /** The errors of a step's leak rate, the largest first (load_sweep.h). */
@@ -47,7 +47,7 @@ namespace strait
     std::optional<double>  grid_order;   // observed from contact grid to contact grid
     std::optional<double>  extrapolated; // leak rate at a grid spacing of zero
 
-    /** All of them together; not a number if the leak rate is 0. */
+    /** All of them together; not a number if one is not known or the leak rate is 0. */
     double
     sum() const
     {
