@@ -88,7 +88,11 @@ def main(arguments=None):
     use_style()
     try:
         draw_folders(options.folders, options.picture)
-    except (OSError, KeyError, ValueError) as error:
+    except KeyError as column:
+        print(f"plot_theory.py: the results have no column {column}: theory is drawn beside a "
+              "contact, with Theory/Enabled = true", file=sys.stderr)
+        return 1
+    except (OSError, ValueError) as error:
         print(f"plot_theory.py: {type(error).__name__}: {error}", file=sys.stderr)
         return 1
     return 0

@@ -86,7 +86,8 @@ def flow_in_gap(gap: np.ndarray, size: float | tuple[float, float] = 1.,
                 parameters: Mapping[str, Any] | None = None, *, fields: bool = False,
                 **more: Any) -> _core.Flow:
     """The flow through a given gap, an array of shape (ny, nx), on a box of `size`: closed
-    where it is not positive. Further parameters are those of a Scene.
+    where it is not positive. Further parameters are those of a Scene; of several slip lengths
+    the first one counts.
 
     >>> x = np.arange(64) / 64
     >>> gap = (1 + np.cos(2 * np.pi * x) / 2) * np.ones((64, 1))

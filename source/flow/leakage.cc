@@ -14,9 +14,11 @@ namespace strait
     const double drop = fluid.inlet_pressure - fluid.outlet_pressure;
     if (drop == 0.)
       return std::numeric_limits<double>::quiet_NaN(); // any gap would do
+    if (leakage.rate == 0.)
+      return 0.;
     const double viscous =
       std::cbrt(12. * fluid.viscosity * leakage.rate * leakage.aspect / drop);
-    if (fluid.rarefaction == Rarefaction::none || leakage.rate == 0.)
+    if (fluid.rarefaction == Rarefaction::none)
       return viscous;
     // A rarefied gas needs less of a gap, whose cube falls short of the other's by what
     // its mobility is more: each round comes closer from above, until rounding is left.

@@ -9,6 +9,7 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <regex>
 #include <string>
@@ -191,6 +192,9 @@ namespace strait
                      const SlabLayoutPtr     &layout,
                      Remarks                 &remarks)
     {
+      if (parameters.seed != 1 && parameters.map.windows == std::array<int, 2>{{1, 1}})
+        remarks.warnings.emplace_back(
+          "Surface/Seed changes nothing of a map without Surface/Windows, which it counts");
       SlabField heights =
         heights_of_map(parameters, parameters.map.file, layout, remarks);
       if (parameters.map.second_file.empty())

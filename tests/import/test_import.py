@@ -251,6 +251,18 @@ class Arrays(Case):
                 self.assertAlmostEqual(self.read(path)[1], side * 1e-6)
         self.check_refusal(path, "a side of 240 and 12 points in steps of 2, which contradict")
 
+    def test_unit_of_all_lengths(self):
+        """As contact.engineering writes it: with the coordinates only."""
+        path = os.path.join(self.folder, "map.nc")
+        with netcdf_file(path, "w") as file:
+            for name, n, length in (("x", files.NX, 24.), ("y", files.NY, 10.)):
+                file.createDimension(name, n)
+                along = file.createVariable(name, "f8", (name,))
+                along[:] = (np.arange(n) + .5) * length / n
+                along.length, along.periodic, along.length_unit = length, 0, b"um"
+            file.createVariable("heights", "f8", ("x", "y"))[:] = files.MICRONS.T
+        self.check_map(path)
+
     def test_attributes_against_coordinates(self):
         path = os.path.join(self.folder, "map.nc")
         x, y = 2. * np.arange(files.NX), 1. * np.arange(files.NY)

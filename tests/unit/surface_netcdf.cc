@@ -63,6 +63,26 @@ namespace
     EXPECT_TRUE(read_map(canonical_map("")).height_unit.name.empty());
   }
 
+  TEST(NetcdfReader, UnitOfAllLengths)
+  {
+    // The attribute of a name that is eight bytes longer, with as much shorter a text.
+    const auto attribute = [](const std::string &length, const std::string &name) {
+      return std::string("\0\0\0", 3) + length + name + std::string("\0\0\0\2\0\0\0", 7);
+    };
+    const std::string padding(2, '\0');
+    std::string       content =
+      replaced(canonical_map("micrometre"),
+               attribute("\4", "unit") + "\n" + "micrometre" + padding,
+               attribute("\v", "length_unit" + std::string(1, '\0')) + "\2" + "um" +
+                 padding);
+    content.replace(content.find("length_unit", content.find("heights")),
+                    11,
+                    "length_unix");
+    const auto map = read_map(content);
+    EXPECT_DOUBLE_EQ(map.lateral_unit.metres.value(), 1e-6);
+    EXPECT_DOUBLE_EQ(map.height_unit.metres.value(), 1e-6);
+  }
+
   TEST(NetcdfReader, OtherNames)
   {
     // Without a dimension called x the last one runs along x, and nothing states a size.

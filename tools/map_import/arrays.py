@@ -104,7 +104,7 @@ def _side(n, coordinate):
     if coordinate is None:
         return None, None, None, False
     values, attributes = coordinate
-    unit = _first(attributes, "unit", "units")
+    unit = _first(attributes, "unit", "units", "length_unit")
     metres = metres_in(str(unit)) if unit else None
     # Equal numbers are those of a dimension to which none were written.
     step = float(abs(values[-1] - values[0])) / (n - 1) if len(values) > 1 else 0.
@@ -151,7 +151,8 @@ def _netcdf_channel(name, values, dimensions, attributes, coordinates):
     ny, nx = values.shape
     lx, dx, metres_x, periodic_x = _side(nx, coordinates.get(dimensions[1]))
     ly, dy, metres_y, periodic_y = _side(ny, coordinates.get(dimensions[0]))
-    channel = _map(name, values, attributes)
+    of_all = _first(coordinates.get(dimensions[1], (None, {}))[1], "length_unit")
+    channel = _map(name, values, attributes, {"unit": of_all} if of_all else None)
     if lx and ly:
         units = (metres_x, metres_y) if metres_x and metres_y else None
         channel.disputed = (channel.disputed or dispute("x", nx, lx, dx)

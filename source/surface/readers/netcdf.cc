@@ -60,11 +60,14 @@ namespace strait
         return found == attributes.end() ? none : found->second;
       }
 
-      LengthUnit
+      /** Empty if none is stated. */
+      std::string
       unit() const
       {
-        return parse_length_unit((*this)["unit"].text.empty() ? (*this)["units"].text
-                                                              : (*this)["unit"].text);
+        for (const char *name : {"unit", "units", "length_unit"})
+          if (const std::string &text = (*this)[name].text; !text.empty())
+            return text;
+        return {};
       }
     };
 
@@ -227,10 +230,10 @@ namespace strait
       if (x == header.variables.end() || y == header.variables.end() ||
           !x->second["length"].number || !y->second["length"].number)
         return;
-      if (x->second.unit().name != y->second.unit().name)
+      if (x->second.unit() != y->second.unit())
         reject_for_import(file, "states different units for its sides");
       map.size         = {{*x->second["length"].number, *y->second["length"].number}};
-      map.lateral_unit = x->second.unit();
+      map.lateral_unit = parse_length_unit(x->second.unit());
       map.is_periodic  = x->second["periodic"].number.value_or(0.) != 0. &&
                         y->second["periodic"].number.value_or(0.) != 0.;
     }
@@ -271,20 +274,22 @@ namespace strait
       const double number = decode(bytes, heights.type);
       return number == fill ? std::numeric_limits<double>::quiet_NaN() : number;
     };
-    HeightMap map   = read_values(file,
+    HeightMap         map  = read_values(file,
                                 {x_is_outer ? outer.n : inner.n,
                                  x_is_outer ? inner.n : outer.n,
                                  x_is_outer,
                                  heights.begin,
                                  bytes_of(heights.type),
                                  value});
-    map.height_unit = heights.unit();
+    const std::string x    = x_is_outer ? outer.name : inner.name;
+    std::string       unit = heights.unit();
+    // As contact.engineering writes it, the coordinates state the unit of all lengths.
+    if (const auto found = header.variables.find(x);
+        unit.empty() && found != header.variables.end())
+      unit = found->second["length_unit"].text;
+    map.height_unit = parse_length_unit(unit);
     map.format      = "NetCDF";
-    read_sides(map,
-               file,
-               header,
-               x_is_outer ? outer.name : inner.name,
-               x_is_outer ? inner.name : outer.name);
+    read_sides(map, file, header, x, x_is_outer ? inner.name : outer.name);
     return map;
   }
 } // namespace strait

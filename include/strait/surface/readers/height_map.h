@@ -65,9 +65,10 @@ namespace strait
    * and the layout of contact.engineering, as strait_import and write_netcdf_map() leave
    * it: floating-point numbers; the dimension called x, else the last, runs along x;
    * coordinate variables with the attributes "length" (of the whole side), "unit" and
-   * "periodic". NaN and _FillValue mark missing points. What the header claims is checked
-   * against the length of the file: the library of NetCDF (4.9) would read zeros where a
-   * file was cut off, without a word.
+   * "periodic", or "length_unit", which is that of the heights as well if they have none.
+   * NaN and _FillValue mark missing points. What the header claims is checked against the
+   * length of the file: the library of NetCDF (4.9) would read zeros where a file was cut
+   * off, without a word.
    */
   HeightMap read_netcdf(const std::string &file);
 
