@@ -262,6 +262,13 @@ class Arrays(Case):
                 along.length, along.periodic, along.length_unit = length, 0, b"um"
             file.createVariable("heights", "f8", ("x", "y"))[:] = files.MICRONS.T
         self.check_map(path)
+        # What the heights state of themselves prevails, under either name.
+        for attribute in ("unit", "units"):
+            with netcdf_file(path, "a") as file:
+                heights = file.variables["heights"]
+                heights._attributes.clear()
+                setattr(heights, attribute, b"mm")
+            np.testing.assert_allclose(self.read(path)[0], files.MICRONS * 1e-3)
 
     def test_attributes_against_coordinates(self):
         path = os.path.join(self.folder, "map.nc")

@@ -152,7 +152,7 @@ def _netcdf_channel(name, values, dimensions, attributes, coordinates):
     lx, dx, metres_x, periodic_x = _side(nx, coordinates.get(dimensions[1]))
     ly, dy, metres_y, periodic_y = _side(ny, coordinates.get(dimensions[0]))
     of_all = _first(coordinates.get(dimensions[1], (None, {}))[1], "length_unit")
-    channel = _map(name, values, attributes, {"unit": of_all} if of_all else None)
+    channel = _map(name, values, attributes, {"units": of_all} if of_all else None)
     if lx and ly:
         units = (metres_x, metres_y) if metres_x and metres_y else None
         channel.disputed = (channel.disputed or dispute("x", nx, lx, dx)

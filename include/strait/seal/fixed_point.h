@@ -35,8 +35,8 @@ namespace strait
     /**
      * The next iterate, in place of @p x, after F(@p x) = @p image was found. Both have
      * @p n values on this rank. Unless it @p combines the rounds before it is plain
-     * relaxation, with half the share each time that the residual turns round; what this
-     * round says is remembered all the same. Collective.
+     * relaxation, with half the share each time that the residual turns round. Else the
+     * share grows again; what this round says is remembered in either case. Collective.
      */
     void advance(double *x, const double *image, std::size_t n, bool combines = true);
 

@@ -55,10 +55,10 @@ namespace strait
    * Finds the fluid pressure that contact and flow agree on: that under which the gap
    * is such that the fluid has this pressure.
    *
-   * The first 30 rounds combine those before (FixedPoint), and begin again with half the
-   * share where the verdict on percolation changes, as the map has jumped there. The next
-   * ones do not: where a channel opens and closes, or a gap is ajar, their steps become
-   * smaller until they stay in one place (stays_in_place()).
+   * The first 30 rounds combine those before (FixedPoint), the next ones do not. Where
+   * the verdict on percolation changes the map has jumped: rounds begin again, with half
+   * the share. So steps become smaller where a channel opens and closes or a gap is ajar,
+   * until they stay in one place (stays_in_place()).
    */
   class WallFeedback
   {
