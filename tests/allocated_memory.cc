@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "allocated_memory.h"
 
+#include <strait/base/memory.h>
+
 #include <malloc.h>
 
 #include <algorithm>
@@ -16,7 +18,7 @@ namespace
 void *
 operator new(const std::size_t size)
 {
-  void *memory = std::malloc(std::max<std::size_t>(size, 1));
+  void *memory = strait::allocate(size);
   if (memory == nullptr)
     throw std::bad_alloc();
   const std::size_t now = allocated += malloc_usable_size(memory);

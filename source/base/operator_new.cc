@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/memory.h>
+
+#include <cstdlib>
+#include <new>
+
+// A file of its own, so that a program may have another operator.
+
+void *
+operator new(const std::size_t size)
+{
+  if (void *const memory = strait::allocate(size))
+    return memory;
+  throw std::bad_alloc();
+}
+
+void
+operator delete(void *const memory) noexcept
+{
+  std::free(memory);
+}
+
+void
+operator delete(void *const memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
