@@ -149,6 +149,7 @@ namespace strait
   heights_of_map(const SurfaceParameters &parameters,
                  const std::string       &file,
                  const SlabLayoutPtr     &layout,
+                 std::optional<bool>     &have_unit,
                  Remarks                 &remarks)
   {
     HeightMap map;
@@ -160,7 +161,13 @@ namespace strait
                                      map.format.c_str(),
                                      map.nx,
                                      map.ny));
-      convert_to_scene_units(map, parameters.map);
+      const bool has_unit = convert_to_scene_units(map, parameters.map);
+      if (has_unit != have_unit.value_or(has_unit))
+        reject_height_map(map.file,
+                          std::string(has_unit ? "states" : "does not state") +
+                            " the unit of its heights, unlike the first map: set "
+                            "Surface/Height unit, which is that of both.");
+      have_unit              = has_unit;
       const bool states_size = map.size.has_value();
       if (!states_size)
         {

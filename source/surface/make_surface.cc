@@ -195,12 +195,13 @@ namespace strait
       if (parameters.seed != 1 && parameters.map.windows == std::array<int, 2>{{1, 1}})
         remarks.warnings.emplace_back(
           "Surface/Seed changes nothing of a map without Surface/Windows, which it counts");
-      SlabField heights =
-        heights_of_map(parameters, parameters.map.file, layout, remarks);
+      std::optional<bool> have_unit;
+      SlabField           heights =
+        heights_of_map(parameters, parameters.map.file, layout, have_unit, remarks);
       if (parameters.map.second_file.empty())
         return heights;
-      const SlabField other =
-        heights_of_map(parameters, parameters.map.second_file, layout, remarks);
+      const SlabField other = heights_of_map(
+        parameters, parameters.map.second_file, layout, have_unit, remarks);
       const int nx = layout->grid().nx;
       for (int row = 0; row < layout->n_rows(); ++row)
         for (int ix = 0; ix < nx; ++ix)

@@ -115,7 +115,7 @@ namespace strait
     }
   } // namespace
 
-  void
+  bool
   convert_to_scene_units(HeightMap &map, const MapParameters &parameters)
   {
     const auto height =
@@ -139,6 +139,7 @@ namespace strait
     if (map.size)
       for (double &side : *map.size)
         side *= lateral.value_or(1.);
+    return height.has_value();
   }
 
   void

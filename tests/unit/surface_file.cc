@@ -178,4 +178,19 @@ namespace
     parameters.map.second_file = other.path;
     EXPECT_TRUE(mentions(complaint(parameters, 3, 2), other.path));
   }
+
+  TEST(FileSurface, UnitsOfTwoRoughBodies)
+  {
+    const TemporaryFile plain(matrix("1 2 3\n4 5 6\n")),
+      in_nm("# Width: 1 m\n# Height: 1 m\n# Value units: nm\n10 20 30\n40 50 60\n");
+    for (const bool swapped : {false, true})
+      {
+        auto parameters            = surface_from(swapped ? in_nm : plain);
+        parameters.map.second_file = swapped ? plain.path : in_nm.path;
+        EXPECT_TRUE(mentions(complaint(parameters, 3, 2), "Surface/Height unit"));
+        parameters.map.height_unit = parameters.map.lateral_unit = "scene";
+        const auto heights = whole_surface(parameters, 3, 2);
+        EXPECT_EQ(heights.front(), 11.);
+      }
+  }
 } // namespace

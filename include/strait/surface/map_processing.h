@@ -6,6 +6,7 @@
 #include <strait/spectral/slab_field.h>
 #include <strait/surface/readers/height_map.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,9 @@ namespace strait
    * the file's units prevails over what the file says; a file without any unit is
    * in the scene's. Throws InputError, naming the parameter that settles it, if a
    * unit is no length, or one of heights and size has a unit and the other none.
+   * @return whether the heights have one.
    */
-  void convert_to_scene_units(HeightMap &map, const MapParameters &parameters);
+  bool convert_to_scene_units(HeightMap &map, const MapParameters &parameters);
 
   /** Subtract mean, plane or paraboloid of least squares over the valid points. */
   void detrend(HeightMap &map, Detrend what);
@@ -75,11 +77,13 @@ namespace strait
    * as the scene asks for it: row 0 of the file is y = 0. Rank 0 reads and processes it,
    * and adds to @p remarks. Collective. Throws InputError for a bad file, where the file
    * states a size that differs from the scene's by more than a thousandth, and unless the
-   * scene resamples where the grid is not that of the map.
+   * scene resamples where the grid is not that of the map, or where its heights have a
+   * unit and those of the map before (@p have_unit) had none, or the other way round.
    */
   SlabField heights_of_map(const SurfaceParameters &parameters,
                            const std::string       &file,
                            const SlabLayoutPtr     &layout,
+                           std::optional<bool>     &have_unit,
                            Remarks                 &remarks);
 } // namespace strait
 
