@@ -78,7 +78,8 @@ namespace strait
    * and adds to @p remarks. Collective. Throws InputError for a bad file, where the file
    * states a size that differs from the scene's by more than a thousandth, and unless the
    * scene resamples where the grid is not that of the map, or where its heights have a
-   * unit and those of the map before (@p have_unit) had none, or the other way round.
+   * unit and those of a map before had none, or the other way round: @p have_unit tells
+   * that from one call to the next, on rank 0.
    */
   SlabField heights_of_map(const SurfaceParameters &parameters,
                            const std::string       &file,
