@@ -93,7 +93,9 @@ def at_loads(loads, conductances, wanted):
     ln K is linear in the load. Between a load where a patch leaks and one where it is sealed, K
     is: an upper estimate, as it vanishes faster than that.
     """
-    wanted = np.clip(wanted, loads[0], loads[-1])  # what rounding leaves beyond the last load
+    # Rounding must neither lead beyond the last load nor open what is sealed at one.
+    nearest = loads[np.abs(np.subtract.outer(wanted, loads)).argmin(axis=-1)]
+    wanted = np.where(np.isclose(wanted, nearest, rtol=1e-9, atol=0), nearest, wanted)
     right = np.clip(np.searchsorted(loads, wanted), 1, len(loads) - 1)
     weight = (wanted - loads[right - 1]) / (loads[right] - loads[right - 1])
     a, b = conductances[:, right - 1], conductances[:, right]

@@ -127,6 +127,13 @@ class InLoad(unittest.TestCase):
                          np.array([2.5, 3.]))
         np.testing.assert_allclose(known, [[1., 0.]])
 
+    def test_rounding_opens_no_sealed_patch(self):
+        # At the load where one patch seals and at that from which another one leaks.
+        loads = np.array([0.05, 0.12, 0.25])
+        about = 0.12 * (1 + np.array([-4, -1, 0, 1, 4]) * np.finfo(float).eps)
+        known = at_loads(loads, np.array([[1., 0., 0.], [0., 0., 1.]]), about)
+        self.assertTrue((known == 0).all())
+
     def test_wanted_load(self):
         loads = np.array([1., 2., 3.])
         self.assertAlmostEqual(whole_seal.crossing(loads, np.array([100., 10., 0.]), 10**1.5), 1.5)
