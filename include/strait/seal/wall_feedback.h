@@ -23,7 +23,7 @@ namespace strait
   struct FeedbackGoal
   {
     double tolerance;       // of the change of the fluid pressure, as FeedbackParameters'
-    double leak_tolerance;  // of that of the leak rate, relative
+    double leak_tolerance;  // of that of the leak rate, relative; infinite: any will do
     bool   goes_on = false; // the iteration before, with a map that has changed a little
 
     /** The same for both changes of plain rounds while the channel is open, if that is
@@ -32,6 +32,13 @@ namespace strait
 
     /** No guess may have a larger mean pressure, such as the load. */
     double largest_mean = std::numeric_limits<double>::infinity();
+
+    /** Whether it is enough to know if the channel leaks. */
+    bool
+    asks_verdict_only() const
+    {
+      return leak_tolerance == std::numeric_limits<double>::infinity();
+    }
   };
 
   /** How the iteration ended. */
@@ -58,7 +65,9 @@ namespace strait
    * The first 30 rounds combine those before (FixedPoint), the next ones do not. Where
    * the verdict on percolation changes the map has jumped: rounds begin again, with half
    * the share. So steps become smaller where a channel opens and closes or a gap is ajar,
-   * until they stay in one place (stays_in_place()).
+   * until they stay in one place (stays_in_place()). Where they go in a circle instead,
+   * closed as long as the fluid comes nearer and open until the pressure has fallen, no
+   * closed state is met on the way: if only the verdict is asked for, the channel leaks.
    */
   class WallFeedback
   {
