@@ -12,6 +12,8 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.stats import norm, t
 
+from plot_common import at_load
+
 # Networks of one band: their quantiles of 5 and 95 % are then known to 9 % of the scatter; with
 # half as many to 13 %, with twice as many to 6 % and in twice the time.
 N_NETWORKS = 400
@@ -95,7 +97,7 @@ def at_loads(loads, conductances, wanted):
     """
     # Rounding must neither lead beyond the last load nor open what is sealed at one.
     nearest = loads[np.abs(np.subtract.outer(wanted, loads)).argmin(axis=-1)]
-    wanted = np.where(np.isclose(wanted, nearest, rtol=1e-9, atol=0), nearest, wanted)
+    wanted = np.where(at_load(wanted, nearest), nearest, wanted)
     right = np.clip(np.searchsorted(loads, wanted), 1, len(loads) - 1)
     weight = (wanted - loads[right - 1]) / (loads[right] - loads[right - 1])
     a, b = conductances[:, right - 1], conductances[:, right]

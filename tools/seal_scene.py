@@ -8,7 +8,7 @@ import sys
 import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
-from plot_common import read_parameters
+from plot_common import at_load, read_parameters
 
 
 def box_of(values):
@@ -25,14 +25,9 @@ def until_they_turn(loads):
     return loads[:back[0] + 1] if back.size else loads
 
 
-def _is_same(loads, load):
-    """Which of the loads are this one but for rounding."""
-    return np.isclose(loads, load, rtol=1e-9, atol=0)
-
-
 def _joined(loads, others):
     """The loads, and those of the others that are not among them."""
-    return np.union1d(loads, [load for load in others if not _is_same(loads, load).any()])
+    return np.union1d(loads, [load for load in others if not at_load(loads, load).any()])
 
 
 class Seal:
@@ -115,7 +110,7 @@ class Seal:
                   (pressures.max(axis=1) <= self.loads[-1] + rounding[-1]))
         if len(self.loads) < 2 and not uniform:
             inside[:] = False
-        if not inside.any() or (mean is not None and not inside[_is_same(wanted, mean)].all()):
+        if not inside.any() or (mean is not None and not inside[at_load(wanted, mean)].all()):
             load = self.loads.mean() if mean is None else mean
             low, high = sorted([load * least, load * most])
             sys.exit(f"Under a mean pressure of {load:.6g} Seal/Pressure profile presses the "
