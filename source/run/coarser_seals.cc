@@ -98,6 +98,18 @@ namespace strait
     return first;
   }
 
+  double
+  CoarserSeals::error_around_windows(const Transition &critical_load) const
+  {
+    const Transition *coarse =
+      scene.contact.zoom.enabled && size() > 0
+        ? threshold_of(seals.front().thresholds, critical_load.slip_length)
+        : nullptr;
+    return coarse == nullptr
+             ? 0.
+             : safety_factor * std::abs(coarse->middle() / critical_load.middle() - 1.);
+  }
+
   void
   CoarserSeals::end_searches()
   {

@@ -4,6 +4,7 @@
 #include <strait/run/load_sweep.h>
 #include <strait/seal/make_seal.h>
 
+#include <cmath>
 #include <utility>
 
 namespace strait
@@ -46,8 +47,14 @@ namespace strait
     log.stage("critical load");
     done.thresholds = seal_search->find_critical_loads(
       coarser.find_critical_loads(search_start(scene, contact, surface.rms_slope)));
-    for (const Transition &threshold : done.thresholds)
-      done.converged = done.converged && threshold.converged;
+    for (Transition &threshold : done.thresholds)
+      {
+        done.converged = done.converged && threshold.converged;
+        threshold.grid_error += coarser.error_around_windows(threshold);
+        if (!std::isnan(threshold.grid_error))
+          log.line(format("finer points may have the critical load %.2g %% from there",
+                          100. * threshold.grid_error));
+      }
     // A channel that a fluid has opened is not closed again before the first step, the
     // throat is seen on the points that it was lost on, and what opens again keeps its
     // indentations; a path on which contacts alone remember begins without a past.

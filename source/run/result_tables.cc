@@ -77,10 +77,15 @@ namespace strait
            "critical_load_lower [pressure]: largest load known to leak")
       .add(&Transition::upper,
            "critical_load_upper [pressure]: smallest load known to seal")
+      .add(
+        &Transition::grid_error,
+        "critical_load_error [1]: how far from there, relative, finer points may have it: "
+        "1 − L/L_c at which half a spacing is left along the throat, and in windows what "
+        "every second point changes as well, times three; `nan` where the past matters")
       .add(&Transition::contact_area,
-           "contact_area [1]: fraction in contact at the former")
+           "contact_area [1]: fraction in contact at the lower one")
       .add([](const Transition &t) { return t.bottleneck[0]; },
-           "x [length]: place of the last constriction at the former")
+           "x [length]: place of the last constriction there")
       .add([](const Transition &t) { return t.bottleneck[1]; }, "y [length]: likewise")
       .add(&Transition::slip_length, "slip_length [length]: d0")
       .add(&Transition::n_solves, "contact_solves [1]: loads that were tried")

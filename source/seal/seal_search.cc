@@ -2,6 +2,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 #include <strait/percolation/bottleneck.h>
+#include <strait/percolation/channel.h>
 #include <strait/seal/seal_search.h>
 
 #include <algorithm>
@@ -55,6 +56,8 @@ namespace strait
         const Passage passage = enclose(*search, first, -2. * slip_length, side_of_path);
         Transition   &found   = result.emplace_back(between(*search, passage, begin));
         found.slip_length     = slip_length;
+        if (!scene.depends_on_path())
+          found.grid_error = search->unresolved_distance(passage, -2. * slip_length);
         log.line(
           format("threshold%s: critical load between %.10g and %.10g, contact "
                  "%.3f %% (%d contact solves, %ld FFT pairs)",
@@ -244,10 +247,14 @@ namespace strait
       std::max(grid.dx(), grid.dy()) / scene.contact.effective_modulus;
     const Bottleneck bottleneck = find_bottleneck(signed_gap(state, softness), domain);
 
-    const bool  leaks    = bottleneck.value > -2. * control.slip_length;
+    const bool leaks = bottleneck.value > -2. * control.slip_length;
+    Throat     throat;
+    if (bottleneck.value > 0 && !scene.depends_on_path())
+      throat = measure_throat(state.gap(), 0., bottleneck.point);
     const Probe result   = {bottleneck.value,
                             state.contact->contact_area,
                             position_of(state.gap().layout(), bottleneck.point),
+                            throat.length / throat.spacing,
                             state.costs.fft_pairs,
                             report(state, leaks)};
     const bool  is_sound = state.contact->converged &&

@@ -208,6 +208,27 @@ namespace strait
       }
   }
 
+  double
+  TransitionSearch::unresolved_distance(const Passage &transition,
+                                        const double   level) const
+  {
+    const double middle  = .5 * (transition.before + transition.beyond);
+    double       nearest = std::numeric_limits<double>::infinity(), result = unknown;
+    for (const auto &[value, probe] : asked)
+      {
+        if (!(probe.openness > std::max(level, 0.) && value < middle))
+          continue;
+        const double points = probe.points * std::sqrt(1. - level / probe.openness);
+        const double change = std::pow(.5 / points, 2. / power_of_gap);
+        if (const double far = std::abs(std::log(change)); far < nearest)
+          {
+            nearest = far;
+            result  = (1. - value / middle) * change;
+          }
+      }
+    return result;
+  }
+
   std::optional<Passage>
   TransitionSearch::leave(const double kept,
                           const double step,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The critical load of the isolated saddle and the exponents near it.
+// The critical load of the isolated saddle and of rough surfaces, how sure it is, and the
+// exponents near it.
 #include <strait/run/scaling.h>
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ namespace strait
     {
       // Independent values, in units of E* amplitude/wavelength.
       const double        expected[] = {1.436526, 1.436412, 1.436379};
-      std::vector<double> found;
+      std::vector<double> found, errors;
       for (const int n : {128, 256, 512})
         {
           const Sweep result = run_sweep(threshold_scene(n, 1e-6));
@@ -38,12 +39,41 @@ namespace strait
           EXPECT_NEAR(threshold.contact_area, .402, 3e-3);
           EXPECT_LE(threshold.n_solves, 16);
           found.push_back(threshold.middle());
+          errors.push_back(threshold.grid_error);
         }
       // The differences fall as h^p; so does the rest of the series.
       const double ratio = (found[0] - found[1]) / (found[1] - found[2]);
       const double limit = found[2] - (found[1] - found[2]) / (ratio - 1);
       EXPECT_GT(std::log2(ratio), 1.5);
       EXPECT_NEAR(limit, 1.43636, 1e-5);
+      for (std::size_t k = 0; k < found.size(); ++k)
+        EXPECT_LT(std::abs(limit / found[k] - 1.), errors[k]);
+      EXPECT_LT(errors.back(), 2e-3);
+    }
+
+    // That hangs on where the throat lies between the points, so that differences of
+    // grids tell too little of it.
+    TEST(RoughThreshold, FinerPointsHaveTheCriticalLoadWithinItsError)
+    {
+      Scene scene                            = threshold_scene(512, 1e-4);
+      scene.surface                          = SurfaceParameters();
+      scene.surface.roll_off_wavelength      = .5;
+      scene.surface.short_cut_off_wavelength = 1. / 16;
+      for (const int seed : {1, 2, 3, 4})
+        {
+          scene.surface.seed        = seed;
+          scene.contact.grid_points = {{512, 512}};
+          const double fine         = run_sweep(scene).thresholds[0].middle();
+          double       error        = .1;
+          for (const int n : {128, 256})
+            {
+              scene.contact.grid_points = {{n, n}};
+              const Transition found    = run_sweep(scene).thresholds[0];
+              EXPECT_LT(std::abs(fine / found.middle() - 1.), found.grid_error) << seed;
+              EXPECT_LT(found.grid_error, error) << seed;
+              error = .7 * found.grid_error;
+            }
+        }
     }
 
     TEST(SaddleThreshold, FromAboveItIsTheSame)
@@ -96,6 +126,8 @@ namespace strait
       ASSERT_EQ(result.thresholds.size(), 2U);
       const Transition &dry = result.thresholds[0], &slip = result.thresholds[1];
       EXPECT_LT(slip.upper, dry.lower);
+      EXPECT_LT(0., slip.grid_error);
+      EXPECT_LT(slip.grid_error, .01);
       // Known loads of the first search serve the second.
       scene.fluid.slip_lengths = {-.002};
       EXPECT_LT(slip.n_solves, run_sweep(scene).thresholds[0].n_solves);

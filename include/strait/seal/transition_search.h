@@ -22,6 +22,7 @@ namespace strait
     double                openness     = 0.;
     double                contact_area = 0.;
     std::array<double, 2> bottleneck   = {{0., 0.}}; // its place [length]
+    double                points       = 0.; // along the throat there, if it is open
     long                  fft_pairs    = 0;
     bool                  converged    = true; // the solvers that it took
   };
@@ -57,6 +58,10 @@ namespace strait
     int                   n_solves     = 0;          // states that were asked for
     long                  fft_pairs    = 0;          // of those
     bool                  converged    = true;       // the states at both ends
+
+    /** How far from it, relative, finer grid points may have it; not a number where that
+     *  is not known. */
+    double grid_error = std::numeric_limits<double>::quiet_NaN();
 
     double
     middle() const
@@ -145,6 +150,14 @@ namespace strait
      */
     std::optional<Passage>
     leave(double kept, double step, const Kept &is_kept, double lost = unknown);
+
+    /**
+     * How far from @p transition, relative, half a grid spacing is left along the throat,
+     * by the law above and as lengths go with the root of the gap; not a number if no
+     * throat is known. Nearer to it than that the grid cannot tell whether the throat is
+     * open: it hangs on where that lies between the points.
+     */
+    double unresolved_distance(const Passage &transition, double level) const;
 
     /** Ask at one value. Collective if asking is. */
     const Probe &ask_at(double value);
