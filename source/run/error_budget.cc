@@ -127,6 +127,15 @@ namespace strait
   {
     std::vector<std::string> doubts;
     const double             reduced = *step.reduced_load;
+    if (!step.flow->channel.percolates() && -reduced < threshold.grid_error)
+      {
+        doubts.emplace_back("uncertain-threshold");
+        log.warn(
+          format("the load is %.2g %% above the critical one, and finer points may "
+                 "have that %.2g %% higher: whether it seals is uncertain",
+                 -100. * reduced,
+                 100. * threshold.grid_error));
+      }
     if (!(reduced > 0) || !step.flow->constrictions)
       return doubts;
     const double load_error = .5 * threshold.relative_width();

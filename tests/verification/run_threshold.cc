@@ -51,6 +51,19 @@ namespace strait
       EXPECT_LT(errors.back(), 2e-3);
     }
 
+    TEST(SaddleThreshold, SealsForSureOnlyBeyondWhatFinerPointsMayChange)
+    {
+      Scene scene                 = threshold_scene(128, 1e-5);
+      scene.programme.pressures   = {1.43656, 1.437, 1.44};
+      const std::vector<Row> rows = sweep(scene);
+      ASSERT_EQ(rows.size(), 3U);
+      for (const Row &row : rows)
+        EXPECT_EQ(row.leak_rate, 0.);
+      EXPECT_EQ(rows[0].status, "uncertain-threshold");
+      EXPECT_EQ(rows[1].status, "uncertain-threshold");
+      EXPECT_EQ(rows[2].status, "ok");
+    }
+
     // That hangs on where the throat lies between the points, so that differences of
     // grids tell too little of it.
     TEST(RoughThreshold, FinerPointsHaveTheCriticalLoadWithinItsError)

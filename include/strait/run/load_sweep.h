@@ -127,8 +127,8 @@ namespace strait
                            CoarserSeals     &coarser);
 
   /** Why the exponent of the leak rate cannot be told from a step that leaks below its
-   *  @p threshold: words for the column `status`. Warns of each, with what would help,
-   *  which depends on whether the scene @p zooms. */
+   *  @p threshold, or that one above seals: words for the column `status`. Warns of each,
+   * with what would help, which depends on whether the scene @p zooms. */
   std::vector<std::string> doubts_near_threshold(const Step       &step,
                                                  const Transition &threshold,
                                                  bool              zooms,
