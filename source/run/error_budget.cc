@@ -127,7 +127,18 @@ namespace strait
   {
     std::vector<std::string> doubts;
     const double             reduced = *step.reduced_load;
-    if (!step.flow->channel.percolates() && -reduced < threshold.grid_error)
+    const bool               leaks   = step.flow->channel.percolates();
+    if (leaks == (reduced < 0))
+      {
+        doubts.emplace_back("uncertain-threshold");
+        log.warn(
+          format("at a reduced load of %.3g the seal %s, which contradicts its "
+                 "critical load: shorter steps of Load programme may follow the "
+                 "state that was found there",
+                 reduced,
+                 leaks ? "leaks" : "does not leak"));
+      }
+    else if (!leaks && -reduced < threshold.grid_error)
       {
         doubts.emplace_back("uncertain-threshold");
         log.warn(

@@ -173,7 +173,9 @@ namespace strait
     // Where the fluid presses on the walls most of its flow is solved on the way.
     step.flow_seconds =
       Timers::seconds_since(start_time) - step.state.costs.contact_seconds;
-    if (!begins_where_search_ended())
+    const bool is_last_from_start =
+      stop.is_reduced || scene.programme.reduced_loads.empty();
+    if (!begins_where_search_ended() && is_last_from_start)
       start.reset();
     return true;
   }

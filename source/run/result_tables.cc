@@ -186,7 +186,7 @@ namespace strait
       .add([](const BlowOut &found) { return found.closing->lower; },
            "resealing_pressure_lower [pressure]: largest inlet pressure known to be held "
            "when it is lowered from where it leaks; both 0 or the outlet's: the seal "
-           "stays open")
+           "stays open; both `nan`: adhesive walls part as soon as it leaks")
       .add([](const BlowOut &found) { return found.closing->upper; },
            "resealing_pressure_upper [pressure]: smallest known to leak then");
     return table;

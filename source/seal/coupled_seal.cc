@@ -174,6 +174,7 @@ namespace strait
               }
             last_result.converged = last_result.converged && !meet;
             fluid.trapped         = on_wall.trapped();
+            fluid.percolates      = fluid_flow.channel.percolates();
             fluid.converged       = last_result.converged;
             fluid.load            = mean(feedback.pressure());
           }
@@ -227,7 +228,7 @@ namespace strait
         // The contact that was sought until then is none of this state.
         state.costs.iterations  = 0;
         state.costs.fft_pairs   = 0;
-        state.fluid->lifted_off = true;
+        state.fluid->percolates = state.fluid->lifted_off = true;
         state.fluid->trapped.reset();
         state.fluid->converged = false;
         state.fluid->load      = control.target;

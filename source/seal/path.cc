@@ -132,6 +132,14 @@ namespace strait
                tolerance * std::abs(state.contact->nominal_pressure);
     }
 
+    /** Whether the fluid has opened or closed a channel between these states. */
+    bool
+    changes_verdict(const SealState &from, const SealState &state)
+    {
+      return from.fluid && state.fluid &&
+             from.fluid->percolates != state.fluid->percolates;
+    }
+
     /** Along a path. */
     double
     distance(const Control &a, const Control &b)
@@ -201,8 +209,9 @@ namespace strait
         if (here != nullptr && n_solves < max_solves &&
             is_open(*here, ahead.back(), rule))
           ahead.push_back({halfway(ahead.back().control, here->control)});
-        Stop     &next  = ahead.back();
-        SealState state = model(next.control, here, aim);
+        Stop     &next = ahead.back();
+        SealState state =
+          model(next.control, here, ahead.size() > 1 ? Aim::verdict : aim);
         ++n_solves;
         state.costs += spent;
         spent = state.costs;
@@ -214,7 +223,8 @@ namespace strait
               continue;
             const bool is_long = distance(here->control, next.control) >
                                  shortest * distance(from->control, to);
-            if (is_long && cuts_off_unseen(state, rule.trapped_tolerance))
+            if (is_long && (changes_verdict(*here, state) ||
+                            cuts_off_unseen(state, rule.trapped_tolerance)))
               {
                 ahead.push_back({halfway(next.control, here->control)});
                 continue;

@@ -6,6 +6,7 @@
 #include <strait/seal/seal_search.h>
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -180,6 +181,16 @@ namespace strait
         // What opened there is known roughly only.
         if (!leaks(search.ask_at(leaking)))
           result.closing = result.opening;
+        else if (search.at(leaking).is_parted)
+          {
+            const double unknown = std::numeric_limits<double>::quiet_NaN();
+            result.closing       = Transition{slip, unknown, unknown};
+            log.warn(
+              format("at a load of %.6g the walls part as soon as the fluid has "
+                     "opened the seal, so that there is no state from which to "
+                     "lower its pressure until it closes again",
+                     load));
+          }
         else if (const auto passage = search.leave(leaking, step, leaks))
           result.closing = in_pressure(*passage);
         result.opening.n_solves = static_cast<int>(next - begin);
@@ -256,9 +267,9 @@ namespace strait
                             position_of(state.gap().layout(), bottleneck.point),
                             throat.length / throat.spacing,
                             state.costs.fft_pairs,
-                            report(state, leaks)};
-    const bool  is_sound = state.contact->converged &&
-                          !(state.contact->adhesion && state.contact->adhesion->detached);
+                            report(state, leaks),
+                            state.contact->adhesion && state.contact->adhesion->detached};
+    const bool  is_sound = state.contact->converged && !result.is_parted;
     if (is_sound || !scene.depends_on_path())
       place_of(leaks ? Side::open : Side::sealed) = std::move(state);
     return result;

@@ -45,7 +45,10 @@ namespace strait
                            trapped.pressure,
                            trapped.uncertainty);
           }
-        archive.values(fluid.mesh_error, fluid.converged, fluid.lifted_off);
+        archive.values(fluid.mesh_error,
+                       fluid.percolates,
+                       fluid.converged,
+                       fluid.lifted_off);
       }
     Costs &costs = state.costs; // but for the time that another run has spent
     archive.values(state.trend, costs.iterations, costs.fft_pairs, costs.rounds);

@@ -145,6 +145,37 @@ namespace
     int n_solves = 0;
   };
 
+  /** A fluid that holds a channel open up to the load 1, unless a step of more than 0.1
+   *  closes it; what is closed stays so. */
+  SealState
+  held_open(const Control &control, const SealState *from, Aim)
+  {
+    const double step = from == nullptr ? 0. : control.target - from->control.target;
+    SealState    seal;
+    seal.control                            = control;
+    seal.contact.emplace().nominal_pressure = control.target;
+    seal.fluid.emplace().percolates =
+      control.target <= 1. &&
+      (from == nullptr || (from->fluid->percolates && std::abs(step) <= .1));
+    return seal;
+  }
+
+  TEST(Path, AChannelClosesInSmallStepsOnly)
+  {
+    const auto step_to = [](const double load, const SealState *from) {
+      return *follow(held_open, {load, 0., 0.}, from, Aim::leak_rate, {}).state;
+    };
+    const SealState first = step_to(.2, nullptr);
+    const SealState open  = step_to(.9, &first);
+    EXPECT_TRUE(open.fluid->percolates);
+    EXPECT_EQ(open.control.target, .9);
+    const SealState back = step_to(.5, &open);
+    EXPECT_TRUE(back.fluid->percolates);
+    EXPECT_FALSE(step_to(1.1, &open).fluid->percolates);
+    // No step is shorter than a sixteenth of the one that is asked for.
+    EXPECT_FALSE(step_to(-2., &open).fluid->percolates);
+  }
+
   TEST(Path, RoundingIsNoJump)
   {
     FullContact              model;

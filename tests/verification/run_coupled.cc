@@ -177,5 +177,58 @@ namespace strait
         EXPECT_FALSE(step.state.fluid);
       }));
     }
+
+    /** On a path of loading the fluid holds a throat open up to a load of 0.3655. */
+    Scene
+    held_open()
+    {
+      Scene scene                            = saddle_scene(48);
+      scene.surface                          = SurfaceParameters();
+      scene.surface.seed                     = 3;
+      scene.surface.roll_off_wavelength      = .5;
+      scene.surface.short_cut_off_wavelength = .125;
+      scene.fluid.target_accuracy            = .05;
+      scene.fluid.feedback.enabled           = true;
+      scene.fluid.inlet_pressure             = .18;
+      scene.programme.find_threshold         = true;
+      scene.programme.threshold_tolerance    = 1e-3;
+      return scene;
+    }
+
+    // In steps of the load of 0.002 the leak rate of a viscosity of 1 is 1.21e-12 there.
+    // One step from the end of the search, 1 % above, closes the throat, and so does the
+    // dry contact.
+    TEST(Coupled, RowsBelowTheCriticalLoadLeak)
+    {
+      Scene scene                   = held_open();
+      scene.programme.pressures     = {.2};
+      scene.programme.reduced_loads = {.01};
+      const Sweep result            = run_sweep(scene);
+      EXPECT_NEAR(result.thresholds.at(0).middle(), .3657, 4e-4);
+      EXPECT_NEAR(result.rows.back().reduced_load, .01, 1e-9);
+      EXPECT_NEAR(result.rows.back().leak_rate * scene.fluid.viscosity / 1.21e-12,
+                  1.,
+                  .05);
+    }
+
+    TEST(Coupled, SaysWhereARowContradictsTheCriticalLoad)
+    {
+      Step step;
+      step.flow.emplace();
+      Log        log(MPI_COMM_WORLD, true);
+      Transition threshold;
+      threshold.lower      = .99;
+      threshold.upper      = 1.01;
+      using Words          = std::vector<std::string>;
+      const auto doubts_at = [&](const double reduced_load, const bool leaks) {
+        step.reduced_load                      = reduced_load;
+        step.flow->channel.clusters.percolates = leaks;
+        return doubts_near_threshold(step, threshold, false, log);
+      };
+      EXPECT_EQ(doubts_at(.05, false), Words{"uncertain-threshold"});
+      EXPECT_EQ(doubts_at(-.05, true), Words{"uncertain-threshold"});
+      EXPECT_EQ(doubts_at(-.05, false), Words{});
+      EXPECT_EQ(doubts_at(.05, true), Words{});
+    }
   } // namespace
 } // namespace strait

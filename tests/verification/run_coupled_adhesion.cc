@@ -89,5 +89,27 @@ namespace strait
       ASSERT_EQ(statuses.size(), 1u);
       EXPECT_EQ(statuses[0], "ok");
     }
+
+    // At the smallest inlet pressure of the search that leaks the walls part, and what
+    // closes from far apart is not where an open seal closes.
+    TEST(CoupledAdhesion, PartedWallsAreNoStateToCloseFrom)
+    {
+      Scene scene                            = adhesive_saddle(48, .5);
+      scene.surface                          = SurfaceParameters();
+      scene.surface.seed                     = 1;
+      scene.surface.roll_off_wavelength      = .5;
+      scene.surface.short_cut_off_wavelength = .125;
+      scene.contact.adhesion.surface_energy  = .002;
+      scene.programme.pressures              = {.3};
+      scene.programme.find_blow_out          = true;
+      scene.programme.find_resealing         = true;
+      scene.programme.threshold_tolerance    = .02;
+      SilentSweep   silent(scene);
+      const BlowOut found = silent.loads.find_blow_outs().at(0);
+      EXPECT_NEAR(found.opening.middle(), .447, .005);
+      ASSERT_TRUE(found.closing.has_value());
+      EXPECT_TRUE(std::isnan(found.closing->lower));
+      EXPECT_TRUE(std::isnan(found.closing->upper));
+    }
   } // namespace
 } // namespace strait

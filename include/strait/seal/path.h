@@ -80,8 +80,9 @@ namespace strait
    * suspicious, and so is a mean gap that changes much faster than before. Such a step is
    * halved, from its first state, until the halves are smooth or shorter than the
    * tolerance. Where a fluid presses on the walls there is no such energy. There a step
-   * is halved, down to a sixteenth, while too much of the load hangs on when in the step
-   * fluid was cut off.
+   * is halved, down to a sixteenth, while a channel opens or closes in it, which a large
+   * step may do where small ones keep it, or too much of the load hangs on when in the
+   * step fluid was cut off.
    */
   Arrival follow(const SealModel &model,
                  const Control   &to,

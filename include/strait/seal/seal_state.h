@@ -28,6 +28,7 @@ namespace strait
 
     double mesh_error = 0.; // what the last mesh changed of the leak rate, relative
 
+    bool percolates = false;
     bool converged  = false;
     bool lifted_off = false; // the fluid carries more than the load
   };

@@ -24,7 +24,8 @@ namespace strait
     std::array<double, 2> bottleneck   = {{0., 0.}}; // its place [length]
     double                points       = 0.; // along the throat there, if it is open
     long                  fft_pairs    = 0;
-    bool                  converged    = true; // the solvers that it took
+    bool                  converged    = true;  // the solvers that it took
+    bool                  is_parted    = false; // adhesive walls are, and leave no state
   };
 
   /** Between two values of what varies along a path, a load or a pressure. */
