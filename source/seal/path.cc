@@ -209,7 +209,8 @@ namespace strait
         if (here != nullptr && n_solves < max_solves &&
             is_open(*here, ahead.back(), rule))
           ahead.push_back({halfway(ahead.back().control, here->control)});
-        Stop     &next = ahead.back();
+        bool      changes = false; // whether a channel opens or closes in this step
+        Stop     &next    = ahead.back();
         SealState state =
           model(next.control, here, ahead.size() > 1 ? Aim::verdict : aim);
         ++n_solves;
@@ -223,8 +224,8 @@ namespace strait
               continue;
             const bool is_long = distance(here->control, next.control) >
                                  shortest * distance(from->control, to);
-            if (is_long && (changes_verdict(*here, state) ||
-                            cuts_off_unseen(state, rule.trapped_tolerance)))
+            changes = changes_verdict(*here, state);
+            if (is_long && (changes || cuts_off_unseen(state, rule.trapped_tolerance)))
               {
                 ahead.push_back({halfway(next.control, here->control)});
                 continue;
@@ -251,6 +252,8 @@ namespace strait
           }
         arrival.state = std::move(state);
         ahead.pop_back();
+        if (changes && ahead.size() > 1) // beyond that a step may be long again
+          ahead.erase(ahead.begin() + 1, ahead.end());
       }
     return arrival;
   }
