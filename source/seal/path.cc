@@ -16,9 +16,9 @@ namespace strait
      *  twice as many solves would enclose them one by one. */
     constexpr int max_solves = 60;
 
-    /** Of a step in which fluid is cut off, of the one asked for. Half of it takes twice
-     *  as many where small pools form all the time, double of it leaves twice the doubt.
-     */
+    /** Of a step in which fluid is cut off, or a channel opens or closes, of the one
+     * asked for. Half of it takes twice as many where small pools form all the time,
+     * double of it leaves twice the doubt. */
     constexpr double shortest = 1.5 / 16;
 
     // How many times faster than in the last step the mean gap (or, under gap control,

@@ -168,9 +168,11 @@ class Report(unittest.TestCase):
 
     def test_where_there_is_one_of_each_they_are_not(self):
         (self.folder / "threshold.csv").write_text(
-            "critical_load_lower,critical_load_upper,slip_length\n3e5,3.1e5,0\n")
+            "critical_load_lower,critical_load_upper,critical_load_error,slip_length\n"
+            "3e5,3.1e5,0.004,0\n")
         text = self.text()
-        self.assertIn("Seals at a pressure between 300 kPa and 310 kPa", text)
+        self.assertIn("Seals at a pressure between 300 kPa and 310 kPa, "
+                      "finer points within 0.4 % of that", text)
         self.assertNotIn("slip length 0", text)
         self.assertNotIn("loading:", text)
         self.assertIn("step pressure kPa leak rate", text)

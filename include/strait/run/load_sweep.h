@@ -55,10 +55,10 @@ namespace strait
   class CoarserSeals
   {
   public:
-    /** What a change from every second point counts for where no third grid tells its
-     *  order, at the first: that of the grid convergence index (Roache, J. Fluids Eng.
-     *  116, 1994). With two of it a finer grid's leak rate was off by more in three of 54
-     *  cases, with four in none. */
+    /** By what a change from every second point is multiplied where no third grid tells
+     *  its order, which is then taken to be the first: the factor of safety of the grid
+     *  convergence index (Roache, J. Fluids Eng. 116, 1994). With two of it a
+     *  finer grid's leak rate was off by more in three of 54 cases, with four in none. */
     static constexpr double safety_factor = 3.;
 
     /** None where there is no fluid, or where the past of a contact, or a fluid on its
@@ -80,8 +80,8 @@ namespace strait
      *  where that of the grid itself is sought. Collective. */
     SearchStart find_critical_loads(SearchStart first);
 
-    /** What the points outside of its windows may get wrong of @p critical_load,
-     * relative, by that of every second point; 0 where there are no windows. */
+    /** What the points around its windows may get wrong of @p critical_load, relative, by
+     *  that of every second point; 0 where there are no windows. */
     double error_around_windows(const Transition &critical_load) const;
 
     /** The gap on every 2^halvings-th point [length] at @p control or, with
@@ -127,8 +127,9 @@ namespace strait
                            CoarserSeals     &coarser);
 
   /** Why the exponent of the leak rate cannot be told from a step that leaks below its
-   *  @p threshold, or that one above seals: words for the column `status`. Warns of each,
-   * with what would help, which depends on whether the scene @p zooms. */
+   *  @p threshold, why it is uncertain that one above it seals, or that a step
+   *  contradicts it: words for the column `status`. Warns of each, with what would help,
+   *  which depends on whether the scene @p zooms. */
   std::vector<std::string> doubts_near_threshold(const Step       &step,
                                                  const Transition &threshold,
                                                  bool              zooms,

@@ -82,7 +82,7 @@ namespace strait
    * tolerance. Where a fluid presses on the walls there is no such energy. There a step
    * is halved, down to a sixteenth, while a channel opens or closes in it, which a large
    * step may do where small ones keep it, or too much of the load hangs on when in the
-   * step fluid was cut off.
+   * step fluid was cut off. States on the way need no more than a verdict takes.
    */
   Arrival follow(const SealModel &model,
                  const Control   &to,

