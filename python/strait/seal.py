@@ -61,8 +61,9 @@ class Seal(_core.Seal):
     def follow(self, controls: Iterable[float | _core.Control],
                from_: _core.State | None = None) -> Path:
         """The states at each of `controls`, each reached from the one before. Jumps of an
-        adhesive contact are enclosed, and steps halved in which fluid is cut off, if the load
-        that it carries hangs on when. A path that ends in tension may be shorter."""
+        adhesive contact are enclosed, and steps halved in which the fluid opens or closes a
+        channel, or is cut off, if the load that it carries hangs on when. A path that ends in
+        tension may be shorter."""
         return Path(*self._follow(list(controls), from_))
 
     def flow(self, state: _core.State, fields: bool = False) -> _core.Flow:

@@ -193,7 +193,7 @@ namespace strait
         const auto start = Timers::Clock::now();
         state.contact    = contact.solve(control.target, near, &assumed);
         near             = &*state.contact;
-        if (near->adhesion && near->adhesion->detached)
+        if (near->has_detached())
           throw LiftedOff();
         state.mean_gap = near->mean_gap;
         state.costs += {state.contact->iterations,

@@ -116,13 +116,6 @@ namespace strait
       return state.contact && state.contact->adhesion && !state.fluid;
     }
 
-    bool
-    has_detached(const SealState &state)
-    {
-      return state.contact && state.contact->adhesion &&
-             state.contact->adhesion->detached;
-    }
-
     /** Whether too much of the load in @p state hangs on when fluid was cut off. */
     bool
     cuts_off_unseen(const SealState &state, const double tolerance)
@@ -240,7 +233,7 @@ namespace strait
           }
         else if (next.seen)
           state.trend.largest_slope = std::abs(slope_of_energy(*next.seen, rule.control));
-        if (has_detached(state))
+        if (state.contact && state.contact->has_detached())
           {
             arrival.state.reset();
             return arrival;

@@ -268,7 +268,7 @@ namespace strait
                             throat.length / throat.spacing,
                             state.costs.fft_pairs,
                             report(state, leaks),
-                            state.contact->adhesion && state.contact->adhesion->detached};
+                            state.contact->has_detached()};
     const bool  is_sound = state.contact->converged && !result.is_parted;
     if (is_sound || !scene.depends_on_path())
       place_of(leaks ? Side::open : Side::sealed) = std::move(state);

@@ -159,6 +159,13 @@ namespace strait
 
     std::optional<AdhesiveState> adhesion;
     std::optional<PlasticState>  plasticity;
+
+    /** Whether the load has pulled adhesive walls apart. */
+    bool
+    has_detached() const
+    {
+      return adhesion && adhesion->detached;
+    }
   };
 
   /** Put @p state in an archive, or take it out. Collective. */
