@@ -16,11 +16,15 @@ namespace strait
 {
   namespace
   {
+    // Of the change that a round makes, in rounds that are to keep a state. With three
+    // times of it they lose more states that are there, half of it takes more rounds.
+    constexpr double small_share = .1;
+
     struct LiftedOff
     {
     };
 
-    /** The way to one state. */
+    /** The way to one state, with a share of the changes that relaxation takes. */
     class Coupling
     {
     public:
@@ -30,7 +34,8 @@ namespace strait
                FlowStage           &flow_,
                Log                 &log_,
                const Control       &control_,
-               const SealState     *from)
+               const SealState     *from,
+               const double         share)
         : scene(scene_)
         , contact(contact_)
         , layout(layout_)
@@ -40,7 +45,7 @@ namespace strait
         , near(from != nullptr && !(from->fluid && from->fluid->lifted_off)
                  ? &*from->contact
                  : nullptr)
-        , feedback(scene.fluid.feedback, layout)
+        , feedback(scene.fluid.feedback, layout, share)
         , on_wall(scene, control, from)
       {
         state.control = control;
@@ -55,10 +60,23 @@ namespace strait
             pressure *= FluidOnWall::largest_share * control.target / fluid_load;
       }
 
+      /** Contact and flow that agree to what @p aim needs; see FeedbackGoal if only one
+       * @p verdict is wanted. */
+      SealState
+      reach(const Aim aim, const std::optional<bool> verdict)
+      {
+        if (aim != Aim::leak_rate || verdict)
+          settle(aim == Aim::seal, verdict);
+        if (aim == Aim::leak_rate && (!verdict || state.fluid->converged))
+          find_mesh();
+        return std::move(state);
+      }
+
+    private:
       /** Contact and flow that agree to the accuracy of a verdict; roughly if the channel
        * is open and @p open_is_enough. */
       void
-      settle(const bool open_is_enough)
+      settle(const bool open_is_enough, const std::optional<bool> verdict)
       {
         // The verdict should not depend on what the iteration leaves over, but below that
         // it is what contact and flow leave over that counts. Half of it takes a few
@@ -69,6 +87,7 @@ namespace strait
                                    std::max(share, least)),
                           std::numeric_limits<double>::infinity()};
         goal.once_open = open_is_enough ? looseness : 0.;
+        goal.verdict   = verdict;
         agree(goal);
       }
 
@@ -138,11 +157,10 @@ namespace strait
         goal.tolerance = tolerance;
         if (fluid.converged && !last_result.agrees_within(goal))
           agree(goal);
+        // On either side of a gap that stays ajar it leaks more or less.
+        fluid.mesh_error = std::max(fluid.mesh_error, last_result.leak_change);
       }
 
-      SealState state;
-
-    private:
       void
       agree(FeedbackGoal goal)
       {
@@ -232,13 +250,9 @@ namespace strait
         state.fluid->trapped.reset();
         state.fluid->converged = false;
         state.fluid->load      = control.target;
-        if (!parted.adhesion)
-          log.warn(
-            format("the fluid alone carries a load of %.6g: the walls part and nothing "
-                   "limits the leak",
-                   control.target));
       }
 
+      SealState           state;
       const Scene        &scene;
       ContactModel       &contact;
       const SlabLayoutPtr layout;
@@ -265,12 +279,28 @@ namespace strait
                                                                   const SealState *from,
                                                                   const Aim        aim) {
         flow.set_inlet_pressure(control.inlet_pressure);
-        Coupling coupling(scene, *contact, layout, flow, log, control, from);
-        if (aim == Aim::leak_rate)
-          coupling.find_mesh();
-        else
-          coupling.settle(aim == Aim::seal);
-        return std::move(coupling.state);
+        const auto reach = [&](const double share, const std::optional<bool> verdict) {
+          Coupling coupling(scene, *contact, layout, flow, log, control, from, share);
+          return coupling.reach(aim, verdict);
+        };
+        SealState state = reach(1., {});
+        if (from != nullptr && changes_verdict(*from, state))
+          {
+            // A large step may have lost a state that is there.
+            const bool verdict = from->fluid->percolates;
+            SealState  kept    = reach(small_share, verdict);
+            kept.costs += state.costs;
+            if (kept.fluid->converged && kept.fluid->percolates == verdict)
+              state = std::move(kept);
+            else
+              state.costs = kept.costs;
+          }
+        if (state.fluid->lifted_off && !scene.contact.adhesion.enabled)
+          log.warn(
+            format("the fluid alone carries a load of %.6g: the walls part and nothing "
+                   "limits the leak",
+                   control.target));
+        return state;
       };
   }
 } // namespace strait

@@ -125,14 +125,6 @@ namespace strait
                tolerance * std::abs(state.contact->nominal_pressure);
     }
 
-    /** Whether the fluid has opened or closed a channel between these states. */
-    bool
-    changes_verdict(const SealState &from, const SealState &state)
-    {
-      return from.fluid && state.fluid &&
-             from.fluid->percolates != state.fluid->percolates;
-    }
-
     /** Along a path. */
     double
     distance(const Control &a, const Control &b)

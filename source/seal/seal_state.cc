@@ -13,6 +13,13 @@ namespace strait
     return !state.contact || own.target == control.target;
   }
 
+  bool
+  changes_verdict(const SealState &from, const SealState &state)
+  {
+    return from.fluid && !from.fluid->lifted_off && state.fluid &&
+           from.fluid->percolates != state.fluid->percolates;
+  }
+
   SlabField
   signed_gap(const SealState &state, const double softness)
   {

@@ -67,12 +67,13 @@ namespace strait
   } // namespace
 
   WallFeedback::WallFeedback(const FeedbackParameters &feedback_parameters,
-                             const SlabLayoutPtr      &layout)
+                             const SlabLayoutPtr      &layout,
+                             const double              share)
     : parameters(feedback_parameters)
     , assumed(layout)
     , fixed_point(layout->communicator(),
                   parameters.plain_rounds ? 0 : rounds_combined,
-                  parameters.relaxation)
+                  share * parameters.relaxation)
   {
   }
 
@@ -99,7 +100,9 @@ namespace strait
     while (result.iterations < parameters.maximum_iterations)
       {
         FeedbackRound now      = round(assumed);
-        const bool    combines = ++result.iterations < last_combined;
+        const bool    combines = ++result.iterations < last_combined || goal.verdict;
+        if (goal.verdict && now.percolates != *goal.verdict)
+          return result;
         // Trapped fluid may have a higher pressure than the reservoirs.
         scale         = std::max(largest_pressure, root_mean_square(now.fluid_pressure));
         result.change = size(difference(now.fluid_pressure, assumed));
@@ -149,16 +152,21 @@ namespace strait
                                const FeedbackGoal  &goal,
                                FeedbackResult      &result)
   {
-    SlabField    change      = difference(now.fluid_pressure, assumed);
-    const double leak_change = relative_difference(now.leak_rate, walk.leak_rate);
-    if (walk.start.empty() || leak_change > goal.leak_tolerance ||
+    SlabField change = difference(now.fluid_pressure, assumed);
+    walk.least_leak  = std::min(walk.least_leak, now.leak_rate);
+    walk.most_leak   = std::max(walk.most_leak, now.leak_rate);
+    const double leak_change =
+      walk.most_leak > walk.least_leak ? walk.most_leak / walk.least_leak - 1. : 0.;
+    // While the pressure only creeps the leak rate may still settle.
+    const bool still_settles =
+      leak_change > goal.leak_tolerance && result.change <= goal.tolerance;
+    if (walk.start.empty() || still_settles ||
         size(difference(assumed, walk.start)) > goal.tolerance)
       {
-        walk = {assumed, std::move(change), now.leak_rate};
+        walk = {assumed, std::move(change), now.leak_rate, now.leak_rate};
         return false;
       }
     mix_towards_zero(walk.mixture, change);
-    walk.leak_rate        = std::max(walk.leak_rate, now.leak_rate);
     const double smallest = size(walk.mixture);
     if (smallest > goal.tolerance)
       return false;

@@ -20,11 +20,12 @@ namespace strait
     public:
       UniformSeal(std::function<double(double)> next_,
                   std::function<bool(double)>   open_,
-                  const FeedbackParameters     &parameters = FeedbackParameters())
+                  const FeedbackParameters     &parameters = FeedbackParameters(),
+                  const double                  share      = 1.)
         : layout(make_layout({8, 6, 1., 1.}, MPI_COMM_WORLD))
         , next(std::move(next_))
         , open(std::move(open_))
-        , feedback(parameters, layout)
+        , feedback(parameters, layout, share)
       {
       }
 
@@ -44,7 +45,7 @@ namespace strait
             largest  = std::max(largest, pressure);
             FeedbackRound result;
             result.percolates     = open(pressure);
-            result.leak_rate      = result.percolates ? std::exp(pressure) : 0.;
+            result.leak_rate      = result.percolates ? leak(pressure) : 0.;
             result.fluid_pressure = SlabField(layout, next(pressure));
             return result;
           },
@@ -54,6 +55,8 @@ namespace strait
 
       double pressure = 0.; // assumed in the last round
       double largest  = 0.; // of all assumed ones
+
+      std::function<double(double)> leak = [](const double p) { return std::exp(p); };
 
     private:
       SlabLayoutPtr                 layout;
@@ -141,6 +144,29 @@ namespace strait
       EXPECT_LE(damped.solve(.45, goal).leak_change, .01);
     }
 
+    TEST(WallFeedback, SmallStepsKeepAVerdictThatLargeOnesLose)
+    {
+      // Below 0.2 the channel is closed and stays so; the first change leads there.
+      const auto open = [](const double p) { return p > .2; };
+      const auto next = [open](const double p) {
+        return open(p) ? .5 - 3. * (p - .5) : .1;
+      };
+      FeedbackGoal goal{feedback_tolerance, feedback_tolerance};
+      UniformSeal  large(next, open);
+      EXPECT_TRUE(large.solve(.7, goal).converged);
+      EXPECT_NEAR(large.pressure, .1, feedback_tolerance);
+      goal.verdict = true;
+      UniformSeal          also_large(next, open);
+      const FeedbackResult lost = also_large.solve(.7, goal);
+      EXPECT_FALSE(lost.converged);
+      EXPECT_EQ(lost.iterations, 2);
+      UniformSeal small(next, open, {}, .1);
+      EXPECT_TRUE(small.solve(.7, goal).converged);
+      EXPECT_NEAR(small.pressure, .5, feedback_tolerance);
+      goal.verdict = false;
+      EXPECT_EQ(small.solve(.7, goal).iterations, 1);
+    }
+
     TEST(WallFeedback, OpensAndClosesWhereNeitherFluidKeepsItsChannel)
     {
       // A verdict is all that can be had: it leaks, but how much no state says.
@@ -196,6 +222,20 @@ namespace strait
       EXPECT_LE(result.iterations, 150);
       EXPECT_LE(result.change, coarse);
       EXPECT_NEAR(seal.pressure, .5, 2. * coarse);
+    }
+
+    TEST(WallFeedback, AGapThatStaysAjarLeaksAsOnEitherSide)
+    {
+      const double coarse = 1e-3;
+      UniformSeal  seal([](const double p) { return p < .5 ? .9 : .2; }, always);
+      seal.leak                   = [](const double p) { return p < .5 ? 1. : 1.25; };
+      const FeedbackResult result = seal.solve(.8, {coarse, coarse});
+      EXPECT_TRUE(result.converged);
+      EXPECT_NEAR(result.leak_change, .25, 1e-12);
+      // A leak rate that still settles has no other side.
+      UniformSeal creeping([](const double p) { return p + 5e-4; }, always);
+      creeping.leak = [](const double p) { return std::exp(40. * p); };
+      EXPECT_FALSE(creeping.solve(.1, {coarse, coarse}).converged);
     }
 
     TEST(WallFeedback, DoesNotTakeASlowWalkForAState)

@@ -110,6 +110,10 @@ namespace strait
    */
   bool holds_under(const Control &control, const SealState &state);
 
+  /** Whether a fluid that presses on the walls has opened or closed a channel between
+   *  these states. */
+  bool changes_verdict(const SealState &from, const SealState &state);
+
   /** The gap of a contact [length], less than zero where it touches: minus the pressure
    *  times @p softness. */
   SlabField signed_gap(const SealState &state, double softness);

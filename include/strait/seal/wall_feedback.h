@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace strait
 {
@@ -29,6 +30,10 @@ namespace strait
     /** The same for both changes of plain rounds while the channel is open, if that is
      * all one wants to know; else 0. */
     double once_open = 0.;
+
+    /** Whether the channel has to percolate, if only such a state or only one without is
+     * wanted: the first round with another verdict is the last one. */
+    std::optional<bool> verdict = {};
 
     /** No guess may have a larger mean pressure, such as the load. */
     double largest_mean = std::numeric_limits<double>::infinity();
@@ -74,7 +79,10 @@ namespace strait
   public:
     using Round = std::function<FeedbackRound(const SlabField &assumed)>;
 
-    WallFeedback(const FeedbackParameters &parameters, const SlabLayoutPtr &layout);
+    /** @p share: of what relaxation takes of a change, the part that is taken. */
+    WallFeedback(const FeedbackParameters &parameters,
+                 const SlabLayoutPtr      &layout,
+                 double                    share = 1.);
 
     /**
      * Iterate from pressure() on. The last call of @p round is for the pressure()
@@ -95,9 +103,10 @@ namespace strait
     // What the rounds of relaxation did since one of them.
     struct Walk
     {
-      SlabField start;         // assumed then; empty: it has not begun
-      SlabField mixture;       // of the changes, the smallest
-      double    leak_rate = 0; // the largest
+      SlabField start;   // assumed then; empty: it has not begun
+      SlabField mixture; // of the changes, the smallest
+      double    least_leak = 0;
+      double    most_leak  = 0;
     };
 
     void   propose(const SlabField &image, bool combines, const FeedbackGoal &goal);
