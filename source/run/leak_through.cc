@@ -46,7 +46,7 @@ namespace strait
       if (result.status == "ok" && result.relative_width() > target_accuracy)
         {
           result.status = "flow-accuracy";
-          result.reason = "the fluid's pressure on the wall still changes with the mesh";
+          result.reason = "the fluid's pressure on the wall leaves the gap uncertain";
         }
     }
   } // namespace

@@ -118,7 +118,7 @@ namespace strait
             if (now.percolates && !combines)
               ++openings;
           }
-        if (agrees || stays_in_place(now, goal, result) ||
+        if (agrees || stays_in_place(now, goal, combines, result) ||
             (openings == openings_of_circle && goal.asks_verdict_only()))
           {
             result.converged = true;
@@ -150,6 +150,7 @@ namespace strait
   bool
   WallFeedback::stays_in_place(const FeedbackRound &now,
                                const FeedbackGoal  &goal,
+                               const bool           combines,
                                FeedbackResult      &result)
   {
     SlabField change = difference(now.fluid_pressure, assumed);
@@ -157,9 +158,10 @@ namespace strait
     walk.most_leak   = std::max(walk.most_leak, now.leak_rate);
     const double leak_change =
       walk.most_leak > walk.least_leak ? walk.most_leak / walk.least_leak - 1. : 0.;
-    // While the pressure only creeps the leak rate may still settle.
+    // While rounds are combined, or the pressure creeps, the leak rate may still settle;
+    // else it is another one on the other side.
     const bool still_settles =
-      leak_change > goal.leak_tolerance && result.change <= goal.tolerance;
+      leak_change > goal.leak_tolerance && (combines || result.change <= goal.tolerance);
     if (walk.start.empty() || still_settles ||
         size(difference(assumed, walk.start)) > goal.tolerance)
       {

@@ -228,6 +228,26 @@ namespace strait
       EXPECT_NEAR(found.closing->middle() / .532, 1., .02);
     }
 
+    // In small steps of the rounds the leak rate of a viscosity of 1 is 5.81e-8, and no
+    // state agrees with itself.
+    TEST(Coupled, TheBracketTakesInBothSidesOfAGapThatStaysAjar)
+    {
+      Scene scene                    = held_open();
+      scene.surface.seed             = 8;
+      scene.fluid.inlet_pressure     = .15;
+      scene.programme.find_threshold = false;
+      scene.programme.pressures      = {.2};
+      SilentSweep silent(scene);
+      EXPECT_FALSE(silent.loads.run([&scene](const Step &step) {
+        const Leakage &leakage = step.flow->leakage;
+        EXPECT_EQ(leakage.status, "flow-accuracy");
+        EXPECT_TRUE(step.state.fluid->converged);
+        EXPECT_LT(leakage.lower * scene.fluid.viscosity, 5.81e-8);
+        EXPECT_GT(leakage.upper * scene.fluid.viscosity, 5.81e-8);
+        EXPECT_LT(leakage.relative_width(), .2);
+      }));
+    }
+
     TEST(Coupled, SaysWhereARowContradictsTheCriticalLoad)
     {
       Step step;

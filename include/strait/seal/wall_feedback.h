@@ -112,6 +112,7 @@ namespace strait
     void   propose(const SlabField &image, bool combines, const FeedbackGoal &goal);
     bool   stays_in_place(const FeedbackRound &now,
                           const FeedbackGoal  &goal,
+                          bool                 combines,
                           FeedbackResult      &result);
     double size(const SlabField &change) const;
 
