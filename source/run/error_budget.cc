@@ -126,9 +126,12 @@ namespace strait
                         Log              &log)
   {
     std::vector<std::string> doubts;
-    const double             reduced = *step.reduced_load;
-    const bool               leaks   = step.flow->channel.percolates();
-    if (leaks == (reduced < 0))
+    const double             reduced     = *step.reduced_load;
+    const double             load_error  = .5 * threshold.relative_width();
+    const bool               leaks       = step.flow->channel.percolates();
+    const bool               contradicts = leaks == (reduced < 0);
+    const bool               leaks_below = reduced > 0 && step.flow->constrictions;
+    if (contradicts && std::abs(reduced) > load_error)
       {
         doubts.emplace_back("uncertain-threshold");
         log.warn(
@@ -137,6 +140,16 @@ namespace strait
                  "state that was found there",
                  reduced,
                  leaks ? "leaks" : "does not leak"));
+      }
+    else if (contradicts || (leaks_below && reduced < load_errors_needed * load_error))
+      {
+        doubts.emplace_back("uncertain-threshold");
+        log.warn(
+          format("at a reduced load of %.3g the critical load, known to %.1e, is too "
+                 "uncertain: a threshold tolerance of %.1e would do",
+                 reduced,
+                 load_error,
+                 2. * std::abs(reduced) / load_errors_needed));
       }
     else if (!leaks && -reduced < threshold.grid_error)
       {
@@ -147,19 +160,8 @@ namespace strait
                  -100. * reduced,
                  100. * threshold.grid_error));
       }
-    if (!(reduced > 0) || !step.flow->constrictions)
+    if (!leaks_below)
       return doubts;
-    const double load_error = .5 * threshold.relative_width();
-    if (reduced < load_errors_needed * load_error)
-      {
-        doubts.emplace_back("uncertain-threshold");
-        log.warn(
-          format("at a reduced load of %.3g the critical load, known to %.1e, is too "
-                 "uncertain: a threshold tolerance of %.1e would do",
-                 reduced,
-                 load_error,
-                 2. * reduced / load_errors_needed));
-      }
     const double points_along = step.flow->constrictions->points_along;
     if (!(points_along >= points_along_needed))
       {

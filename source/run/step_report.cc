@@ -62,11 +62,14 @@ namespace strait
     if (step.flow && std::isinf(step.flow->leakage.rate))
       text += "; nothing limits the leak";
     else if (step.flow && step.flow->channel.percolates())
-      text += format("; leak rate %.5g ± %.1g %% (%llu cells, %.1f s)",
-                     step.flow->leakage.rate,
-                     100. * step.flow->leakage.relative_error(),
-                     step.flow->leakage.cells,
-                     step.flow_seconds);
+      {
+        const double percent = 100. * step.flow->leakage.relative_error();
+        text += format("; leak rate %.5g ± %s %% (%llu cells, %.1f s)",
+                       step.flow->leakage.rate,
+                       format(percent < 9.5 ? "%.1g" : "%.0f", percent).c_str(),
+                       step.flow->leakage.cells,
+                       step.flow_seconds);
+      }
     else if (step.flow)
       text += "; sealed";
     if (step.reduced_load)

@@ -266,6 +266,13 @@ namespace strait
       EXPECT_EQ(doubts_at(-.05, true), Words{"uncertain-threshold"});
       EXPECT_EQ(doubts_at(-.05, false), Words{});
       EXPECT_EQ(doubts_at(.05, true), Words{});
+      // Within its bracket nothing contradicts it.
+      const auto says = [&log](const char *words) {
+        return log.warnings().back().find(words) != std::string::npos;
+      };
+      EXPECT_TRUE(says("contradicts"));
+      EXPECT_EQ(doubts_at(.005, false), Words{"uncertain-threshold"});
+      EXPECT_TRUE(says("too uncertain"));
     }
   } // namespace
 } // namespace strait
