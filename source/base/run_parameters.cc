@@ -2,6 +2,7 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/parameter_table.h>
 #include <strait/base/run_parameters.h>
+#include <strait/base/surface_parameters.h>
 #include <strait/base/text.h>
 #include <strait/base/units.h>
 
@@ -73,7 +74,7 @@ namespace strait
   void
   RealisationParameters::bind(ParameterSection section)
   {
-    section.add("Seeds", seeds, not_negative).meaning =
+    section.add("Seeds", seeds, not_negative.at_most(largest_seed)).meaning =
       "Run the scene for each of these seeds instead of Surface/Seed, each with its own "
       "folder of results; compare them in ensemble.csv.";
     section.add("Orientations", orientations, orientation_names).meaning =

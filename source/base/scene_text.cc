@@ -66,10 +66,7 @@ namespace strait
     std::vector<std::string>   section;
     std::vector<std::string>   opened_at;
     std::map<std::string, int> lines_of_settings; // by their paths
-    // Some editors begin a text with a mark of its encoding.
-    const std::string mark     = "\xef\xbb\xbf";
-    const bool        has_mark = text.compare(0, mark.size(), mark) == 0;
-    for (const Line &line : logical_lines(has_mark ? text.substr(mark.size()) : text))
+    for (const Line &line : logical_lines(without_mark(text)))
       {
         if (line.text.empty())
           continue;

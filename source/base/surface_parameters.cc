@@ -117,7 +117,7 @@ namespace strait
       "Lx, Ly: sides of the periodic box [length]; one number: a square. Kind = file: if "
       "empty, the map's own.";
     section.when("Kind", {"self-affine", "file"})
-      .add("Seed", seed, not_negative)
+      .add("Seed", seed, not_negative.at_most(largest_seed))
       .meaning =
       "number of the realisation, which gives the same surface on every grid and number of "
       "ranks, or of the window of a map.";

@@ -44,6 +44,13 @@ namespace strait
     return boost::trim_copy_if(text, boost::is_any_of(" \t\r\n"));
   }
 
+  std::string
+  without_mark(const std::string &text)
+  {
+    const std::string mark = "\xef\xbb\xbf";
+    return text.substr(text.compare(0, mark.size(), mark) == 0 ? mark.size() : 0);
+  }
+
   std::vector<std::string>
   split(const std::string &text, const char separator)
   {

@@ -109,6 +109,7 @@ TEST(Scene, ValuesOfTheWrongKind)
                             "Fluid/Viscosity=1e-400",
                             "Load programme/Pressures=0.1; 0.2"})
     expect_in("is no value for", error_of("", {wrong}));
+  expect_in("an integer from 0 to 2147483647", error_of("", {"Surface/Seed=4294967296"}));
 }
 
 TEST(Scene, ValuesOutOfRange)

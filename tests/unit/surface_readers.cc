@@ -187,7 +187,9 @@ namespace
     EXPECT_TRUE(mentions(complaint("#Height:2 mm"), "'Height'"));
     EXPECT_TRUE(mentions(complaint("# Value units: um"), "'Value units'"));
     EXPECT_TRUE(mentions(complaint("# Channel: error"), "'Channel'"));
-    // What is said again in the same words contradicts nothing.
+    // What is said again in the same words contradicts nothing, nor does a mark of the
+    // encoding.
+    EXPECT_EQ((*read_map("\xef\xbb\xbf" + header + "1 2\n3 4\n").size)[0], 3.);
     EXPECT_EQ((*read_map(header + header + "1 2\n3 4\n").size)[0], 3.);
   }
 

@@ -3,11 +3,15 @@
 #define strait_base_surface_parameters_h
 
 #include <array>
+#include <limits>
 #include <string>
 
 namespace strait
 {
   struct ParameterSection;
+
+  /** Of an integer in a scene file. */
+  constexpr int largest_seed = std::numeric_limits<int>::max();
 
   /** What is subtracted from a measured map, by least squares. */
   enum class Detrend

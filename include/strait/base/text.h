@@ -12,6 +12,9 @@ namespace strait
   /** @p text without white space at both ends. */
   std::string trim(const std::string &text);
 
+  /** @p text without the mark of its encoding that some editors begin it with. */
+  std::string without_mark(const std::string &text);
+
   /** The parts of @p text between the characters @p separator, trimmed. */
   std::vector<std::string> split(const std::string &text, char separator);
 

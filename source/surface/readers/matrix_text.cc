@@ -104,6 +104,8 @@ namespace strait
     bool          has_ended = false; // by a blank line, after which no other row may come
     for (long number = 1; std::getline(stream, line); ++number)
       {
+        if (number == 1)
+          line = without_mark(line);
         const std::size_t first = line.find_first_not_of(white_space);
         if (first == std::string::npos)
           has_ended = map.ny > 0;
