@@ -26,7 +26,9 @@ namespace strait
 
     std::optional<TrappedFluid> trapped; // none where it is drained
 
-    double mesh_error = 0.; // what the last mesh changed of the leak rate, relative
+    // Of the leak rate, relative: what the last mesh changed of it, or how much it
+    // differs on either side of a gap that stays ajar.
+    double mesh_error = 0.;
 
     bool percolates = false;
     bool converged  = false;
