@@ -67,12 +67,13 @@ namespace strait
    * Finds the fluid pressure that contact and flow agree on: that under which the gap
    * is such that the fluid has this pressure.
    *
-   * The first 30 rounds combine those before (FixedPoint), the next ones do not. Where
-   * the verdict on percolation changes the map has jumped: rounds begin again, with half
-   * the share. So steps become smaller where a channel opens and closes or a gap is ajar,
-   * until they stay in one place (stays_in_place()). Where they go in a circle instead,
-   * closed as long as the fluid comes nearer and open until the pressure has fallen, no
-   * closed state is met on the way: if only the verdict is asked for, the channel leaks.
+   * The first 30 rounds combine those before (FixedPoint), the next ones do not, unless
+   * only one verdict is wanted. Where the verdict on percolation changes the map has
+   * jumped: rounds begin again, with half the share. So steps become smaller where a
+   * channel opens and closes or a gap is ajar, until they stay in one place
+   * (stays_in_place()). Where they go in a circle instead, closed as long as the fluid
+   * comes nearer and open until the pressure has fallen, no closed state is met on the
+   * way: if only the verdict is asked for, the channel leaks.
    */
   class WallFeedback
   {
