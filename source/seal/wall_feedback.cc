@@ -104,8 +104,9 @@ namespace strait
         if (goal.verdict && now.percolates != *goal.verdict)
           return result;
         // Trapped fluid may have a higher pressure than the reservoirs.
-        scale         = std::max(largest_pressure, root_mean_square(now.fluid_pressure));
-        result.change = size(difference(now.fluid_pressure, assumed));
+        scale = std::max(largest_pressure, root_mean_square(now.fluid_pressure));
+        SlabField change   = difference(now.fluid_pressure, assumed);
+        result.change      = size(change);
         result.leak_change = relative_difference(now.leak_rate, last_leak_rate);
         const bool agrees =
           result.agrees_within(goal) ||
@@ -118,7 +119,8 @@ namespace strait
             if (now.percolates && !combines)
               ++openings;
           }
-        if (agrees || stays_in_place(now, goal, combines, result) ||
+        if (agrees ||
+            stays_in_place(std::move(change), now.leak_rate, goal, combines, result) ||
             (openings == openings_of_circle && goal.asks_verdict_only()))
           {
             result.converged = true;
@@ -146,16 +148,17 @@ namespace strait
   }
 
   /** Whether the rounds of relaxation stay within the tolerance of one place, where a
-   *  mixture of their changes is none. */
+   *  mixture of their changes is none. The last one has made this @p change. */
   bool
-  WallFeedback::stays_in_place(const FeedbackRound &now,
-                               const FeedbackGoal  &goal,
-                               const bool           combines,
-                               FeedbackResult      &result)
+  WallFeedback::stays_in_place(SlabField           change,
+                               const double        leak_rate,
+                               const FeedbackGoal &goal,
+                               const bool          combines,
+                               FeedbackResult     &result)
   {
-    SlabField change = difference(now.fluid_pressure, assumed);
-    walk.least_leak  = std::min(walk.least_leak, now.leak_rate);
-    walk.most_leak   = std::max(walk.most_leak, now.leak_rate);
+    walk.least_leak = std::min(walk.least_leak, leak_rate);
+    walk.most_leak  = std::max(walk.most_leak, leak_rate);
+    // In parts of the smaller one: so far from either it reaches the other.
     const double leak_change =
       walk.most_leak > walk.least_leak ? walk.most_leak / walk.least_leak - 1. : 0.;
     // While rounds are combined, or the pressure creeps, the leak rate may still settle;
@@ -165,7 +168,7 @@ namespace strait
     if (walk.start.empty() || still_settles ||
         size(difference(assumed, walk.start)) > goal.tolerance)
       {
-        walk = {assumed, std::move(change), now.leak_rate, now.leak_rate};
+        walk = {assumed, std::move(change), leak_rate, leak_rate};
         return false;
       }
     mix_towards_zero(walk.mixture, change);

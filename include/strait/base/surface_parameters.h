@@ -10,7 +10,7 @@ namespace strait
 {
   struct ParameterSection;
 
-  /** Of an integer in a scene file. */
+  /** That a scene file can ask for: the largest integer that is read there. */
   constexpr int largest_seed = std::numeric_limits<int>::max();
 
   /** What is subtracted from a measured map, by least squares. */

@@ -111,10 +111,11 @@ namespace strait
     };
 
     void   propose(const SlabField &image, bool combines, const FeedbackGoal &goal);
-    bool   stays_in_place(const FeedbackRound &now,
-                          const FeedbackGoal  &goal,
-                          bool                 combines,
-                          FeedbackResult      &result);
+    bool   stays_in_place(SlabField           change,
+                          double              leak_rate,
+                          const FeedbackGoal &goal,
+                          bool                combines,
+                          FeedbackResult     &result);
     double size(const SlabField &change) const;
 
     const FeedbackParameters parameters;
