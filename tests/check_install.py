@@ -27,7 +27,7 @@ def main():
     version = run(os.path.join(prefix, "bin", "strait"), "--version")
     if not re.match(r"strait \d+\.\d+\.\d+\s*$", version):
         sys.exit(f"FAILED: strait --version prints '{version}'")
-    for script in ("plot.py", "strait_results.py", "strait_import", "strait-report",
+    for script in ("plot.py", "fit.py", "strait_results.py", "strait_import", "strait-report",
                    "prm/quickstart.prm"):
         if not os.path.exists(os.path.join(prefix, "share", "strait", script)):
             sys.exit(f"FAILED: {script} is not installed")

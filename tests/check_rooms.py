@@ -30,7 +30,7 @@ SHARED_HEADERS = ("base/memory.h", "base/scene.h",
                   "seal/fluid_on_wall.h", "seal/seal_models.h",
                   "run/field_output.h", "run/load_sweep.h", "run/output_directory.h",
                   "run/result_tables.h",
-                  "run/scaling.h", "run/simulation.h", "run/step.h")
+                  "run/simulation.h", "run/step.h")
 LICENCE = "// SPDX-License-Identifier: GPL-2.0-or-later"
 INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>")
 

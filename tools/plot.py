@@ -14,13 +14,14 @@ import pathlib
 import sys
 
 try:
-    from plot_common import numbered, read_units, use_style
+    from plot_common import read_units, use_style
     from plot_ensemble import draw_ensemble
     from plot_gaps import draw_gaps
     from plot_leakage import draw_leakage
     from plot_pictures import draw_picture
     from plot_seal import draw_seal
     from plot_spectrum import draw_spectrum
+    from run_folder import numbered
 except ImportError as missing:
     sys.exit(f"plot.py: the Python module {missing.name} is missing; "
              "install python3-numpy, python3-matplotlib and python3-h5py.")

@@ -14,9 +14,9 @@ import h5py
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, numbered,
-                         use_style)
+from plot_common import BLUE, COLOURS, VERMILLION, use_style
 from plot_leakage import error_bars
+from run_folder import is_trusted, is_uncertain, numbered
 from strait_results import read_table
 
 

@@ -9,8 +9,8 @@ import sys
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import (BLUE, COLOURS, VERMILLION, is_trusted, is_uncertain, nearest_slip,
-                         readable, realisations, save, scientific, with_unit)
+from plot_common import BLUE, COLOURS, VERMILLION, readable, save, scientific, with_unit
+from run_folder import is_trusted, is_uncertain, nearest_slip, realisations
 from strait_results import Table, read_table
 
 LARGEST_SUPERPOSED = 0.3

@@ -4,7 +4,8 @@ import h5py
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import COLOURS, RED, numbered, save, scientific, with_unit
+from plot_common import COLOURS, RED, save, scientific, with_unit
+from run_folder import numbered
 
 MOST_STEPS = 4
 

@@ -5,9 +5,10 @@ import sys
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import (COLOURS, GREEN, VERMILLION, is_trusted, is_uncertain, label_axis,
-                         save, scientific, wanted_leak_rate, with_unit)
+from plot_common import (COLOURS, GREEN, VERMILLION, label_axis, save, scientific,
+                         wanted_leak_rate, with_unit)
 from plot_theory import draw_theory
+from run_folder import is_trusted, is_uncertain
 from strait_results import read_table
 
 

@@ -14,7 +14,8 @@ from statistics import NormalDist
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import COLOURS, RED, read_parameters, scene_in, scientific, use_style
+from plot_common import COLOURS, RED, scientific, use_style
+from run_folder import read_parameters, scene_in
 from seal_scene import box_of
 from strait_results import read_table
 

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from plot_common import read_parameters, realisations, scene_in
+from run_folder import read_parameters, realisations, scene_in
 from strait_results import Run
 
 

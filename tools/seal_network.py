@@ -12,7 +12,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.stats import norm, t
 
-from plot_common import at_load
+from run_folder import at_load
 
 # Networks of one band: their quantiles of 5 and 95 % are then known to 9 % of the scatter; with
 # half as many to 13 %, with twice as many to 6 % and in twice the time.

@@ -8,7 +8,7 @@ import sys
 import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
-from plot_common import at_load, read_parameters
+from run_folder import at_load, read_parameters
 
 
 def box_of(values):

@@ -14,15 +14,15 @@ import sys
 try:
     import numpy as np
 
-    from plot_common import (at_load, is_trusted, leak_rates, nearest_slip, read_parameters,
-                             realisations, scene_in)
     from report_results import relative_errors
+    from run_folder import (at_load, is_trusted, leak_rates, nearest_slip, read_parameters,
+                            realisations, scene_in)
     from seal_network import Band, at_loads, matrix_bytes
     from seal_scene import Seal, box_of
     from strait_results import Run
 except ImportError as missing:
     sys.exit(f"whole_seal.py: the Python module {missing.name} is missing; "
-             "install python3-numpy, python3-scipy and python3-matplotlib.")
+             "install python3-numpy and python3-scipy.")
 
 # Patches shorter than this many of the longest waves are neither representative nor uncoupled:
 # at four, waves longer than a patch, which no patch has, would carry 3 % of the variance of the

@@ -18,15 +18,13 @@ scene = strait.Scene(surface=dict(kind="square saddle"),
                                          reduced_loads=np.geomspace(0.1, 24 / n**2, 6)))
 run = scene.run()
 print(f"critical load {run.csv('threshold.csv')['critical_load_lower'][0]:.5f}")
-for slip_length, rows in run.table.groups("slip_length"):
-    log_load, log_rate = np.log(rows["reduced_load"]), np.log(rows["leak_rate"])
-    middle = np.exp((log_load[1:] + log_load[:-1]) / 2)
-    exponent = np.diff(log_rate) / np.diff(log_load)
+fits = run.csv("fit.csv")
+local = fits.rows((fits["quantity"] == "leak_rate") & (fits["kind"] == "local"))
+for slip_length, rows in local.groups("slip_length"):
+    middle, exponent = np.sqrt(rows["from"] * rows["to"]), rows["exponent"]
     print(f"exponents {exponent[0]:.3f} to {exponent[-1]:.3f} at a slip length of {slip_length:g}")
     plt.semilogx(middle, exponent, ".-", label=f"slip length {slip_length:g}")
-slenderness = 1 + np.sqrt(np.log(1 / middle) / 2 - 0.13)
-gap, width = 1 + 0.5 / slenderness, 1 / (2 + slenderness**-2)  # the exponents of the throat
-plt.semilogx(middle, 2.5 * gap + width, "k--", label="law of closing")
+plt.semilogx(middle, strait.closing_law(middle, -0.13).leak_rate, "k--", label="law of closing")
 plt.axhline(69 / 20, color="grey", linewidth=0.5)
 plt.gca().invert_xaxis()
 plt.xlabel("1 − p/p_c")

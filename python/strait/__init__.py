@@ -30,6 +30,7 @@ class SceneWarning(UserWarning):
 from ._core import (BlowOut, Control, Flow, Jump, NotConverged, SceneError, State,  # noqa: E402
                     Transition, __version__)
 from .results import Run, Table, read_table  # noqa: E402
+from .scaling import closing_law, fit_exponent  # noqa: E402
 from .scene import Scene, statistics  # noqa: E402
 from .seal import Path, Seal, flow_in_gap  # noqa: E402
 from .sweep import sweep  # noqa: E402
@@ -39,4 +40,4 @@ for _class in (BlowOut, Control, Flow, Jump, NotConverged, SceneError, State, Tr
 
 __all__ = ["BlowOut", "Control", "Flow", "Jump", "NotConverged", "Path", "Run", "Scene",
            "SceneError", "SceneWarning", "Seal", "State", "Table", "Transition", "__version__",
-           "flow_in_gap", "read_table", "statistics", "sweep"]
+           "closing_law", "fit_exponent", "flow_in_gap", "read_table", "statistics", "sweep"]

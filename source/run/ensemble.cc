@@ -121,7 +121,8 @@ namespace strait
         else
           MPI_Bcast(&value, sizeof value, MPI_BYTE, root, MPI_COMM_WORLD);
       };
-      tell(static_cast<RunNumbers &>(realisation));
+      tell(realisation.converged);
+      tell(realisation.threshold);
       for (std::string *text :
            {&realisation.status, &realisation.validity, &realisation.failure})
         tell(*text);
@@ -192,12 +193,12 @@ namespace strait
     Table<RealisationRow> table = ensemble_table(scene);
     run_on_root(MPI_COMM_WORLD, [&]() { table.open(folder, true); });
 
-    bool                        all_converged = true;
-    std::vector<RealisationRow> rows; // of those that are done
-    while (rows.size() < realisations.size())
+    bool        all_converged = true;
+    std::size_t n_done        = 0;
+    while (n_done < realisations.size())
       {
         // As many as there are groups, at the same time.
-        const std::size_t  first = rows.size();
+        const std::size_t  first = n_done;
         const std::size_t  end   = std::min(first + groups.number, realisations.size());
         std::vector<Scene> scenes;
         for (std::size_t k = first; k < end; ++k)
@@ -223,23 +224,13 @@ namespace strait
             if (!done.failure.empty())
               log.warn(done.failure);
             all_converged = all_converged && done.converged;
-            rows.push_back(done);
-            run_on_root(MPI_COMM_WORLD, [&]() {
-              table.append(done);
-              ensemble_summary_table(scene).write_rows(folder, scatter_of(rows, scene));
-            });
+            ++n_done;
+            run_on_root(MPI_COMM_WORLD, [&]() { table.append(done); });
           }
       }
-    for (const ScatterRow &row : scatter_of(rows, scene))
-      if (row.n_missing > 0)
-        log.warn(
-          format("%s is known of %zu of %zu realisations; the column status of "
-                 "ensemble.csv or the log of the realisation tells why, or Load "
-                 "programme/Reduced loads has too few steps for it",
-                 row.quantity.c_str(),
-                 row.n_samples,
-                 rows.size()));
     run_on_root(MPI_COMM_WORLD, [&]() {
+      if (scene.programme.find_threshold)
+        fit_results(folder, log);
       if (scene.seal.enabled)
         assess_whole_seal(scene, log);
       draw_results(scene, log);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/run/load_sweep.h>
-#include <strait/run/scaling.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +17,9 @@ namespace strait
     // there it changes ε, and by that the leak rate's slope, by a twentieth. With half of
     // it a tenth would pass, with double of it a fortieth would be doubted.
     constexpr double load_errors_needed = 20.;
+
+    // Of the leak rate near the threshold, as the paper has it.
+    constexpr double leak_rate_exponent = 69. / 20;
 
     /** By how much the leak rate through @p gap differs, relative, from that of
      *  @p step. */

@@ -87,7 +87,6 @@ namespace strait
     , path(scene.output.directory)
     , table(leakage_table(scene))
     , constrictions(constriction_table(scene))
-    , scaling(scene.programme.largest_fitted)
   {
     lock = begin_results(scene, comm, log, resumed);
     run_on_root(comm, [&]() {
@@ -113,7 +112,6 @@ namespace strait
         if (archive.is_reading() && !text.empty())
           run_on_root(comm, [&]() { write_text(path + "/" + name, text); });
       }
-    scaling.transfer(archive);
     archive.values(error_budget, validity, summary.status, summary.validity);
   }
 
@@ -134,8 +132,6 @@ namespace strait
       if (step.flow && step.flow->constrictions)
         constrictions.append(step);
     });
-    if (scene.programme.find_threshold)
-      scaling.collect(step);
     if (step.state.fluid && step.state.fluid->lifted_off)
       return; // there is no state to show
     const bool wanted = scene.output.fields == FieldOutput::all ||
@@ -157,10 +153,7 @@ namespace strait
     log.line(timers.summary());
     log.stage("tables and pictures");
     if (scene.programme.find_threshold)
-      {
-        write_table(fit_table(scene), scaling.fits(log));
-        scaling.summarise(thresholds, summary, log);
-      }
+      run_on_root(comm, [&]() { fit_results(path, log); });
     RunRecord seconds = RunRecord::object();
     for (const Timers::Part &part : timers.table())
       seconds[part.path] = part.seconds;

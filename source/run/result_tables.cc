@@ -5,6 +5,7 @@
 #include <strait/run/result_tables.h>
 
 #include <cmath>
+#include <initializer_list>
 
 namespace strait
 {
@@ -16,18 +17,69 @@ namespace strait
       return {"with `Load programme/Find threshold`", scene.programme.find_threshold};
     }
 
-    /** seal.csv, the leak rate of the whole seal, which a script makes of the
-     *  realisations. */
+    /** A table that a script makes, whose columns have no entries here. */
+    TableInfo
+    made_by_script(const std::string                         &file,
+                   const Condition                           &condition,
+                   const std::string                         &definition,
+                   const std::initializer_list<const char *> &columns)
+    {
+      TableFile table(file, condition, definition);
+      for (const char *column : columns)
+        table.declare(column);
+      return table.info();
+    }
+
+    /** Exponents against the reduced load. */
+    TableInfo
+    fit_table(const Scene &scene)
+    {
+      return made_by_script(
+        "fit.csv",
+        with_threshold(scene),
+        "Exponents of leak rate and throat against ε = 1 − L/L_c.",
+        {"quantity: `leak_rate`, `throat_gap`, `throat_length` or `throat_width`",
+         "slip_length [length]: d0",
+         "kind: `local`: the slope between neighbouring steps; `fit`: least squares "
+         "over the steps with `status` ok up to `Largest reduced load of fits`",
+         "from [1]: smallest ε of the steps",
+         "to [1]: largest ε",
+         "exponent [1]: β of quantity ∝ ε^β",
+         "error [1]: standard error of the fit; 0 for two steps",
+         "points [1]: number of steps",
+         "closing_law [1]: of a local exponent: what the law of closing says of it, with "
+         "its one constant fitted to those of the leak rate up to `Largest reduced load "
+         "of fits`; see [theory.md](theory.md)",
+         "status: `ok`, or the words of `status` in leakage.csv of all its steps"});
+    }
+
+    /** How quantities scatter over the realisations. */
+    TableInfo
+    ensemble_summary_table(const Scene &scene)
+    {
+      return made_by_script(
+        "ensemble_summary.csv",
+        {"with the section `Realisations` and `Load programme/Find threshold`",
+         scene.realisations.enabled() && scene.programme.find_threshold},
+        "One row for each quantity.",
+        {"quantity: `critical_load`, the middle of its bracket, "
+         "`crossover_reduced_load`, ε_x, or a column of ensemble.csv",
+         "mean [of the quantity]: over the realisations",
+         "standard_deviation [of the quantity]: over the realisations; `nan` of one",
+         "samples [1]: realisations for which the quantity is known",
+         "missing [1]: those for which it is not; `status` in ensemble.csv tells why, or "
+         "`Reduced loads` has too few steps for it"});
+    }
+
+    /** The leak rate of the whole seal, of the realisations. */
     TableInfo
     seal_table(const Scene &scene)
     {
-      TableFile table("seal.csv",
-                      {"with `Seal/Enabled`", scene.seal.enabled},
-                      "The leak rate of the whole seal, one row for each load whose "
-                      "pressures over the width are covered by those of the patches; "
-                      "see [seal.md](seal.md).");
-      for (
-        const char *column :
+      return made_by_script(
+        "seal.csv",
+        {"with `Seal/Enabled`", scene.seal.enabled},
+        "The leak rate of the whole seal, one row for each load whose pressures over the "
+        "width are covered by those of the patches; see [seal.md](seal.md).",
         {"pressure [pressure]: nominal, mean over the width",
          "leak_rate_median [of the column unit]: as likely exceeded as not",
          "leak_rate_5_percent [of the column unit]: exceeded with a probability of 95 %",
@@ -40,29 +92,25 @@ namespace strait
          "scatter_arrangement [1]: the same between seals of this size and surface, "
          "which nothing reduces",
          "solution_error [1]: relative error of the patches' leak rates: "
-         "`leak_rate_error` where it is known, else the half width of the brackets"})
-        table.declare(column);
-      return table.info();
+         "`leak_rate_error` where it is known, else the half width of the brackets"});
     }
 
-    /** seal_load.csv, the load for a wanted leak rate, likewise. */
+    /** The load for a wanted leak rate, likewise. */
     TableInfo
     seal_load_table(const Scene &scene)
     {
-      TableFile table("seal_load.csv",
-                      {"with `Seal/Wanted leak rate`",
-                       scene.seal.enabled && scene.seal.wanted_leak_rate > 0.},
-                      "The load at which the whole seal leaks as wanted; `nan` "
-                      "where it lies beyond the loads of seal.csv.");
-      for (const char *column :
-           {"wanted_leak_rate [of the column unit]: `Seal/Wanted leak rate`",
-            "unit: as in seal.csv",
-            "load [pressure]: where the median is as wanted",
-            "load_5_percent [pressure]: where the 5 % quantile is",
-            "load_95_percent [pressure]: where the 95 % quantile is: enough with a "
-            "probability of 95 %"})
-        table.declare(column);
-      return table.info();
+      return made_by_script(
+        "seal_load.csv",
+        {"with `Seal/Wanted leak rate`",
+         scene.seal.enabled && scene.seal.wanted_leak_rate > 0.},
+        "The load at which the whole seal leaks as wanted; `nan` where it lies beyond "
+        "the loads of seal.csv.",
+        {"wanted_leak_rate [of the column unit]: `Seal/Wanted leak rate`",
+         "unit: as in seal.csv",
+         "load [pressure]: where the median is as wanted",
+         "load_5_percent [pressure]: where the 5 % quantile is",
+         "load_95_percent [pressure]: where the 95 % quantile is: enough with a "
+         "probability of 95 %"});
     }
   } // namespace
 
@@ -124,38 +172,6 @@ namespace strait
            "constrictions [1]: how many there are along the path")
       .add([](const Step &step) { return step.flow->constrictions->n_for_90_percent; },
            "constrictions_for_90_percent [1]: how many carry 90 % of the pressure drop");
-    return table;
-  }
-
-  Table<FitRow>
-  fit_table(const Scene &scene)
-  {
-    Table<FitRow> table("fit.csv",
-                        with_threshold(scene),
-                        "Exponents of leak rate and throat against ε = 1 − L/L_c.");
-    table
-      .add(&FitRow::quantity,
-           "quantity: `leak_rate`, `throat_gap`, `throat_length` or `throat_width`")
-      .add(&FitRow::slip_length, "slip_length [length]: d0")
-      .add(&FitRow::kind,
-           "kind: `local`: the slope between neighbouring steps; `fit`: least squares "
-           "over the steps with `status` ok up to `Largest reduced load of fits`")
-      .add(&FitRow::from, "from [1]: smallest ε of the steps")
-      .add(&FitRow::to, "to [1]: largest ε")
-      .add(&FitRow::exponent, "exponent [1]: β of quantity ∝ ε^β")
-      .add(&FitRow::error, "error [1]: standard error of the fit; 0 for two steps")
-      .add(&FitRow::n_points, "points [1]: number of steps")
-      .when({"with `Contact/Zoom` or `Theory/Enabled`",
-             scene.programme.find_threshold &&
-               (scene.contact.zoom.enabled || scene.theory.enabled)})
-      .add(
-        &FitRow::law,
-        "closing_law [1]: of a local exponent: what the law of closing says of it, with "
-        "its one constant fitted to those of the leak rate up to `Largest reduced load "
-        "of fits`; see [theory.md](theory.md)")
-      .when()
-      .add(&FitRow::status,
-           "status: `ok`, or the words of `status` in leakage.csv of all its steps");
     return table;
   }
 
@@ -277,12 +293,12 @@ namespace strait
     return {leakage_table(scene).info(),
             threshold_table(scene).info(),
             constriction_table(scene).info(),
-            fit_table(scene).info(),
+            fit_table(scene),
             blow_out_table(scene).info(),
             jump_table(scene).info(),
             relaxation_table(scene).info(),
             ensemble_table(scene).info(),
-            ensemble_summary_table(scene).info(),
+            ensemble_summary_table(scene),
             seal_table(scene),
             seal_load_table(scene),
             spectrum_table(scene).info()};

@@ -89,9 +89,10 @@ namespace strait
                          "' began with; restore it to resume, or begin anew in another "
                          "folder.");
     if (transfer_presence(file, finished))
-      file.values(static_cast<RunNumbers &>(*finished),
+      file.values(finished->converged,
                   finished->status,
-                  finished->validity);
+                  finished->validity,
+                  finished->threshold);
     else
       file.values(surface_energy, has_begun);
   }

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdio>
+#include <sstream>
 
 namespace strait
 {
@@ -51,16 +52,29 @@ namespace strait
       return {succeeded, trim(said)};
     }
 
+    /** What a script says goes to the log, lines that begin so as warnings. */
+    const std::string warning = "warning: ";
+
     void
     run_or_warn(const std::string &name, const std::string &folder, Log &log)
     {
       const ScriptResult result = run_script(name, folder);
-      if (!result.said.empty())
-        log.line(result.said);
+      std::istringstream said(result.said);
+      for (std::string line; std::getline(said, line);)
+        if (line.rfind(warning, 0) == 0)
+          log.warn(line.substr(warning.size()));
+        else
+          log.line(line);
       if (!result.succeeded)
         log.warn(name + " failed; try again with: tools/" + name + " " + folder);
     }
   } // namespace
+
+  void
+  fit_results(const std::string &folder, Log &log)
+  {
+    run_or_warn("fit.py", folder, log);
+  }
 
   void
   check_seal_profile(const Scene &scene)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/percolation/bottleneck.h>
 #include <strait/percolation/channel.h>
-#include <strait/run/scaling.h>
 
 #include <gtest/gtest.h>
 
@@ -12,27 +11,6 @@ namespace strait
 {
   namespace
   {
-    TEST(ExponentFit, FindsPowersAndTheirDrift)
-    {
-      std::vector<ScalingPoint> points;
-      for (const double epsilon : {.1, .003, .02, .01})
-        points.push_back({epsilon, 7 * std::pow(epsilon, 3.45)});
-      const ExponentFit fit = fit_exponent(points, .02);
-      EXPECT_EQ(fit.n_points, 3);
-      EXPECT_DOUBLE_EQ(fit.from, .003);
-      EXPECT_DOUBLE_EQ(fit.to, .02);
-      EXPECT_NEAR(fit.exponent, 3.45, 1e-12);
-      EXPECT_NEAR(fit.error, 0., 1e-6);
-
-      const auto slopes = local_slopes(points);
-      ASSERT_EQ(slopes.size(), 3U);
-      EXPECT_DOUBLE_EQ(slopes[0].to, .1);
-      EXPECT_DOUBLE_EQ(slopes[2].from, .003);
-      for (const ExponentFit &slope : slopes)
-        EXPECT_NEAR(slope.exponent, 3.45, 1e-12);
-      EXPECT_LT(fit_exponent(points, .001).n_points, 2);
-    }
-
     SlabField
     sample(const int n, const std::function<double(double, double)> &value)
     {

@@ -292,4 +292,15 @@ namespace
     EXPECT_TRUE(check_of("coarse-throat").is_least);
     EXPECT_EQ(check_of("coarse-throat").limit, 3.);
   }
+
+  TEST(Words, AreJoinedOnce)
+  {
+    std::string all = "ok";
+    add_words(all, "ok");
+    EXPECT_EQ(all, "ok");
+    add_words(all, "a+b");
+    add_words(all, "b+c");
+    add_words(all, "ok");
+    EXPECT_EQ(all, "a+b+c");
+  }
 } // namespace

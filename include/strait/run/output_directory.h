@@ -7,7 +7,7 @@
 #include <strait/base/scene.h>
 #include <strait/base/timers.h>
 #include <strait/run/result_tables.h>
-#include <strait/run/scaling.h>
+#include <strait/run/run_summary.h>
 #include <strait/run/step.h>
 
 #include <memory>
@@ -81,7 +81,6 @@ namespace strait
     std::shared_ptr<const void> lock; // on rank 0, until the tables are closed
 
     Table<Step> table, constrictions;
-    Scaling     scaling;
 
     std::vector<std::string> error_budget; // JSON, of the steps so far
     std::vector<std::string> validity;     // likewise
@@ -91,6 +90,10 @@ namespace strait
 
   // What scripts make of the results in the output directory of a scene. What they say
   // goes to the log. These functions are for rank 0 only.
+
+  /** Write fit.csv of a run in @p folder that looks for the threshold, or complete
+   *  ensemble.csv of several and write ensemble_summary.csv; a failure is a warning. */
+  void fit_results(const std::string &folder, Log &log);
 
   /** Throw InputError if the loads of the patches do not cover what the seal's pressure
    *  profile asks for. Writes nothing. */

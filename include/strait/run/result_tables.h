@@ -4,7 +4,7 @@
 
 #include <strait/base/scene.h>
 #include <strait/base/table.h>
-#include <strait/run/scaling.h>
+#include <strait/run/run_summary.h>
 #include <strait/run/step.h>
 #include <strait/seal/path.h>
 #include <strait/seal/transition_search.h>
@@ -34,16 +34,6 @@ namespace strait
     bool               stopped     = false;
   };
 
-  /** How a quantity scatters over the realisations: a row of ensemble_summary.csv. */
-  struct ScatterRow
-  {
-    std::string quantity;
-    double      mean               = 0.;
-    double      standard_deviation = 0.;
-    std::size_t n_samples          = 0; // realisations for which it is a finite number
-    std::size_t n_missing          = 0; // the others
-  };
-
   /** leakage.csv, with the columns of the effects that @p scene enables. */
   Table<Step> leakage_table(const Scene &scene);
 
@@ -52,9 +42,6 @@ namespace strait
 
   /** constrictions.csv: where the pressure drops in steps that leak. */
   Table<Step> constriction_table(const Scene &scene);
-
-  /** fit.csv: exponents against the reduced load. */
-  Table<FitRow> fit_table(const Scene &scene);
 
   /** blow_out.csv: inlet pressures that open the seal. */
   Table<BlowOut> blow_out_table(const Scene &scene);
@@ -71,14 +58,6 @@ namespace strait
 
   /** ensemble.csv: one row for each realisation. */
   Table<RealisationRow> ensemble_table(const Scene &scene);
-
-  /** ensemble_summary.csv: means and scatter over these. */
-  Table<ScatterRow> ensemble_summary_table(const Scene &scene);
-
-  /** Its rows: mean and standard deviation of what @p scene looks for, over
-   *  @p realisations. */
-  std::vector<ScatterRow> scatter_of(const std::vector<RealisationRow> &realisations,
-                                     const Scene                       &scene);
 
   /** What all tables hold, leakage.csv first. */
   std::vector<TableInfo> all_tables(const Scene &scene);

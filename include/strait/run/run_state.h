@@ -3,7 +3,7 @@
 #define strait_run_run_state_h
 
 #include <strait/base/scene.h>
-#include <strait/run/scaling.h>
+#include <strait/run/run_summary.h>
 #include <strait/spectral/state_archive.h>
 
 #include <functional>

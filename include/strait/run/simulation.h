@@ -4,7 +4,7 @@
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
-#include <strait/run/scaling.h>
+#include <strait/run/run_summary.h>
 
 #include <mpi.h>
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef strait_run_run_summary_h
+#define strait_run_run_summary_h
+
+#include <strait/seal/transition_search.h>
+
+#include <cmath>
+#include <string>
+
+namespace strait
+{
+  /** What a run leaves besides its files. */
+  struct RunSummary
+  {
+    bool        converged = true; // all steps
+    std::string status    = "ok"; // words of all steps
+    std::string validity  = "ok"; // likewise
+
+    /** At the first slip length, if the scene looks for it. */
+    Transition threshold = {0., std::nan(""), std::nan(""), std::nan("")};
+  };
+} // namespace strait
+
+#endif

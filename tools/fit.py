@@ -1,0 +1,275 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Exponents of leak rate and throat near the threshold, and the crossover of the leak rate.
+
+Of a run that looked for its threshold it writes fit.csv. Of several realisations it fills in what
+ensemble.csv leaves open and writes ensemble_summary.csv. doc/results.md defines the columns. Lines
+that begin with "warning: " say what does not serve. Exit status 1 with a sentence where something
+is missing.
+"""
+import argparse
+import csv
+import pathlib
+import sys
+
+try:
+    import numpy as np
+
+    from run_folder import is_trusted, nearest_slip, read_parameters, scene_in
+    from strait_results import Table, read_table
+    from strait_scaling import (EXPONENTIAL_DECAY, LEAK_RATE_EXPONENT, closing_constant,
+                                closing_law, crossover, decay_rate, fit_exponent, neighbours,
+                                within)
+except ImportError as missing:
+    sys.exit(f"fit.py: the Python module {missing.name} is missing; "
+             "install python3-numpy and python3-scipy.")
+
+# What is fitted: its member of the law of closing, and its exponent where an immobile layer of
+# fluid cuts the throat off while that is still wide and smooth.
+QUANTITIES = {"leak_rate": ("leak_rate", 3.), "throat_gap": ("gap", 1.),
+              "throat_length": ("length", 0.5), "throat_width": ("width", 0.5)}
+# Where slopes differ by more than this within a window, a single exponent describes the window,
+# not the threshold. At half the value, drifts that leave the first decimal of the exponent alone
+# would be warned of; at double, drifts that change it would pass.
+SETTLED = 0.05
+FIT_COLUMNS = ("quantity", "slip_length", "kind", "from", "to", "exponent", "error", "points",
+               "closing_law", "status")
+
+
+def warn(text):
+    """Tell the program, or who looks at the screen."""
+    print(f"warning: {text}")
+
+
+def joined(status):
+    """All words of several statuses."""
+    words = dict.fromkeys(word for text in status for word in text.split("+") if word != "ok")
+    return "+".join(words) or "ok"
+
+
+def largest_fitted(folder):
+    """Up to which reduced load the scene wants exponents fitted."""
+    return float(read_parameters(scene_in(folder))["Load programme/Largest reduced load of fits"])
+
+
+def samples_in(folder):
+    """What each step that has a reduced load contributes: one row a step, with zeros where a
+    quantity is not known."""
+    steps = read_table(folder / "leakage.csv")
+    steps = steps.rows(steps["reduced_load"] > 0)
+    throats = read_table(folder / "constrictions.csv")
+    converged = is_trusted(steps["status"])
+    place = {step: k for k, step in enumerate(throats["step"])}
+    rows = [place.get(step) for step in steps["step"]]
+    values = {"leak_rate": np.where(converged, np.abs(steps["leak_rate"]), 0.)}
+    for name in ("gap", "length", "width"):
+        values["throat_" + name] = np.array(
+            [throats[name][row] if row is not None and sound else 0.
+             for row, sound in zip(rows, converged)])
+    if "theory_leak_rate" in steps:
+        values["theory_leak_rate"] = np.abs(steps["theory_leak_rate"])
+    return Table({"slip_length": steps.get("slip_length", np.zeros(steps.n_rows)),
+                  "reduced_load": steps["reduced_load"], "status": steps["status"].astype(str),
+                  "is_coarse": np.array(["coarse-throat" in text.split("+")
+                                         for text in steps["validity"]], bool), **values})
+
+
+def converged(samples, quantity):
+    """Which rows of a quantity serve at all."""
+    return samples[quantity] > 0
+
+
+def doubtless(samples, quantity):
+    """Which rows serve for exponents."""
+    return converged(samples, quantity) & (samples["status"] == "ok")
+
+
+def resolved(samples, quantity):
+    """Which rows serve for the crossover: whose throat has enough grid points for a leak rate."""
+    return converged(samples, quantity) & ~samples["is_coarse"]
+
+
+def local_slopes(samples, quantity):
+    """(Fit, status) of neighbouring rows."""
+    reduced = samples["reduced_load"]
+    return [(fit_exponent(reduced[[i, j]], samples[quantity][[i, j]]),
+             joined(samples["status"][[i, j]])) for i, j in neighbours(reduced)]
+
+
+def middle(fit):
+    """Of the window of a local exponent."""
+    return np.sqrt(fit.start * fit.end)
+
+
+def report(quantity, fit, slopes):
+    """Say what was fitted, and whether slopes within the window disagree."""
+    print(f"exponent of {quantity}: {fit.exponent:.3f} ± {fit.error:.3f} for {fit.start:.3g} <= "
+          f"1 - L/L_c <= {fit.end:.3g} ({fit.points} points)")
+    local = [fit.exponent, *(slope.exponent for slope, _ in slopes if slope.end <= fit.end)]
+    if max(local) - min(local) > SETTLED:
+        warn(f"corrections to scaling: the local exponent of {quantity} drifts from "
+             f"{min(local):.3f} to {max(local):.3f} within the fit")
+
+
+def fits_of(samples, largest):
+    """The rows of fit.csv; says what was fitted."""
+    window = (0, largest)
+    trusted = samples.rows(doubtless(samples, "leak_rate") & (samples["slip_length"] == 0))
+    slopes = [fit for fit, _ in local_slopes(trusted, "leak_rate") if within(fit.end, window)]
+    constant = closing_constant(np.array([middle(fit) for fit in slopes]),
+                                np.array([fit.exponent for fit in slopes]))
+    for slip_length in np.unique(samples["slip_length"]):
+        of_slip = samples.rows(samples["slip_length"] == slip_length)
+        for quantity, (member, with_slip) in QUANTITIES.items():
+            for fit, status in local_slopes(of_slip.rows(converged(of_slip, quantity)), quantity):
+                law = getattr(closing_law(middle(fit), constant), member)
+                yield (quantity, slip_length, "local", *fit,
+                       with_slip if slip_length < 0 else law, status)
+            trusted = of_slip.rows(doubtless(of_slip, quantity))
+            fitted = trusted.rows(within(trusted["reduced_load"], window))
+            fit = fit_exponent(fitted["reduced_load"], fitted[quantity])
+            if fit:
+                yield quantity, slip_length, "fit", *fit, np.nan, joined(fitted["status"])
+                report(quantity, fit, local_slopes(trusted, quantity))
+
+
+def suffice(result, samples, window, serves):
+    """Whether two of the steps in a window have a leak rate that serves for a result, or all that
+    there are; and what is to be said of those that have none."""
+    samples = samples.rows(within(samples["reduced_load"], window))
+    used = serves(samples, "leak_rate")
+    n_used, n_steps = np.count_nonzero(used), samples.n_rows
+    if n_used == n_steps:
+        return True, None
+    others = joined("coarse-throat" if serves is resolved and is_coarse else status for
+                    status, is_coarse in zip(samples["status"][~used], samples["is_coarse"][~used]))
+    return n_used >= 2, (
+        (f"no {result}, which takes two steps" if n_used < 2 else result) +
+        f": {n_used} of {n_steps} steps with 1 - L/L_c from {window[0]:.3g} to {window[1]:.3g} "
+        f"serve; the others are left out for {others}")
+
+
+def summary_of(samples, largest, thresholds):
+    """What ensemble.csv says of a run at the smallest slip length, with the words for its status
+    where a result is missing; and the warnings."""
+    samples = samples.rows(nearest_slip(samples))
+    result, words, warnings = {}, [], []
+    for word, name, window, serves in (
+            ("no-exponent", "exponent of leak_rate", (0, largest), doubtless),
+            ("no-crossover", "crossover load", EXPONENTIAL_DECAY, resolved)):
+        is_enough, warning = suffice(name, samples, window, serves)
+        words += [] if is_enough else [word]
+        warnings += [warning] if warning else []
+    trusted = samples.rows(doubtless(samples, "leak_rate") &
+                           within(samples["reduced_load"], (0, largest)))
+    fit = fit_exponent(trusted["reduced_load"], trusted["leak_rate"])
+    result["exponent"], result["exponent_error"] = (fit.exponent, fit.error) if fit else \
+        (np.nan, np.nan)
+    slip = samples["slip_length"].max(initial=-np.inf)
+    loads = thresholds.rows(thresholds["slip_length"] == slip)
+    critical = 0.5 * (loads["critical_load_lower"] + loads["critical_load_upper"])
+    for prefix, name in (("", "leak rate"), ("theory_", "theory's leak rate")):
+        quantity, result[prefix + "crossover"] = prefix + "leak_rate", np.nan
+        if quantity in samples:
+            rows = samples.rows(resolved(samples, quantity))
+            rate = decay_rate(rows["reduced_load"], rows[quantity])
+            result[prefix + "crossover"] = crossover(rate)
+            if rate < LEAK_RATE_EXPONENT:
+                warnings.append(f"no crossover load of the {name}: its logarithm rises by less than"
+                                f" 69/20 times 1 - L/L_c from {EXPONENTIAL_DECAY[0]:.3g} to "
+                                f"{EXPONENTIAL_DECAY[1]:.3g}")
+                words += [] if prefix else ["no-crossover"]
+        result[prefix + "crossover_load"] = ((1 - result[prefix + "crossover"]) * critical[0]
+                                             if critical.size else np.nan)
+    return result, joined(words), warnings
+
+
+def entry(value):
+    """A number with all its digits, or a text as it is."""
+    return f"{value:.17g}" if isinstance(value, float) else str(value)
+
+
+def write(path, header, rows):
+    """A table, whole or not at all."""
+    partial = path.with_suffix(".part")
+    try:
+        with open(partial, "w", newline="", encoding="utf-8") as file:
+            csv.writer(file, lineterminator="\n").writerows(
+                [header, *([entry(value) for value in row] for row in rows)])
+        partial.replace(path)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def fit_run(folder, largest):
+    """Write fit.csv and say what is in it."""
+    samples = samples_in(folder)
+    write(folder / "fit.csv", FIT_COLUMNS, fits_of(samples, largest))
+    for warning in summary_of(samples, largest, read_table(folder / "threshold.csv"))[2]:
+        warn(warning)
+
+
+def fit_realisation(row, folder, largest):
+    """Fill in what fits say in a row of ensemble.csv; returns the crossover's reduced load."""
+    path = folder / f"realisation-{row['realisation']}"
+    if not (path / "threshold.csv").exists():
+        return np.nan  # it failed
+    found, words, _ = summary_of(samples_in(path), largest, read_table(path / "threshold.csv"))
+    row.update({name: entry(found[name]) for name in found if name in row})
+    status = row["status"].split("+")
+    row["status"] = joined([*(word for word in status if not word.startswith("no-")), words])
+    return found["crossover"]
+
+
+def scatter_of(samples):
+    """The entries of ensemble_summary.csv after the name of a quantity."""
+    known = samples[np.isfinite(samples)]
+    return (known.mean() if known.size else np.nan,
+            known.std(ddof=1) if known.size > 1 else np.nan, known.size, samples.size - known.size)
+
+
+def fit_ensemble(folder, largest):
+    """Complete ensemble.csv, write ensemble_summary.csv and say what is not known."""
+    path = folder / "ensemble.csv"
+    with open(path, newline="", encoding="utf-8") as file:
+        reader = csv.DictReader(file)
+        columns, rows = reader.fieldnames, list(reader)
+    crossovers = np.array([fit_realisation(row, folder, largest) for row in rows])
+    write(path, columns, ([row[name] for name in columns] for row in rows))
+    table = read_table(path)
+    table["critical_load"] = 0.5 * (table["critical_load_lower"] + table["critical_load_upper"])
+    table["crossover_reduced_load"] = crossovers
+    quantities = [name for name in ("contact_area", "critical_load", "crossover_load",
+                                    "crossover_reduced_load", "exponent", "theory_crossover_load")
+                  if name in table]
+    scatter = {name: scatter_of(table[name]) for name in quantities}
+    write(folder / "ensemble_summary.csv",
+          ("quantity", "mean", "standard_deviation", "samples", "missing"),
+          ((name, *numbers) for name, numbers in scatter.items()))
+    for name, (_, _, n_known, n_missing) in scatter.items():
+        if n_missing > 0:
+            warn(f"{name} is known of {n_known} of {len(rows)} realisations; the column status of "
+                 "ensemble.csv or the log of the realisation tells why, or Load programme/Reduced "
+                 "loads has too few steps for it")
+
+
+def main(arguments=None):
+    """Fit what the command line names and return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("folder", metavar="OUTPUT_DIR", type=pathlib.Path)
+    parser.add_argument("--largest", type=float, metavar="REDUCED_LOAD",
+                        help="fit up to this in place of the scene's Largest reduced load of fits")
+    options = parser.parse_args(arguments)
+    folder = options.folder
+    try:
+        largest = options.largest if options.largest else largest_fitted(folder)
+        (fit_ensemble if (folder / "ensemble.csv").exists() else fit_run)(folder, largest)
+    except (OSError, KeyError, ValueError) as problem:
+        print(f"fit.py: {folder} holds no results of a search for the threshold that can be "
+              f"fitted ({' '.join(f'{type(problem).__name__}: {problem}'.split())}).")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

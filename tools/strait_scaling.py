@@ -1,0 +1,1 @@
+../python/strait/scaling.py
