@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 #include <strait/contact/grid_transfer.h>
 #include <strait/run/load_sweep.h>
@@ -27,8 +28,11 @@ namespace strait
   int
   n_compared_grids(const Scene &scene)
   {
-    // Where throats have windows every fourth point may find others, and tells no order.
-    return scene.contact.zoom.enabled ? 1 : scene.output.error_budget ? 2 : 0;
+    if (!scene.contact.zoom.enabled && !scene.output.error_budget)
+      return 0;
+    // Every fourth point may have other windows around throats, or have come another way,
+    // and tells no order.
+    return scene.contact.zoom.enabled || scene.depends_on_path() ? 1 : 2;
   }
 
   CoarserSeals::CoarserSeals(const Scene             &scene_,
@@ -47,28 +51,42 @@ namespace strait
                              "not known: ") +
                  why);
     };
-    if (scene.depends_on_path())
-      {
-        warn_of_unknown("no coarser grid has the same past of contact or fluid");
-        return;
-      }
     if (!can_be_coarsened(heights.grid()))
       warn_of_unknown("Contact/Grid points must be even and 64 or more to be halved");
-    const bool searches = scene.programme.find_threshold && scene.fluid.mesh_file.empty();
+    const bool searches = scene.programme.find_threshold &&
+                          scene.fluid.mesh_file.empty() && !scene.depends_on_path();
     // Without the last level of windows, whose points are compared as well.
     ContactParameters coarser = contact;
     coarser.zoom.points_along_throat /= 3.;
     SlabField coarse = heights;
-    while (can_be_coarsened(coarse.grid()) &&
-           (size() < n_compared_grids(scene) ||
-            (searches && std::min(coarse.grid().nx, coarse.grid().ny) > fewest_points)))
+    try
       {
-        coarse = restrict_by_injection(coarse);
-        seals.push_back({coarse.layout_pointer(),
-                         make_seal(scene, coarser, coarse, nullptr, silent),
-                         {},
-                         {}});
+        while (
+          can_be_coarsened(coarse.grid()) &&
+          (size() < n_compared_grids(scene) ||
+           (searches && std::min(coarse.grid().nx, coarse.grid().ny) > fewest_points)))
+          {
+            coarse = restrict_by_injection(coarse);
+            seals.push_back(make(coarser, coarse));
+          }
       }
+    catch (const InputError &)
+      {
+        if (size() == 0)
+          warn_of_unknown(
+            "the range of the adhesion is too short for every second point");
+      }
+  }
+
+  CoarserSeals::CoarserSeal
+  CoarserSeals::make(const ContactParameters &contact, const SlabField &heights)
+  {
+    const SlabLayoutPtr layout = heights.layout_pointer();
+    auto                flow   = scene.fluid.feedback.enabled
+                                   ? std::make_unique<FlowStage>(scene.fluid, layout, silent, timers)
+                                   : nullptr;
+    SealModel           model  = make_seal(scene, contact, heights, flow.get(), silent);
+    return {layout, std::move(flow), {scene, std::move(model)}, {}, {}};
   }
 
   SearchStart
@@ -79,15 +97,20 @@ namespace strait
         if (seal->thresholds.empty())
           {
             SealSearch search(
-              scene, seal->model, seal->layout, scene.fluid.direction, silent);
+              scene, seal->path.model, seal->layout, scene.fluid.direction, silent);
             seal->thresholds = search.find_critical_loads(first);
-            seal->state      = search.take_state();
+            if (scene.depends_on_path())
+              seal->path.begin_after(search);
+            else
+              seal->state = search.take_state();
           }
         const double load = seal->thresholds.front().middle();
         log.progress(format("  critical load on %d × %d points: %.8g",
                             seal->layout->grid().nx,
                             seal->layout->grid().ny,
                             load));
+        if (scene.depends_on_path()) // on which each begins as the grid itself does
+          continue;
         // Nearer than to the grid before.
         const double step = seal == seals.rbegin()
                               ? first_step
@@ -99,14 +122,14 @@ namespace strait
   }
 
   double
-  CoarserSeals::error_around_windows(const Transition &critical_load) const
+  CoarserSeals::error_of(const Transition &critical_load) const
   {
     const Transition *coarse =
-      scene.contact.zoom.enabled && size() > 0
+      n_compared_grids(scene) > 0 && size() > 0
         ? threshold_of(seals.front().thresholds, critical_load.slip_length)
         : nullptr;
     return coarse == nullptr
-             ? 0.
+             ? std::nan("")
              : safety_factor * std::abs(coarse->middle() / critical_load.middle() - 1.);
   }
 
@@ -117,17 +140,41 @@ namespace strait
       seals.pop_back();
   }
 
-  SlabField
+  void
+  CoarserSeals::go_on(const LoadStop &stop, const Transition *counted_from)
+  {
+    for (CoarserSeal &seal : seals)
+      {
+        Control control{stop.target, scene.fluid.inlet_pressure, stop.slip_length};
+        if (const Transition *own = threshold_of(seal.thresholds, stop.slip_length);
+            own != nullptr && counted_from != nullptr && stop.is_reduced)
+          control.target *= own->middle() / counted_from->middle();
+        const bool is_first = !seal.state || stop.begins_anew;
+        if (!is_first && holds_under(control, *seal.state))
+          seal.state->control = control; // another slip length
+        else
+          seal.state =
+            seal.path
+              .go_on(stop, control, is_first ? nullptr : &*seal.state, Aim::leak_rate)
+              .state;
+      }
+  }
+
+  std::optional<SlabField>
   CoarserSeals::gap(const int                    halvings,
                     Control                      control,
                     const std::optional<double> &reduced_load)
   {
     CoarserSeal &seal = seals[halvings - 1];
+    if (scene.depends_on_path())
+      return seal.state && seal.state->converged()
+               ? std::optional<SlabField>(seal.state->gap())
+               : std::nullopt;
     if (const Transition *own = threshold_of(seal.thresholds, control.slip_length);
         own != nullptr && reduced_load)
       control.target = (1. - *reduced_load) * own->middle();
     SealState state =
-      seal.model(control, seal.state ? &*seal.state : nullptr, Aim::leak_rate);
+      seal.path.model(control, seal.state ? &*seal.state : nullptr, Aim::leak_rate);
     // What is counted from a critical load begins in the windows that it was found with.
     if (!seal.thresholds.empty())
       return state.gap();
@@ -143,6 +190,7 @@ namespace strait
         archive.value(seal.thresholds);
         if (transfer_presence(archive, seal.state))
           strait::transfer(archive, *seal.state, seal.layout);
+        seal.path.transfer(archive, seal.layout);
       }
   }
 } // namespace strait

@@ -44,16 +44,16 @@ namespace strait
       std::vector<double> leaks;
       for (int h = 1; h <= std::min(coarser.size(), n_compared_grids(scene)); ++h)
         {
-          const SlabField gap =
+          const auto gap =
             coarser.gap(h,
                         step.state.control,
                         by_reduced_load ? step.reduced_load : std::nullopt);
-          leaks.push_back(1. + change_to(gap, step, scene.fluid));
+          leaks.push_back(gap ? 1. + change_to(*gap, step, scene.fluid) : std::nan(""));
         }
       // Not a number where no coarser grid tells.
       const double first = leaks.empty() ? std::nan("") : 1. - leaks[0];
       double       error = std::abs(first);
-      if (scene.contact.zoom.enabled)
+      if (n_compared_grids(scene) == 1)
         error *= CoarserSeals::safety_factor;
       if (leaks.size() > 1 && leaks[0] != 0)
         {

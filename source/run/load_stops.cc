@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/run/load_sweep.h>
+#include <strait/seal/make_seal.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace strait
 {
@@ -47,5 +49,57 @@ namespace strait
         stops[k].branch = loads ? "loading" : "unloading";
       }
     return stops;
+  }
+
+  SealPath::SealPath(const Scene &scene_, SealModel model_)
+    : model(std::move(model_))
+    , scene(scene_)
+  {
+  }
+
+  /** Whether loads that are counted from a critical one begin where its search ended. */
+  bool
+  SealPath::begins_where_search_ended() const
+  {
+    return scene.contact.zoom.enabled ||
+           (scene.contact.yields && scene.programme.path == LoadPath::unloading);
+  }
+
+  void
+  SealPath::begin_after(SealSearch &search)
+  {
+    // A channel that a fluid has opened is not closed again before the first step, the
+    // throat is seen on the points that it was lost on, and what opens again keeps its
+    // indentations; a path on which contacts alone remember begins without a past.
+    // Where a search for another transition goes on, the first step has its start.
+    if (!search.repeats() &&
+        ((scene.fluid.feedback.enabled && !scene.contact.adhesion.enabled) ||
+         begins_where_search_ended()))
+      start = search.take_state();
+  }
+
+  Arrival
+  SealPath::go_on(const LoadStop  &stop,
+                  const Control   &control,
+                  const SealState *last,
+                  const Aim        aim)
+  {
+    // Windows shift the critical load a little, and indentations a lot: steps that are
+    // counted from it keep those that it was found with.
+    if (last == nullptr || (begins_where_search_ended() && stop.is_reduced))
+      last = start ? &*start : nullptr;
+    Arrival    arrival = follow(model, control, last, aim, step_rule(scene));
+    const bool is_last_from_start =
+      stop.is_reduced || scene.programme.reduced_loads.empty();
+    if (arrival.state && !begins_where_search_ended() && is_last_from_start)
+      start.reset();
+    return arrival;
+  }
+
+  void
+  SealPath::transfer(StateArchive &archive, const SlabLayoutPtr &layout)
+  {
+    if (transfer_presence(archive, start))
+      strait::transfer(archive, *start, layout);
   }
 } // namespace strait

@@ -27,10 +27,10 @@ namespace strait
       flow = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
     if (scene.theory.enabled)
       theory = std::make_unique<TheoryPrediction>(scene, &heights);
-    seal = make_seal(scene, contact, std::move(heights), flow.get(), log);
+    path.emplace(scene, make_seal(scene, contact, std::move(heights), flow.get(), log));
     if (scene.programme.find_threshold || scene.programme.find_blow_out)
       seal_search =
-        std::make_unique<SealSearch>(scene, seal, layout, flow->domain(), log);
+        std::make_unique<SealSearch>(scene, path->model, layout, flow->domain(), log);
   }
 
   void
@@ -50,28 +50,16 @@ namespace strait
     for (Transition &threshold : done.thresholds)
       {
         done.converged = done.converged && threshold.converged;
-        threshold.grid_error += coarser.error_around_windows(threshold);
+        if (scene.contact.zoom.enabled)
+          threshold.grid_error += coarser.error_of(threshold);
+        else if (scene.depends_on_path())
+          threshold.grid_error = coarser.error_of(threshold);
         if (!std::isnan(threshold.grid_error))
           log.line(format("finer points may have the critical load %.2g %% from there",
                           100. * threshold.grid_error));
       }
-    // A channel that a fluid has opened is not closed again before the first step, the
-    // throat is seen on the points that it was lost on, and what opens again keeps its
-    // indentations; a path on which contacts alone remember begins without a past.
-    // Where a search for another transition goes on, the first step has its start.
-    if (!seal_search->repeats() &&
-        ((scene.fluid.feedback.enabled && !scene.contact.adhesion.enabled) ||
-         begins_where_search_ended()))
-      start = seal_search->take_state();
+    path->begin_after(*seal_search);
     return done.thresholds;
-  }
-
-  /** Whether loads that are counted from a critical one begin where its search ended. */
-  bool
-  LoadSweep::begins_where_search_ended() const
-  {
-    return scene.contact.zoom.enabled ||
-           (contact.yields && scene.programme.path == LoadPath::unloading);
   }
 
   std::vector<BlowOut>
@@ -112,6 +100,11 @@ namespace strait
                      n_steps - done.n_done));
             break;
           }
+        if (scene.depends_on_path() && coarser.size() > 0)
+          {
+            const auto scope = timers.scope("errors");
+            coarser.go_on(stop, threshold_of(done.thresholds, stop.slip_length));
+          }
         leak();
         judge(stop);
         report_step(step, n_steps, log);
@@ -140,9 +133,6 @@ namespace strait
         step.state.costs.contact_seconds = 0.;
         return true;
       }
-    // Windows shift the critical load a little, and indentations a lot: steps that are
-    // counted from it keep those that it was found with.
-    const bool returns    = begins_where_search_ended() && stop.is_reduced;
     const auto start_time = Timers::Clock::now();
     const auto scope =
       timers.scope(scene.fluid.feedback.enabled ? "coupling" : "contact");
@@ -150,13 +140,10 @@ namespace strait
     step.flow.reset(); // its mesh was made for another gap
     if (flow)
       flow->release();
-    Arrival arrival = follow(seal,
-                             control,
-                             is_first && !start    ? nullptr
-                             : is_first || returns ? &*start
-                                                   : &step.state,
-                             flow ? Aim::leak_rate : Aim::verdict,
-                             rule);
+    Arrival arrival = path->go_on(stop,
+                                  control,
+                                  is_first ? nullptr : &step.state,
+                                  flow ? Aim::leak_rate : Aim::verdict);
     for (const Jump &jump : arrival.jumps)
       {
         log.line(describe(jump));
@@ -173,10 +160,6 @@ namespace strait
     // Where the fluid presses on the walls most of its flow is solved on the way.
     step.flow_seconds =
       Timers::seconds_since(start_time) - step.state.costs.contact_seconds;
-    const bool is_last_from_start =
-      stop.is_reduced || scene.programme.reduced_loads.empty();
-    if (!begins_where_search_ended() && is_last_from_start)
-      start.reset();
     return true;
   }
 
@@ -254,8 +237,7 @@ namespace strait
       seal_search->transfer(archive);
     else
       end_searches();
-    if (transfer_presence(archive, start))
-      strait::transfer(archive, *start, layout);
+    path->transfer(archive, layout);
     if (!scene.contact.enabled) // a gap that is given has no past
       return;
     coarser.transfer(archive);

@@ -129,7 +129,8 @@ namespace strait
         &Transition::grid_error,
         "critical_load_error [1]: how far from there, relative, finer points may have it: "
         "1 − L/L_c at which half a spacing is left along the throat, and in windows what "
-        "every second point changes as well, times three; `nan` where the past matters")
+        "every second point changes as well, times three; where the past matters that "
+        "alone, with `Output/Error budget`, else `nan`")
       .add(&Transition::contact_area,
            "contact_area [1]: fraction in contact at the lower one")
       .add([](const Transition &t) { return t.bottleneck[0]; },

@@ -192,5 +192,53 @@ namespace strait
       scene.contact.grid_points = {{64, 64}};
       EXPECT_TRUE(SilentSweep(scene).log.warnings().empty());
     }
+
+    // What the past leaves behind on every second point is theirs: it went the same way.
+    TEST(ErrorBudget, FollowsThePathOnCoarserPoints)
+    {
+      Scene rough;
+      rough.surface.short_cut_off_wavelength   = .125;
+      rough.programme.pressures                = {.05, .1, .06};
+      Scene pressed                            = rough;
+      pressed.fluid.feedback.enabled           = true;
+      pressed.fluid.inlet_pressure             = .02;
+      pressed.programme.find_threshold         = true;
+      pressed.programme.threshold_tolerance    = 1e-2;
+      pressed.programme.reduced_loads          = {.5};
+      Scene yielding                           = rough;
+      yielding.contact.yields                  = true;
+      yielding.contact.hardness                = .5;
+      Scene adhesive                           = saddle_scene();
+      adhesive.programme.pressures             = {.9, 1.};
+      adhesive.contact.adhesion.enabled        = true;
+      adhesive.contact.adhesion.surface_energy = .1;
+      adhesive.contact.adhesion.tabor_number   = 1.;
+      for (Scene scene : {pressed, yielding, adhesive})
+        {
+          scene.contact.grid_points = {{64, 64}};
+          const Sweep plain         = run_sweep(scene);
+          scene.output.error_budget = true;
+          const Sweep coarse        = run_sweep(scene);
+          scene.output.error_budget = false;
+          scene.contact.grid_points = {{128, 128}};
+          const Sweep fine          = run_sweep(scene);
+          ASSERT_EQ(coarse.rows.size(), fine.rows.size());
+          for (std::size_t k = 0; k < fine.rows.size(); ++k)
+            {
+              EXPECT_EQ(coarse.rows[k].leak_rate, plain.rows[k].leak_rate);
+              EXPECT_LT(std::abs(fine.rows[k].leak_rate / coarse.rows[k].leak_rate - 1.),
+                        coarse.rows[k].error);
+              EXPECT_LT(coarse.rows[k].error, 1.);
+            }
+          for (std::size_t k = 0; k < fine.thresholds.size(); ++k)
+            {
+              const Transition &found = coarse.thresholds[k];
+              EXPECT_LT(std::abs(fine.thresholds[k].middle() / found.middle() - 1.),
+                        found.grid_error);
+              EXPECT_LT(found.grid_error, .3);
+              EXPECT_TRUE(std::isnan(plain.thresholds[k].grid_error));
+            }
+        }
+    }
   } // namespace
 } // namespace strait

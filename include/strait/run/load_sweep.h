@@ -38,6 +38,35 @@ namespace strait
   std::vector<LoadStop> plan_stops(const Scene                   &scene,
                                    const std::vector<Transition> &thresholds);
 
+  /** How a seal goes from stop to stop: to each from the one before or, where a path
+   * begins near the critical load, from where the search for that ended. */
+  class SealPath
+  {
+  public:
+    /** @p scene must outlive the path. */
+    SealPath(const Scene &scene, SealModel model);
+
+    const SealModel model;
+
+    /** Take the state from @p search, which is over, if that is where the path begins. */
+    void begin_after(SealSearch &search);
+
+    /** Collective; @p last is the state at the stop before, or null. @p control is that
+     * of
+     *  @p stop, or of a seal like this one that is as far from its critical load. */
+    Arrival
+    go_on(const LoadStop &stop, const Control &control, const SealState *last, Aim aim);
+
+    /** Where it begins, if that is needed yet. Collective. */
+    void transfer(StateArchive &archive, const SlabLayoutPtr &layout);
+
+  private:
+    bool begins_where_search_ended() const;
+
+    const Scene             &scene;
+    std::optional<SealState> start;
+  };
+
   /** The channel and the leak rate in the gap of @p state, to the accuracy that @p scene
    *  asks for. Collective. */
   StepFlow leak_through(const SealState &state, const Scene &scene, FlowStage &flow);
@@ -49,9 +78,11 @@ namespace strait
   /** With how many coarser grids each step of @p scene is compared. */
   int n_compared_grids(const Scene &scene);
 
-  /** The dry seal of a scene on every second point of its contact grid, on every fourth,
-   *  and so on. Two things are cheap there: a first idea of the critical load, which that
-   *  of the grid itself is close to, and what the grid changes of a leak rate. */
+  /** The seal of a scene on every second point of its contact grid, on every fourth, and
+   *  so on. Two things are cheap there: a first idea of the critical load, which that of
+   *  the grid itself is close to, and what the grid changes of a leak rate. Where the
+   * past of a contact, or a fluid on its walls, matters, each goes the whole way by
+   * itself. */
   class CoarserSeals
   {
   public:
@@ -61,10 +92,8 @@ namespace strait
      *  finer grid's leak rate was off by more in three of 54 cases, with four in none. */
     static constexpr double safety_factor = 3.;
 
-    /** None where there is no fluid, or where the past of a contact, or a fluid on its
-     *  walls, matters: these are not those of a coarser grid at the same load. @p heights
-     *  on the grid of the contact, which @p contact describes. @p scene and @p log must
-     *  outlive this object. Collective. */
+    /** None where there is no fluid. @p heights on the grid of the contact, which
+     *  @p contact describes. @p scene and @p log must outlive this object. Collective. */
     CoarserSeals(const Scene             &scene,
                  const ContactParameters &contact,
                  const SlabField         &heights,
@@ -80,14 +109,20 @@ namespace strait
      *  where that of the grid itself is sought. Collective. */
     SearchStart find_critical_loads(SearchStart first);
 
-    /** What the points around its windows may get wrong of @p critical_load, relative, by
-     *  that of every second point; 0 where there are no windows. */
-    double error_around_windows(const Transition &critical_load) const;
+    /** What the points may get wrong of @p critical_load, relative, by that of every
+     *  second one; not a number if it is not known. */
+    double error_of(const Transition &critical_load) const;
+
+    /** Follow the path to @p stop, where a path matters; a load that is named by its
+     * distance from the critical one, @p counted_from, is as far from that of their own
+     * points. Collective. */
+    void go_on(const LoadStop &stop, const Transition *counted_from);
 
     /** The gap on every 2^halvings-th point [length] at @p control or, with
      *  @p reduced_load, which is 1 − L/L_c, as far from the critical load of those
-     * points. Collective. */
-    SlabField
+     *  points; where a path matters, where that has led to. None if it is not known.
+     *  Collective. */
+    std::optional<SlabField>
     gap(int halvings, Control control, const std::optional<double> &reduced_load);
 
     /** Keep only those that steps are compared with. */
@@ -99,16 +134,20 @@ namespace strait
   private:
     struct CoarserSeal
     {
-      SlabLayoutPtr            layout;
-      SealModel                model;
-      std::vector<Transition>  thresholds; // once they were sought
-      std::optional<SealState> state;      // that the next is reached from
+      SlabLayoutPtr              layout;
+      std::unique_ptr<FlowStage> flow; // if the fluid presses on the walls
+      SealPath                   path;
+      std::vector<Transition>    thresholds; // once they were sought
+      std::optional<SealState>   state;      // that the next is reached from
     };
+
+    CoarserSeal make(const ContactParameters &contact, const SlabField &heights);
 
     const Scene             &scene;
     Log                     &log;
     Log                      silent;
-    std::vector<CoarserSeal> seals; // every second point first
+    Timers                   timers; // of what is not told
+    std::vector<CoarserSeal> seals;  // every second point first
   };
 
   /**
@@ -208,7 +247,6 @@ namespace strait
     void transfer(StateArchive &archive);
 
   private:
-    bool begins_where_search_ended() const;
     bool press(const LoadStop &stop);
     void leak();
     void judge(const LoadStop &stop);
@@ -222,9 +260,8 @@ namespace strait
     CoarserSeals                      coarser;
     std::unique_ptr<FlowStage>        flow; // unless the fluid is off
     std::unique_ptr<TheoryPrediction> theory;
-    SealModel                         seal;
+    std::optional<SealPath>           path;
     std::unique_ptr<SealSearch>       seal_search;
-    std::optional<SealState>          start; // of a path where a fluid presses
     SweepProgress                     done;
     Step                              step; // the last that was done
   };
