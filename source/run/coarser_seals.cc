@@ -23,6 +23,14 @@ namespace strait
     // A smaller one takes more solves where the two are farther apart, a larger one
     // begins with a wider bracket.
     constexpr double first_step = 2e-4;
+
+    /** Not a number where it is at zero, or nowhere. */
+    double
+    error_by(const Transition &coarse, const Transition &found)
+    {
+      return CoarserSeals::safety_factor *
+             std::abs((coarse.middle() - found.middle()) / found.middle());
+    }
   } // namespace
 
   int
@@ -81,12 +89,31 @@ namespace strait
   CoarserSeals::CoarserSeal
   CoarserSeals::make(const ContactParameters &contact, const SlabField &heights)
   {
-    const SlabLayoutPtr layout = heights.layout_pointer();
-    auto                flow   = scene.fluid.feedback.enabled
-                                   ? std::make_unique<FlowStage>(scene.fluid, layout, silent, timers)
-                                   : nullptr;
-    SealModel           model  = make_seal(scene, contact, heights, flow.get(), silent);
+    const SlabLayoutPtr        layout = heights.layout_pointer();
+    std::unique_ptr<FlowStage> flow;
+    if (scene.fluid.feedback.enabled)
+      flow = std::make_unique<FlowStage>(scene.fluid, layout, silent, timers);
+    SealModel model = make_seal(scene, contact, heights, flow.get(), silent);
     return {layout, std::move(flow), {scene, std::move(model)}, {}, {}};
+  }
+
+  template <typename Find>
+  auto
+  CoarserSeals::search(const CoarserSeal &seal, const Find &find)
+  {
+    SealSearch search(scene, seal.path.model, seal.layout, scene.fluid.direction, silent);
+    try
+      {
+        return find(search);
+      }
+    catch (const ComputationError &error)
+      {
+        log.warn(format("on %d × %d points, with which the contact grid is compared: %s",
+                        seal.layout->grid().nx,
+                        seal.layout->grid().ny,
+                        error.what()));
+        return decltype(find(search))();
+      }
   }
 
   SearchStart
@@ -95,15 +122,16 @@ namespace strait
     for (auto seal = seals.rbegin(); seal != seals.rend(); ++seal)
       {
         if (seal->thresholds.empty())
-          {
-            SealSearch search(
-              scene, seal->path.model, seal->layout, scene.fluid.direction, silent);
-            seal->thresholds = search.find_critical_loads(first);
+          seal->thresholds = search(*seal, [&](SealSearch &own) {
+            const auto found = own.find_critical_loads(first);
             if (scene.depends_on_path())
-              seal->path.begin_after(search);
+              seal->path.begin_after(own);
             else
-              seal->state = search.take_state();
-          }
+              seal->state = own.take_state();
+            return found;
+          });
+        if (seal->thresholds.empty())
+          continue;
         const double load = seal->thresholds.front().middle();
         log.progress(format("  critical load on %d × %d points: %.8g",
                             seal->layout->grid().nx,
@@ -128,9 +156,24 @@ namespace strait
       n_compared_grids(scene) > 0 && size() > 0
         ? threshold_of(seals.front().thresholds, critical_load.slip_length)
         : nullptr;
-    return coarse == nullptr
-             ? std::nan("")
-             : safety_factor * std::abs(coarse->middle() / critical_load.middle() - 1.);
+    return coarse == nullptr ? std::nan("") : error_by(*coarse, critical_load);
+  }
+
+  void
+  CoarserSeals::find_errors_of(std::vector<BlowOut> &blow_outs)
+  {
+    if (n_compared_grids(scene) == 0 || size() == 0)
+      return;
+    const auto coarse =
+      search(seals.front(), [](SealSearch &own) { return own.find_blow_outs(); });
+    for (std::size_t k = 0; k < coarse.size(); ++k)
+      {
+        blow_outs[k].opening.grid_error =
+          error_by(coarse[k].opening, blow_outs[k].opening);
+        if (blow_outs[k].closing)
+          blow_outs[k].closing->grid_error =
+            error_by(*coarse[k].closing, *blow_outs[k].closing);
+      }
   }
 
   void

@@ -67,7 +67,8 @@ namespace strait
   {
     const auto scope = timers.scope("blow-out");
     log.stage("blow-out pressure");
-    const std::vector<BlowOut> found = seal_search->find_blow_outs();
+    std::vector<BlowOut> found = seal_search->find_blow_outs();
+    coarser.find_errors_of(found);
     for (const BlowOut &blow_out : found)
       done.converged = done.converged && blow_out.opening.converged &&
                        (!blow_out.closing || blow_out.closing->converged);

@@ -205,7 +205,16 @@ namespace strait
            "when it is lowered from where it leaks; both 0 or the outlet's: the seal "
            "stays open; both `nan`: adhesive walls part as soon as it leaks")
       .add([](const BlowOut &found) { return found.closing->upper; },
-           "resealing_pressure_upper [pressure]: smallest known to leak then");
+           "resealing_pressure_upper [pressure]: smallest known to leak then")
+      .when({"with `Output/Error budget`", scene.output.error_budget})
+      .add([](const BlowOut &found) { return found.opening.grid_error; },
+           "blow_out_pressure_error [1]: how far from there, relative, finer points may "
+           "have it: three times what every second point changes; `nan` if that tells "
+           "none")
+      .when({"with `Output/Error budget` and `Find re-sealing`",
+             scene.output.error_budget && scene.programme.find_resealing})
+      .add([](const BlowOut &found) { return found.closing->grid_error; },
+           "resealing_pressure_error [1]: likewise");
     return table;
   }
 

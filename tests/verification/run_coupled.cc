@@ -228,6 +228,28 @@ namespace strait
       EXPECT_NEAR(found.closing->middle() / .532, 1., .02);
     }
 
+    TEST(Coupled, FinerPointsHaveTheBlowOutPressureWithinItsError)
+    {
+      Scene scene                            = held_open();
+      scene.surface.short_cut_off_wavelength = .0625;
+      scene.surface.seed                     = 1;
+      scene.programme.find_threshold         = false;
+      scene.programme.find_blow_out          = true;
+      scene.programme.pressures              = {.26};
+      scene.programme.threshold_tolerance    = .05;
+      const auto blow_out                    = [&scene](const int n) {
+        scene.contact.grid_points = {{n, n}};
+        SilentSweep silent(scene);
+        return silent.loads.find_blow_outs().at(0);
+      };
+      const BlowOut fine        = blow_out(128);
+      scene.output.error_budget = true;
+      const BlowOut found       = blow_out(64);
+      EXPECT_TRUE(std::isnan(fine.opening.grid_error));
+      EXPECT_LT(std::abs(fine.opening.middle() / found.opening.middle() - 1.),
+                found.opening.grid_error);
+    }
+
     // In small steps of the rounds the leak rate of a viscosity of 1 is 5.81e-8, and no
     // state agrees with itself.
     TEST(Coupled, TheBracketTakesInBothSidesOfAGapThatStaysAjar)

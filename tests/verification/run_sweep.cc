@@ -240,5 +240,25 @@ namespace strait
             }
         }
     }
+
+    // Every second row of these grooves is at the same height, and always sealed.
+    TEST(ErrorBudget, SaysWhereFewerPointsDoNotLeak)
+    {
+      Scene scene                         = saddle_scene(64);
+      scene.surface.kind                  = SurfaceKind::expression;
+      scene.surface.expression            = "0.01*cos(64*pi*y)";
+      scene.contact.yields                = true;
+      scene.contact.hardness              = 10.;
+      scene.programme.find_threshold      = true;
+      scene.programme.threshold_tolerance = 1e-2;
+      scene.output.error_budget           = true;
+      SilentSweep       silent(scene);
+      const Transition &found = silent.loads.find_thresholds().at(0);
+      EXPECT_GT(found.lower, 0.);
+      EXPECT_TRUE(std::isnan(found.grid_error));
+      ASSERT_EQ(silent.log.warnings().size(), 1U);
+      EXPECT_EQ(silent.log.warnings()[0].find("on 32 × 32 points, with which"), 0U)
+        << silent.log.warnings()[0];
+    }
   } // namespace
 } // namespace strait

@@ -113,6 +113,9 @@ namespace strait
      *  second one; not a number if it is not known. */
     double error_of(const Transition &critical_load) const;
 
+    /** Tell @p blow_outs the same of their pressures. Collective. */
+    void find_errors_of(std::vector<BlowOut> &blow_outs);
+
     /** Follow the path to @p stop, where a path matters; a load that is named by its
      * distance from the critical one, @p counted_from, is as far from that of their own
      * points. Collective. */
@@ -142,6 +145,11 @@ namespace strait
     };
 
     CoarserSeal make(const ContactParameters &contact, const SlabField &heights);
+
+    /** What @p find, a function of a search, finds on the points of @p seal; nothing
+     * where these do not open or close. */
+    template <typename Find>
+    auto search(const CoarserSeal &seal, const Find &find);
 
     const Scene             &scene;
     Log                     &log;
