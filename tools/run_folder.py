@@ -20,6 +20,12 @@ def is_trusted(status):
     return np.isin(status, ["ok", ""]) | is_uncertain(status)
 
 
+def has_bounds(status):
+    """Where the leak rate has bounds that hold, be they wider than was asked."""
+    sound = {"ok", "", "flow-accuracy", *UNCERTAIN}
+    return np.array([set(text.split("+")) <= sound for text in status], bool)
+
+
 def leak_rates(columns):
     """The names of the columns of leak rates: the scene's units, then those asked for."""
     return [name for name in columns if name == "leak_rate" or

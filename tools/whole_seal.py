@@ -15,7 +15,7 @@ try:
     import numpy as np
 
     from report_results import relative_errors
-    from run_folder import (at_load, is_trusted, leak_rates, nearest_slip, read_parameters,
+    from run_folder import (at_load, has_bounds, leak_rates, nearest_slip, read_parameters,
                             realisations, scene_in)
     from seal_network import Band, at_loads, matrix_bytes
     from seal_scene import Seal, box_of
@@ -111,7 +111,7 @@ class Patches:
         table, (length, breadth) = run.table, box
         rows = [found[:1] for found in rows_at(table, seal.loads)]
         for load, row in zip(seal.loads, rows):
-            if not row.size or not is_trusted(table["status"][row]).all():
+            if not row.size or not has_bounds(table["status"][row]).all():
                 raise ValueError(f"no leak rate at {load:.6g}")
         table = {name: values[np.concatenate(rows)] for name, values in table.items()}
         errors = relative_errors(table)

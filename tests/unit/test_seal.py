@@ -503,6 +503,13 @@ class OfAFolder(unittest.TestCase):
         self.write_errors("mesh", "gap interpolation", "contact grid")
         self.assertNotIn(doubt, self.assess().stdout)
 
+    def test_bounds_that_are_wider_than_asked_are_no_failure(self):
+        self.write([[8., 2., 0.5]] * 3)
+        before = self.assess().stdout
+        path = self.folder / "realisation-2" / "leakage.csv"
+        path.write_text(path.read_text().replace("ok\n0.4", "flow-accuracy\n0.4"))
+        self.assertEqual(self.assess().stdout, before)
+
     def test_patches_that_failed_are_left_out(self):
         self.write([[8., 2., 0.5]] * 3)
         path = self.folder / "realisation-2" / "leakage.csv"
