@@ -184,7 +184,8 @@ namespace strait
       "Draw a picture of each step and of the leak rate against the load.";
     section.add("Error budget", error_budget).meaning =
       "Estimate the leak rate's errors from contact grid and gap interpolation as well, "
-      "from solutions on coarser grids; about doubles the time of a step.";
+      "from solutions on coarser grids, and that of blow-out pressures and, where the "
+      "past matters, of critical loads; about doubles the time.";
     section.add("Checkpoint", checkpoint).meaning =
       "Keep after every step what --resume needs to continue the run: 20 bytes a grid "
       "point on the disk for a dry contact, 28 with adhesion, 8 more with Wall feedback "
