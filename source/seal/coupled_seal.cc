@@ -182,10 +182,10 @@ namespace strait
             bool meet = true;
             for (int meetings = 0; meet && meetings <= most_meetings; ++meetings)
               {
-                last_result =
-                  feedback.solve([&](const SlabField &assumed) { return round(assumed); },
-                                 largest_pressure,
-                                 goal);
+                last_result = feedback.solve(
+                  [&](const SlabField &assumed) { return round(assumed, goal.verdict); },
+                  largest_pressure,
+                  goal);
                 meet = on_wall.settle(*state.contact, fluid_flow, feedback.pressure()) &&
                        last_result.converged;
                 goal.goes_on = false;
@@ -203,8 +203,9 @@ namespace strait
         fluid.pressure = feedback.pressure();
       }
 
+      /** Without a fluid pressure if one @p verdict is wanted and the gap has another. */
       FeedbackRound
-      round(const SlabField &assumed)
+      round(const SlabField &assumed, const std::optional<bool> verdict)
       {
         if (on_wall.is_limited_by_load() && mean(assumed) >= control.target)
           throw LiftedOff();
@@ -219,10 +220,12 @@ namespace strait
                         1,
                         Timers::seconds_since(start)};
 
-        flow.follow(fluid_flow, state.contact->gap, control.slip_length, mesh_share);
-
         FeedbackRound result;
-        result.percolates     = fluid_flow.channel.percolates();
+        result.percolates =
+          flow.find_channel(fluid_flow, state.contact->gap, control.slip_length);
+        if (verdict && result.percolates != *verdict)
+          return result;
+        flow.follow(fluid_flow, mesh_share);
         result.leak_rate      = fluid_flow.leakage.upper;
         result.fluid_pressure = on_wall.pressure(*state.contact, fluid_flow, assumed);
         log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",

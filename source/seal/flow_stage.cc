@@ -135,23 +135,24 @@ namespace strait
            1.;
   }
 
-  void
-  FlowStage::follow(StepFlow        &flow,
-                    const SlabField &gap,
-                    const double     slip_length,
-                    const double     tolerance_factor)
+  bool
+  FlowStage::find_channel(StepFlow &flow, const SlabField &gap, const double slip_length)
   {
-    flow.seal              = seal.get();
-    flow.channel           = find_channel(gap, slip_length);
+    flow.seal    = seal.get();
+    flow.channel = find_channel(gap, slip_length);
+    flow.leakage = Leakage();
+    flow.solution.reset();
+    return flow.channel.percolates();
+  }
+
+  void
+  FlowStage::follow(StepFlow &flow, const double tolerance_factor)
+  {
     const Channel &channel = flow.channel;
     if (channel.paths.empty())
-      {
-        flow.leakage = Leakage();
-        flow.solution.reset();
-        return;
-      }
+      return;
     const auto is_still_narrow = [&]() {
-      const int    ix    = meshed_bottleneck.ix % gap.grid().nx;
+      const int    ix    = meshed_bottleneck.ix % channel.gap.grid().nx;
       const double there = fetch_rows(channel.gap, {meshed_bottleneck.iy})[ix];
       return there > 0. && there < another_gap * channel.paths.front().bottleneck_gap;
     };

@@ -62,16 +62,17 @@ namespace strait
      * many points each way or 2, 4 … times as many; −1 if the gap seals. Collective. */
     double change_to(const SlabField &gap, double slip_length, const StepFlow &flow);
 
+    /** Bring @p flow, which may be new, into another gap, where nothing is known of it
+     *  yet but whether a channel percolates, which is returned. Collective. */
+    bool find_channel(StepFlow &flow, const SlabField &gap, double slip_length);
+
     /**
-     * Bring @p flow, which may be new, up to date with a gap that differs a little
-     * from its own: verdict, pressure, and the upper bound of the leak rate, on the
-     * mesh that it has. Where the channel has opened or moved away from that mesh there
-     * is a new one, for @p tolerance_factor times the target accuracy. Collective.
+     * Find the flow through that channel, in a gap that differs a little from the one
+     * before: its pressure, and the upper bound of the leak rate, on the mesh that it
+     * has. Where the channel has opened or moved away from that mesh there is a new one,
+     * for @p tolerance_factor times the target accuracy. Collective.
      */
-    void follow(StepFlow        &flow,
-                const SlabField &gap,
-                double           slip_length,
-                double           tolerance_factor);
+    void follow(StepFlow &flow, double tolerance_factor);
 
     /**
      * Complete what follow() left out, the bracket of the leak rate, on the same mesh
