@@ -47,6 +47,7 @@ namespace strait
                  : nullptr)
         , feedback(scene.fluid.feedback, layout, share)
         , on_wall(scene, control, from)
+        , mesh_accuracy(mesh_share * scene.fluid.target_accuracy)
       {
         state.control = control;
         state.fluid.emplace();
@@ -73,8 +74,8 @@ namespace strait
       }
 
     private:
-      /** Contact and flow that agree to the accuracy of a verdict; roughly if the channel
-       * is open and @p open_is_enough. */
+      /** Contact and flow that agree to the accuracy of a verdict; roughly, on a rough
+       * mesh, if the channel is open and @p open_is_enough. */
       void
       settle(const bool open_is_enough, const std::optional<bool> verdict)
       {
@@ -88,6 +89,9 @@ namespace strait
                           std::numeric_limits<double>::infinity()};
         goal.once_open = open_is_enough ? looseness : 0.;
         goal.verdict   = verdict;
+        // The search for its re-sealing goes on from the state that has opened.
+        if (open_is_enough && !scene.programme.find_resealing)
+          mesh_accuracy = std::max(mesh_accuracy, looseness);
         agree(goal);
       }
 
@@ -225,7 +229,7 @@ namespace strait
           flow.find_channel(fluid_flow, state.contact->gap, control.slip_length);
         if (verdict && result.percolates != *verdict)
           return result;
-        flow.follow(fluid_flow, mesh_share);
+        flow.follow(fluid_flow, mesh_accuracy / flow.fluid().target_accuracy);
         result.leak_rate      = fluid_flow.leakage.upper;
         result.fluid_pressure = on_wall.pressure(*state.contact, fluid_flow, assumed);
         log.progress(format("  feedback: fluid load %.5g, leak rate %.5g",
@@ -266,6 +270,7 @@ namespace strait
       StepFlow            fluid_flow;
       WallFeedback        feedback;
       FluidOnWall         on_wall;
+      double              mesh_accuracy; // of the leak rate, on the first mesh
       FeedbackResult      last_result;
     };
   } // namespace
