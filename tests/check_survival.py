@@ -421,7 +421,9 @@ class Survival(unittest.TestCase):
                     options = ["--resume"]
                 self.run_to_end(scene, output, "--resume", status=None)
                 with open(os.path.join(output, "log.txt"), encoding="utf-8") as file:
-                    self.assertRegex(file.read(), "resumed after [0-9]+ solves of a search")
+                    log = file.read()
+                self.assertRegex(log, "resumed after [0-9]+ solves of a search")
+                self.assertNotIn("fit.py failed", log)
                 self.assert_same(self.path(name + "-reference"), output)
 
     def test_other_numbers_of_ranks(self):

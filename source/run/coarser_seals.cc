@@ -89,7 +89,7 @@ namespace strait
   CoarserSeals::CoarserSeal
   CoarserSeals::make(const ContactParameters &contact, const SlabField &heights)
   {
-    const SlabLayoutPtr        layout = heights.layout_pointer();
+    const SlabLayoutPtr       &layout = heights.layout_pointer();
     std::unique_ptr<FlowStage> flow;
     if (scene.fluid.feedback.enabled)
       flow = std::make_unique<FlowStage>(scene.fluid, layout, silent, timers);
@@ -123,7 +123,7 @@ namespace strait
       {
         if (seal->thresholds.empty())
           seal->thresholds = search(*seal, [&](SealSearch &own) {
-            const auto found = own.find_critical_loads(first);
+            auto found = own.find_critical_loads(first);
             if (scene.depends_on_path())
               seal->path.begin_after(own);
             else

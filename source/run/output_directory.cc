@@ -152,7 +152,7 @@ namespace strait
   {
     log.line(timers.summary());
     log.stage("tables and pictures");
-    if (scene.programme.find_threshold)
+    if (!thresholds.empty())
       run_on_root(comm, [&]() { fit_results(path, log); });
     RunRecord seconds = RunRecord::object();
     for (const Timers::Part &part : timers.table())

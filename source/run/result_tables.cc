@@ -40,16 +40,16 @@ namespace strait
         "Exponents of leak rate and throat against ε = 1 − L/L_c.",
         {"quantity: `leak_rate`, `throat_gap`, `throat_length` or `throat_width`",
          "slip_length [length]: d0",
-         "kind: `local`: the slope between neighbouring steps; `fit`: least squares "
-         "over the steps with `status` ok up to `Largest reduced load of fits`",
+         ("kind: `local`: the slope between neighbouring steps; `fit`: least squares "
+          "over the steps with `status` ok up to `Largest reduced load of fits`"),
          "from [1]: smallest ε of the steps",
          "to [1]: largest ε",
          "exponent [1]: β of quantity ∝ ε^β",
          "error [1]: standard error of the fit; 0 for two steps",
          "points [1]: number of steps",
-         "closing_law [1]: of a local exponent: what the law of closing says of it, with "
-         "its one constant fitted to those of the leak rate up to `Largest reduced load "
-         "of fits`; see [theory.md](theory.md)",
+         ("closing_law [1]: of a local exponent: what the law of closing says of it, with "
+          "its one constant fitted to those of the leak rate up to `Largest reduced load "
+          "of fits`; see [theory.md](theory.md)"),
          "status: `ok`, or the words of `status` in leakage.csv of all its steps"});
     }
 
@@ -62,13 +62,13 @@ namespace strait
         {"with the section `Realisations` and `Load programme/Find threshold`",
          scene.realisations.enabled() && scene.programme.find_threshold},
         "One row for each quantity.",
-        {"quantity: `critical_load`, the middle of its bracket, "
-         "`crossover_reduced_load`, ε_x, or a column of ensemble.csv",
+        {("quantity: `critical_load`, the middle of its bracket, "
+          "`crossover_reduced_load`, ε_x, or a column of ensemble.csv"),
          "mean [of the quantity]: over the realisations",
          "standard_deviation [of the quantity]: over the realisations; `nan` of one",
          "samples [1]: realisations for which the quantity is known",
-         "missing [1]: those for which it is not; `status` in ensemble.csv tells why, or "
-         "`Reduced loads` has too few steps for it"});
+         ("missing [1]: those for which it is not; `status` in ensemble.csv tells why, or "
+          "`Reduced loads` has too few steps for it")});
     }
 
     /** The leak rate of the whole seal, of the realisations. */
@@ -78,21 +78,21 @@ namespace strait
       return made_by_script(
         "seal.csv",
         {"with `Seal/Enabled`", scene.seal.enabled},
-        "The leak rate of the whole seal, one row for each load whose pressures over the "
-        "width are covered by those of the patches; see [seal.md](seal.md).",
+        ("The leak rate of the whole seal, one row for each load whose pressures over the "
+         "width are covered by those of the patches; see [seal.md](seal.md)."),
         {"pressure [pressure]: nominal, mean over the width",
          "leak_rate_median [of the column unit]: as likely exceeded as not",
          "leak_rate_5_percent [of the column unit]: exceeded with a probability of 95 %",
          "leak_rate_95_percent [of the column unit]: with one of 5 %",
-         "unit: of the leak rates: the first of `Output/Leak rate units`, or that of "
-         "the scene; empty if that states none",
+         ("unit: of the leak rates: the first of `Output/Leak rate units`, or that of "
+          "the scene; empty if that states none"),
          "sealed [1]: fraction of the seals that do not leak",
-         "scatter_patches [1]: standard deviation of ln Q that more patches would "
-         "reduce",
-         "scatter_arrangement [1]: the same between seals of this size and surface, "
-         "which nothing reduces",
-         "solution_error [1]: relative error of the patches' leak rates: "
-         "`leak_rate_error` where it is known, else the half width of the brackets"});
+         ("scatter_patches [1]: standard deviation of ln Q that more patches would "
+          "reduce"),
+         ("scatter_arrangement [1]: the same between seals of this size and surface, "
+          "which nothing reduces"),
+         ("solution_error [1]: relative error of the patches' leak rates: "
+          "`leak_rate_error` where it is known, else the half width of the brackets")});
     }
 
     /** The load for a wanted leak rate, likewise. */
@@ -103,14 +103,14 @@ namespace strait
         "seal_load.csv",
         {"with `Seal/Wanted leak rate`",
          scene.seal.enabled && scene.seal.wanted_leak_rate > 0.},
-        "The load at which the whole seal leaks as wanted; `nan` where it lies beyond "
-        "the loads of seal.csv.",
+        ("The load at which the whole seal leaks as wanted; `nan` where it lies beyond "
+         "the loads of seal.csv."),
         {"wanted_leak_rate [of the column unit]: `Seal/Wanted leak rate`",
          "unit: as in seal.csv",
          "load [pressure]: where the median is as wanted",
          "load_5_percent [pressure]: where the 5 % quantile is",
-         "load_95_percent [pressure]: where the 95 % quantile is: enough with a "
-         "probability of 95 %"});
+         ("load_95_percent [pressure]: where the 95 % quantile is: enough with a "
+          "probability of 95 %")});
     }
   } // namespace
 

@@ -51,9 +51,9 @@ namespace strait
     /** Take the state from @p search, which is over, if that is where the path begins. */
     void begin_after(SealSearch &search);
 
-    /** Collective; @p last is the state at the stop before, or null. @p control is that
-     * of
-     *  @p stop, or of a seal like this one that is as far from its critical load. */
+    /** The state at @p stop, from @p last, that at the stop before, or null. @p control
+     * is what @p stop prescribes; here it may be as far from another critical load.
+     *  Collective. */
     Arrival
     go_on(const LoadStop &stop, const Control &control, const SealState *last, Aim aim);
 
