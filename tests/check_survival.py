@@ -312,7 +312,8 @@ class Survival(unittest.TestCase):
 
     def test_stopped_while_yielding(self):
         # Every second point keeps indentations of its own.
-        self.stopped_and_resumed(YIELDING, [1, 4], more=["--set", "Output/Error budget=true"])
+        self.stopped_and_resumed(YIELDING + "subsection Output\n  set Error budget = true\nend\n",
+                                 [1, 4])
 
     def test_stopped_with_error_budget(self):
         self.stopped_and_resumed(WITH_ERRORS, [1], more=["--set", "Output/Surface spectrum=true"])
