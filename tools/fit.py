@@ -58,14 +58,14 @@ def samples_in(folder):
     steps = read_table(folder / "leakage.csv")
     steps = steps.rows(steps["reduced_load"] > 0)
     throats = read_table(folder / "constrictions.csv")
-    converged = is_trusted(steps["status"])
+    sound = is_trusted(steps["status"])
     place = {step: k for k, step in enumerate(throats["step"])}
     rows = [place.get(step) for step in steps["step"]]
-    values = {"leak_rate": np.where(converged, np.abs(steps["leak_rate"]), 0.)}
+    values = {"leak_rate": np.where(sound, np.abs(steps["leak_rate"]), 0.)}
     for name in ("gap", "length", "width"):
         values["throat_" + name] = np.array(
-            [throats[name][row] if row is not None and sound else 0.
-             for row, sound in zip(rows, converged)])
+            [throats[name][row] if row is not None and is_sound else 0.
+             for row, is_sound in zip(rows, sound)])
     if "theory_leak_rate" in steps:
         values["theory_leak_rate"] = np.abs(steps["theory_leak_rate"])
     return Table({"slip_length": steps.get("slip_length", np.zeros(steps.n_rows)),
