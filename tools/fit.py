@@ -15,7 +15,7 @@ import sys
 try:
     import numpy as np
 
-    from run_folder import is_trusted, nearest_slip, read_parameters, scene_in
+    from run_folder import is_trusted, nearest_slip, read_parameters, scene_in, write_table
     from strait_results import Table, read_table
     from strait_scaling import (EXPONENTIAL_DECAY, LEAK_RATE_EXPONENT, closing_constant,
                                 closing_law, crossover, decay_rate, fit_exponent, neighbours,
@@ -96,6 +96,12 @@ def local_slopes(samples, quantity):
              joined(samples["status"][[i, j]])) for i, j in neighbours(reduced)]
 
 
+def fit_up_to(largest, samples, quantity):
+    """The Fit to all rows without a doubt up to a reduced load, or None."""
+    rows = samples.rows(doubtless(samples, quantity) & within(samples["reduced_load"], (0, largest)))
+    return fit_exponent(rows["reduced_load"], rows[quantity])
+
+
 def middle(fit):
     """Of the window of a local exponent."""
     return np.sqrt(fit.start * fit.end)
@@ -113,9 +119,8 @@ def report(quantity, fit, slopes):
 
 def fits_of(samples, largest):
     """The rows of fit.csv; says what was fitted."""
-    window = (0, largest)
     trusted = samples.rows(doubtless(samples, "leak_rate") & (samples["slip_length"] == 0))
-    slopes = [fit for fit, _ in local_slopes(trusted, "leak_rate") if within(fit.end, window)]
+    slopes = [fit for fit, _ in local_slopes(trusted, "leak_rate") if within(fit.end, (0, largest))]
     constant = closing_constant(np.array([middle(fit) for fit in slopes]),
                                 np.array([fit.exponent for fit in slopes]))
     for slip_length in np.unique(samples["slip_length"]):
@@ -125,12 +130,11 @@ def fits_of(samples, largest):
                 law = getattr(closing_law(middle(fit), constant), member)
                 yield (quantity, slip_length, "local", *fit,
                        with_slip if slip_length < 0 else law, status)
-            trusted = of_slip.rows(doubtless(of_slip, quantity))
-            fitted = trusted.rows(within(trusted["reduced_load"], window))
-            fit = fit_exponent(fitted["reduced_load"], fitted[quantity])
+            fit = fit_up_to(largest, of_slip, quantity)
             if fit:
-                yield quantity, slip_length, "fit", *fit, np.nan, joined(fitted["status"])
-                report(quantity, fit, local_slopes(trusted, quantity))
+                yield quantity, slip_length, "fit", *fit, np.nan, "ok"
+                report(quantity, fit,
+                       local_slopes(of_slip.rows(doubtless(of_slip, quantity)), quantity))
 
 
 def suffice(result, samples, window, serves):
@@ -160,9 +164,7 @@ def summary_of(samples, largest, thresholds):
         is_enough, warning = suffice(name, samples, window, serves)
         words += [] if is_enough else [word]
         warnings += [warning] if warning else []
-    trusted = samples.rows(doubtless(samples, "leak_rate") &
-                           within(samples["reduced_load"], (0, largest)))
-    fit = fit_exponent(trusted["reduced_load"], trusted["leak_rate"])
+    fit = fit_up_to(largest, samples, "leak_rate")
     result["exponent"], result["exponent_error"] = (fit.exponent, fit.error) if fit else \
         (np.nan, np.nan)
     slip = samples["slip_length"].max(initial=-np.inf)
@@ -190,15 +192,8 @@ def entry(value):
 
 
 def write(path, header, rows):
-    """A table, whole or not at all."""
-    partial = path.with_suffix(".part")
-    try:
-        with open(partial, "w", newline="", encoding="utf-8") as file:
-            csv.writer(file, lineterminator="\n").writerows(
-                [header, *([entry(value) for value in row] for row in rows)])
-        partial.replace(path)
-    finally:
-        partial.unlink(missing_ok=True)
+    """A table of such entries."""
+    write_table(path, header, ([entry(value) for value in row] for row in rows))
 
 
 def fit_run(folder, largest):
@@ -211,9 +206,9 @@ def fit_run(folder, largest):
 
 def fit_realisation(row, folder, largest):
     """Fill in what fits say in a row of ensemble.csv; returns the crossover's reduced load."""
+    if row["status"] == "failed":
+        return np.nan
     path = folder / f"realisation-{row['realisation']}"
-    if not (path / "threshold.csv").exists():
-        return np.nan  # it failed
     found, words, _ = summary_of(samples_in(path), largest, read_table(path / "threshold.csv"))
     row.update({name: entry(found[name]) for name in found if name in row})
     status = row["status"].split("+")
@@ -262,7 +257,7 @@ def main(arguments=None):
     options = parser.parse_args(arguments)
     folder = options.folder
     try:
-        largest = options.largest if options.largest else largest_fitted(folder)
+        largest = largest_fitted(folder) if options.largest is None else options.largest
         (fit_ensemble if (folder / "ensemble.csv").exists() else fit_run)(folder, largest)
     except (OSError, KeyError, ValueError) as problem:
         print(f"fit.py: {folder} holds no results of a search for the threshold that can be "

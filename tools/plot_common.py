@@ -5,7 +5,7 @@ import json
 import matplotlib
 import numpy as np
 
-from run_folder import leak_rates
+from run_folder import leak_rates, replacing
 from strait_results import Run
 
 STYLE = {"font.size": 10, "xtick.labelsize": 9, "ytick.labelsize": 9, "legend.fontsize": 9,
@@ -24,13 +24,9 @@ def use_style():
 
 
 def save(figure, path):
-    """The picture of a figure, whole or not at all: a full disk leaves an earlier one as it is."""
-    partial = path.with_suffix(".part")
-    try:
+    """The picture of a figure."""
+    with replacing(path) as partial:
         figure.savefig(partial, format="png")
-        partial.replace(path)
-    finally:
-        partial.unlink(missing_ok=True)
 
 
 def with_unit(text, name, units):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What is where in the output folder of a run, or of several realisations, and what its rows are
 worth."""
+import contextlib
+import csv
 import re
 
 import numpy as np
@@ -10,20 +12,23 @@ from strait_results import read_table
 UNCERTAIN = ("unresolved-throat", "uncertain-threshold", "inaccurate")
 
 
+def _is_made_of(status, words):
+    return np.array([set(text.split("+")) <= set(words) for text in status], bool)
+
+
 def is_uncertain(status):
     """Where every word of a status, joined by +, is a doubt about a converged result."""
-    return np.array([set(text.split("+")) <= set(UNCERTAIN) for text in status], bool)
+    return _is_made_of(status, UNCERTAIN)
 
 
 def is_trusted(status):
     """Where nothing failed, doubts or not."""
-    return np.isin(status, ["ok", ""]) | is_uncertain(status)
+    return _is_made_of(status, ("ok", "", *UNCERTAIN))
 
 
 def has_bounds(status):
     """Where the leak rate has bounds that hold, be they wider than was asked."""
-    sound = {"ok", "", "flow-accuracy", *UNCERTAIN}
-    return np.array([set(text.split("+")) <= sound for text in status], bool)
+    return _is_made_of(status, ("ok", "", "flow-accuracy", *UNCERTAIN))
 
 
 def leak_rates(columns):
@@ -82,3 +87,21 @@ def read_parameters(scene):
             name, _, value = rest.partition("=")
             values["/".join([*section, name.strip()])] = value.strip()
     return values
+
+
+@contextlib.contextmanager
+def replacing(path):
+    """A path to write to, which takes the place of a file, whole or not at all: a full disk leaves
+    an earlier one as it is."""
+    partial = path.with_suffix(".part")
+    try:
+        yield partial
+        partial.replace(path)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def write_table(path, header, rows):
+    """A table, whose columns doc/results.md defines."""
+    with replacing(path) as partial, open(partial, "w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows([header, *rows])

@@ -6,7 +6,6 @@ Reads parameters.prm and the folders of the realisations; see doc/seal.md. Exit 
 sentence where something is missing.
 """
 import argparse
-import csv
 import math
 import pathlib
 import sys
@@ -16,7 +15,7 @@ try:
 
     from report_results import relative_errors
     from run_folder import (at_load, has_bounds, leak_rates, nearest_slip, read_parameters,
-                            realisations, scene_in)
+                            realisations, scene_in, write_table)
     from seal_network import Band, at_loads, matrix_bytes
     from seal_scene import Seal, box_of
     from strait_results import Run
@@ -261,19 +260,13 @@ def doubts(seal, patches):
                 "Output/Error budget = true estimates it"))
 
 
-def write(path, header, rows):
-    """A table, whose columns doc/results.md defines."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        csv.writer(file, lineterminator="\n").writerows([header, *rows])
-
-
 def assess(folder):
     """Write the tables and say what they mean."""
     seal = seal_of(scene_in(folder))
     patches = Patches(folder, seal)
     loads = seal.rows()
     bands = list(bands_of(seal, patches, loads))
-    write(folder / "seal.csv",
+    write_table(folder / "seal.csv",
           ("pressure", "leak_rate_median", "leak_rate_5_percent", "leak_rate_95_percent", "unit",
            "sealed", "scatter_patches", "scatter_arrangement", "solution_error"),
           [(load, band.median, band.lower, band.upper, patches.unit, band.sealed, band.patches,
@@ -288,7 +281,7 @@ def assess(folder):
     (folder / "seal_load.csv").unlink(missing_ok=True)  # of another wanted leak rate
     if seal.wanted > 0:
         found = loads_for(seal, patches, loads, bands)
-        write(folder / "seal_load.csv",
+        write_table(folder / "seal_load.csv",
               ("wanted_leak_rate", "unit", "load", "load_5_percent", "load_95_percent"),
               [(seal.wanted, patches.unit, *found)])
         print(f"  {seal.wanted:.4g} {unit}: under {found[0]:.4g}{load_unit}, 90 % between "

@@ -51,9 +51,8 @@ namespace strait
     /** Take the state from @p search, which is over, if that is where the path begins. */
     void begin_after(SealSearch &search);
 
-    /** The state at @p stop, from @p last, that at the stop before, or null. @p control
-     * is what @p stop prescribes; here it may be as far from another critical load.
-     *  Collective. */
+    /** Follow the path to @p stop from @p last, the state at the stop before, or null.
+     *  Companions on fewer points have a @p control of their own there. Collective. */
     Arrival
     go_on(const LoadStop &stop, const Control &control, const SealState *last, Aim aim);
 
