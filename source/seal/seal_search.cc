@@ -55,10 +55,12 @@ namespace strait
           }
         const std::size_t begin = next;
         const Passage passage = enclose(*search, first, -2. * slip_length, side_of_path);
-        Transition   &found   = result.emplace_back(between(*search, passage, begin));
-        found.slip_length     = slip_length;
+        double        unknown_within = std::nan("");
         if (!scene.depends_on_path())
-          found.grid_error = search->unresolved_distance(passage, -2. * slip_length);
+          unknown_within = search->unresolved_distance(passage, -2. * slip_length);
+        Transition &found = result.emplace_back(between(*search, passage, begin));
+        found.slip_length = slip_length;
+        found.grid_error  = unknown_within;
         log.line(
           format("threshold%s: critical load between %.10g and %.10g, contact "
                  "%.3f %% (%d contact solves, %ld FFT pairs)",

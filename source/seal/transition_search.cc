@@ -209,24 +209,35 @@ namespace strait
   }
 
   double
-  TransitionSearch::unresolved_distance(const Passage &transition,
-                                        const double   level) const
+  TransitionSearch::unresolved_distance(const Passage &transition, const double level)
   {
-    const double middle  = .5 * (transition.before + transition.beyond);
-    double       nearest = std::numeric_limits<double>::infinity(), result = unknown;
-    for (const auto &[value, probe] : asked)
-      {
-        if (!(probe.openness > std::max(level, 0.) && value < middle))
-          continue;
-        const double points = probe.points * std::sqrt(1. - level / probe.openness);
-        const double change = std::pow(.5 / points, 2. / power_of_gap);
-        if (const double far = std::abs(std::log(change)); far < nearest)
-          {
-            nearest = far;
-            result  = (1. - value / middle) * change;
-          }
-      }
-    return result;
+    // Spacings along a throat of which the grid knows where it closes.
+    constexpr double resolved  = .5;
+    const double     middle    = .5 * (transition.before + transition.beyond);
+    const auto       points_at = [&](const Probe &probe) {
+      return probe.openness > std::max(level, 0.)
+                     ? probe.points * std::sqrt(1. - level / probe.openness)
+                     : 0.;
+    };
+    // Those nearer to the transition open as the points lie, and not by the law.
+    const auto last_resolved = [&]() {
+      auto last = asked.end();
+      for (auto probe = asked.begin(); probe != asked.end() && probe->first < middle;
+           ++probe)
+        if (points_at(probe->second) >= resolved)
+          last = probe;
+      return last;
+    };
+    const bool has_throat = points_at(at(transition.before)) > 0.;
+    for (double distance = 2. * tolerance;
+         has_throat && last_resolved() == asked.end() && distance < 1.;
+         distance *= 2.)
+      ask_at((1. - distance) * middle);
+    const auto last = last_resolved();
+    if (last == asked.end())
+      return unknown;
+    return (1. - last->first / middle) *
+           std::pow(resolved / points_at(last->second), 2. / power_of_gap);
   }
 
   std::optional<Passage>

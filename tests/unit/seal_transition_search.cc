@@ -66,6 +66,46 @@ namespace strait
       EXPECT_LT(n_near, n_far);
     }
 
+    /** The same on points of which @p per_root lie along a throat of an openness of 1;
+     * one shorter than half a spacing opens as they lie. */
+    TransitionSearch::Ask
+    constriction_on_points(const double critical, const double per_root, int &n_probes)
+    {
+      return [=, &n_probes](const double load) {
+        Probe result  = constriction(critical, n_probes)(load);
+        result.points = per_root * std::sqrt(std::max(result.openness, 0.));
+        if (result.points < .5)
+          result.points *= result.points / .5;
+        return result;
+      };
+    }
+
+    TEST(TransitionSearch, WhatPointsResolveDoesNotHangOnTheWay)
+    {
+      // Where 8 √(0.8 ε^1.16) is a half.
+      const double expected = std::pow(std::pow(.5 / 8., 2) / .8, 1. / of_gap);
+      const auto   within   = [](const SearchStart first, const double level) {
+        int              n_probes = 0;
+        TransitionSearch search(constriction_on_points(1.436, 8., n_probes), 1e-5);
+        const Passage    found = search.enclose(first, level);
+        const int        n     = n_probes;
+        const double     far   = search.unresolved_distance(found, level);
+        EXPECT_LE(n_probes, n + 12);
+        return far;
+      };
+      // From far away, and with all answers next to it.
+      for (const SearchStart first : {SearchStart{1.25}, {1.6}, {1.43605, 3e-5}})
+        EXPECT_NEAR(within(first, 0.) / expected, 1., .1); // the law is not quite this
+
+      // Nothing is known of a throat without points.
+      int              n_probes = 0;
+      TransitionSearch search(constriction(1.436, n_probes), 1e-5);
+      const Passage    found = search.enclose({1.25}, 0.);
+      const int        n     = n_probes;
+      EXPECT_TRUE(std::isnan(search.unresolved_distance(found, 0.)));
+      EXPECT_EQ(n_probes, n);
+    }
+
     TEST(TransitionSearch, ReachesHighAccuracy)
     {
       int              n_probes = 0;
