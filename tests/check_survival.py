@@ -322,6 +322,11 @@ class Survival(unittest.TestCase):
     def test_stopped_with_zoom(self):
         self.stopped_and_resumed(ZOOMED, [1, 2])
 
+    def test_stopped_with_zoom_and_feedback(self):
+        zoom = ZOOMED[ZOOMED.index("subsection Contact\n  subsection Zoom"):]
+        zoom = zoom[:zoom.index("subsection Load programme")]
+        self.stopped_and_resumed(COUPLED.replace("0.02", "0.01") + zoom, [1, 2])
+
     def test_stopped_with_zoom_and_threshold(self):
         self.stopped_and_resumed(COUNTED, [1])
 

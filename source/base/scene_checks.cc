@@ -208,9 +208,10 @@ namespace strait
         !scene.contact.adhesion.enabled,
         "solves for the pressure, which does not determine the state of a contact "
         "with adhesion; switch Contact/Adhesion off.");
-      require_here(!scene.fluid.feedback.enabled,
-                   "needs the pressure of the fluid on the finer points as well, which "
-                   "Fluid/Wall feedback knows on the contact grid only; switch it off.");
+      require_here(
+        !scene.fluid.feedback.enabled || !scene.fluid.feedback.keeps_trapped_fluid(),
+        "has windows that come and go, and pools of trapped fluid are known on the points "
+        "where they formed; set Fluid/Wall feedback/Trapped fluid = drained.");
       require_here(
         scene.fluid.mesh_file.empty(),
         "follows the flow through the box and not through Fluid/Mesh; remove one "

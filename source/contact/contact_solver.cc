@@ -68,15 +68,16 @@ namespace strait
     const bool   is_next =
       from != nullptr && std::abs(of_solid - before) / before <= longest_step;
     // Windows around the throats of a load far away are no help.
-    const SlabLayoutPtr &layout =
-      is_next ? from->pressure.layout_pointer() : wall.heights.layout_pointer();
+    const SlabLayoutPtr &layout = !is_dry   ? fluid_pressure->layout_pointer()
+                                  : is_next ? from->pressure.layout_pointer()
+                                            : wall.heights.layout_pointer();
 
     std::optional<SlabField> start;
     if (is_next)
       start = foretell(*from, of_solid, is_dry);
     SlabField    pressure = start ? std::move(*start) : start_without(layout, of_solid);
     SlabField    gap(layout);
-    DualProblem &contact = problem_on(layout);
+    DualProblem &contact = problem_on(layout, fluid_pressure);
     const double residual =
       digits == Digits::all ? parameters.tolerance : std::sqrt(parameters.tolerance);
     const long            n_before = contact.n_applications();
@@ -159,9 +160,11 @@ namespace strait
     return max_value(start) > 0 ? std::move(start) : cold_start(fine_heights, target);
   }
 
-  /** The problem on the grid, or with the windows of @p layout as well. Collective. */
+  /** The problem on the grid, or with the windows of @p layout as well, where a fluid of
+   *  the pressure @p fluid_pressure, unless that is null, displaces the half-space.
+   *  Collective. */
   DualProblem &
-  ContactSolver::problem_on(const SlabLayoutPtr &layout)
+  ContactSolver::problem_on(const SlabLayoutPtr &layout, const SlabField *fluid_pressure)
   {
     if (layout->windows().empty())
       {
@@ -173,11 +176,22 @@ namespace strait
       {
         zoomed.reset(); // before the next one needs its memory
         zoomed_heights = SlabField(layout);
-        std::copy(wall.heights.begin(), wall.heights.end(), zoomed_heights.begin());
+        std::copy(wall.at_rest().begin(), wall.at_rest().end(), zoomed_heights.begin());
         fill_windows(zoomed_heights);
+        zoomed_at_rest = SlabField();
         zoomed =
           std::make_unique<ZoomedProblem>(zoomed_heights, parameters.effective_modulus);
       }
+    if (fluid_pressure != nullptr)
+      {
+        if (zoomed_at_rest.empty())
+          zoomed_at_rest = zoomed_heights;
+        zoomed->displace(*fluid_pressure, zoomed_heights.data());
+        for (std::size_t i = 0; i < zoomed_heights.size(); ++i)
+          zoomed_heights[i] = zoomed_at_rest[i] - zoomed_heights[i];
+      }
+    else if (!zoomed_at_rest.empty())
+      std::copy(zoomed_at_rest.begin(), zoomed_at_rest.end(), zoomed_heights.begin());
     return *zoomed;
   }
 

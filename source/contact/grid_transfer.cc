@@ -46,6 +46,28 @@ namespace strait
         }
       return -1;
     }
+
+    /** @p field with @p windows in place of its own: those that are known are kept, the
+     *  others filled by @p fill(result, window) from their parents. Collective. */
+    template <class Fill>
+    SlabField
+    with_new_windows(const SlabField        &field,
+                     std::vector<ZoomWindow> windows,
+                     const Fill             &fill)
+    {
+      const SlabLayout   &old    = field.layout();
+      const SlabLayoutPtr layout = with_windows(old, std::move(windows));
+      SlabField           result(layout);
+      std::copy_n(field.begin(), layout->n_local_points(), result.begin());
+      for (int w = 0; w < static_cast<int>(layout->windows().size()); ++w)
+        if (const int known = find_window(old, *layout, w); known >= 0)
+          std::copy(field.data() + old.start_of_window(known),
+                    field.data() + old.start_of_window(known + 1),
+                    result.data() + layout->start_of_window(w));
+        else
+          fill(result, w);
+      return result;
+    }
   } // namespace
 
   bool
@@ -105,17 +127,48 @@ namespace strait
   SlabField
   zoom_in(const SlabField &pressure, std::vector<ZoomWindow> windows)
   {
-    const SlabLayout   &old    = pressure.layout();
-    const SlabLayoutPtr layout = with_windows(old, std::move(windows));
-    SlabField           result(layout);
-    std::copy_n(pressure.begin(), layout->n_local_points(), result.begin());
-    for (int w = 0; w < static_cast<int>(layout->windows().size()); ++w)
-      if (const int known = find_window(old, *layout, w); known >= 0)
-        std::copy(pressure.data() + old.start_of_window(known),
-                  pressure.data() + old.start_of_window(known + 1),
-                  result.data() + layout->start_of_window(w));
-      else
-        fill_from_parent(result, w);
-    return result;
+    return with_new_windows(pressure, std::move(windows), fill_from_parent);
+  }
+
+  SlabField
+  zoom_in_linearly(const SlabField &field, std::vector<ZoomWindow> windows)
+  {
+    return with_new_windows(field,
+                            std::move(windows),
+                            [](SlabField &result, const int w) {
+                              const std::vector<double> around = around_window(result, w);
+                              const int nx = result.layout().windows()[w].n_columns();
+                              const int ny = result.layout().windows()[w].n_rows();
+                              double   *row =
+                                result.data() + result.layout().start_of_window(w);
+                              for (int iy = 1; iy <= ny; ++iy, row += nx)
+                                std::copy_n(around.data() + iy * (nx + 2) + 1, nx, row);
+                            });
+  }
+
+  std::vector<double>
+  around_window(const SlabField &field, const int w)
+  {
+    const ZoomWindow            &window = field.layout().windows()[w];
+    const WindowTransfer<double> transfer(window);
+    const std::vector<double> patch = transfer.patch_of(field.layout(), w, field.data());
+    // Of a column or row of the window, where that before it is on the patch, and how far
+    // behind that it is itself.
+    const auto place = [](const int fine) {
+      constexpr int shift = 3 * ZoomWindow::margin - 1; // above 0 for all of them
+      return std::pair((fine + shift) / 3, (fine + shift) % 3 / 3.);
+    };
+    std::vector<double> around;
+    for (int iy = -1; iy <= window.n_rows(); ++iy)
+      for (int ix = -1; ix <= window.n_columns(); ++ix)
+        {
+          const auto [column, s] = place(ix);
+          const auto [row, t]    = place(iy);
+          const double *here     = patch.data() + row * transfer.patch_columns() + column;
+          const double *above    = here + transfer.patch_columns();
+          around.push_back((1. - t) * ((1. - s) * here[0] + s * here[1]) +
+                           t * ((1. - s) * above[0] + s * above[1]));
+        }
+    return around;
   }
 } // namespace strait

@@ -105,12 +105,40 @@ namespace strait
   ZoomedOperator<Number>::apply(Number *values)
   {
     clear_covered(values);
+    respond(values);
+    clear_covered(values);
+  }
+
+  template <class Number>
+  void
+  ZoomedOperator<Number>::apply_to_continuous(Number *values)
+  {
+    std::vector<Number> coarse;
+    for (std::size_t w = windows.size(); w-- > 0;)
+      {
+        Window &window = *windows[w];
+        Number *own    = values + layout().start_of_window(window.number);
+        coarse.resize(layout().start_of_window(window.number + 1) -
+                      layout().start_of_window(window.number));
+        window.transfer.interpolate(
+          window.transfer.patch_of(layout(), window.number, values), coarse.data());
+        for (std::size_t k = 0; k < coarse.size(); ++k)
+          own[k] -= coarse[k];
+      }
+    respond(values);
+  }
+
+  /** What the pressures of all points make together, of which each is known where it is
+   *  not 0. */
+  template <class Number>
+  void
+  ZoomedOperator<Number>::respond(Number *values)
+  {
     gather_from_windows(values);
     grid_transform.multiply(values,
                             values,
                             wave_compliance<Number>(layout().grid(), modulus));
     spread_to_windows(values);
-    clear_covered(values);
   }
 
   template <class Number>
@@ -193,6 +221,14 @@ namespace strait
     const double work = act(exact, pressure, displacement);
     exact.release();
     return work;
+  }
+
+  void
+  ZoomedProblem::displace(const SlabField &pressure, double *displacement)
+  {
+    std::copy(pressure.begin(), pressure.end(), displacement);
+    exact.apply_to_continuous(displacement);
+    exact.release();
   }
 
   double

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/collective.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/flow/solution_on_grid.h>
 
@@ -183,22 +184,31 @@ namespace strait
   SlabField
   potential_on_grid(const ReynoldsSolver &solver, const SlabLayoutPtr &layout)
   {
-    const PotentialProblem            &pressure = solver.pressure();
-    const FiniteElement<2>            &fe       = pressure.dof_handler().get_fe();
-    const PointRows                    points   = rows_of_grid(layout->grid(), 1);
+    const PotentialProblem &pressure = solver.pressure();
+    const FiniteElement<2> &fe       = pressure.dof_handler().get_fe();
+    std::vector<double>     values;
+    // Call add(point, potential) for those of some rows of points that this rank's cells
+    // have.
+    const auto for_each_of = [&](const PointRows &points, const auto &add) {
+      for (std::size_t c = 0; c < pressure.cells().size(); ++c)
+        {
+          pressure.cell_values(c, values);
+          for (const PointInCell &p :
+               points_in_cell(solver.mesh(), *pressure.cells()[c], points))
+            {
+              double potential = 0.;
+              for (unsigned int i = 0; i < values.size(); ++i)
+                potential += values[i] * fe.shape_value(i, {p.s, p.t});
+              add(p, potential);
+            }
+        }
+    };
     std::map<int, std::vector<double>> rows; // that this rank's cells touch
-    std::vector<double>                values;
-    for (std::size_t c = 0; c < pressure.cells().size(); ++c)
-      {
-        pressure.cell_values(c, values);
-        for (const PointInCell &p :
-             points_in_cell(solver.mesh(), *pressure.cells()[c], points))
-          {
-            auto &row = rows.try_emplace(p.iy, layout->grid().nx).first->second;
-            for (unsigned int i = 0; i < values.size(); ++i)
-              row[p.ix] += values[i] * fe.shape_value(i, {p.s, p.t});
-          }
-      }
+    for_each_of(rows_of_grid(layout->grid(), 1),
+                [&](const PointInCell &p, const double potential) {
+                  rows.try_emplace(p.iy, layout->grid().nx).first->second[p.ix] +=
+                    potential;
+                });
     std::vector<int>    touched;
     std::vector<double> lines;
     for (const auto &[row, line] : rows)
@@ -208,6 +218,14 @@ namespace strait
       }
     SlabField result(layout);
     add_rows(*layout, touched, lines, result.data());
+    for (int w = 0; w < static_cast<int>(layout->windows().size()); ++w)
+      for_each_of(rows_of_window(*layout, w),
+                  [&](const PointInCell &p, const double potential) {
+                    result[layout->index_of({p.ix, p.iy, w})] += potential;
+                  });
+    sum_in_place(layout->communicator(),
+                 result.data() + layout->n_local_points(),
+                 result.size() - layout->n_local_points());
     return result;
   }
 

@@ -55,13 +55,12 @@ namespace strait
   leak_through(const SealState &state, const Scene &scene, FlowStage &flow)
   {
     const double accuracy = scene.fluid.target_accuracy;
-    StepFlow     result =
-      state.fluid && state.fluid->lifted_off
-            ? unlimited_flow(state.gap().size())
-            : flow.solve(state.gap(),
-                     state.control.slip_length,
-                     scene.contact.zoom.enabled ? share_of_mesh
-                                                    : share_of_bracket(state, accuracy));
+    StepFlow     result   = state.fluid && state.fluid->lifted_off
+                              ? unlimited_flow(state.gap().size())
+                              : flow.solve(state.gap(),
+                                     state.control.slip_length,
+                                     share_of_bracket(state, accuracy) *
+                                       (scene.contact.zoom.enabled ? share_of_mesh : 1.));
     if (state.fluid && result.solution)
       allow_for_feedback(result.leakage, *state.fluid, accuracy);
     flow.warn_of_width(result.leakage);

@@ -50,10 +50,10 @@ namespace strait
     for (Transition &threshold : done.thresholds)
       {
         done.converged = done.converged && threshold.converged;
-        if (scene.contact.zoom.enabled)
-          threshold.grid_error += coarser.error_of(threshold);
-        else if (scene.depends_on_path())
+        if (scene.depends_on_path())
           threshold.grid_error = coarser.error_of(threshold);
+        else if (scene.contact.zoom.enabled)
+          threshold.grid_error += coarser.error_of(threshold);
         if (!std::isnan(threshold.grid_error))
           log.line(format("finer points may have the critical load %.2g %% from there",
                           100. * threshold.grid_error));

@@ -38,7 +38,7 @@ namespace strait
                const double         share)
         : scene(scene_)
         , contact(contact_)
-        , layout(layout_)
+        , layout(from != nullptr ? from->contact->pressure.layout_pointer() : layout_)
         , flow(flow_)
         , log(log_)
         , control(control_)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/collective.h>
 #include <strait/seal/fixed_point.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -11,8 +10,8 @@
 
 namespace strait
 {
-  FixedPoint::FixedPoint(MPI_Comm comm_, const int history_, const double relaxation_)
-    : comm(comm_)
+  FixedPoint::FixedPoint(Product product_, const int history_, const double relaxation_)
+    : product(std::move(product_))
     , history(history_)
     , relaxation(relaxation_)
     , share(relaxation)
@@ -84,17 +83,16 @@ namespace strait
     for (std::size_t i = 0; i < m; ++i)
       {
         for (std::size_t j = 0; j <= i; ++j)
-          A(i, j) = A(j, i) =
-            product(comm, differences[i].residual, differences[j].residual);
-        b(i) = product(comm, differences[i].residual, last_residual);
+          A(i, j) = A(j, i) = product(differences[i].residual, differences[j].residual);
+        b(i) = product(differences[i].residual, last_residual);
       }
     // Rounds that say almost the same as others must not fight each other.
     A.compute_inverse_svd(std::numeric_limits<float>::epsilon());
     A.vmult(weights, b);
-    double along_residual = share * product(comm, last_residual, last_residual);
+    double along_residual = share * product(last_residual, last_residual);
     for (std::size_t i = 0; i < m; ++i)
       along_residual -=
-        weights(i) * (product(comm, differences[i].x, last_residual) + share * b(i));
+        weights(i) * (product(differences[i].x, last_residual) + share * b(i));
     if (along_residual <= 0.)
       return {};
     return {weights.begin(), weights.end()};
@@ -103,8 +101,8 @@ namespace strait
   bool
   FixedPoint::turns_round() const
   {
-    return product(comm, last_residual, last_residual) <
-           product(comm, last_residual, differences.back().residual);
+    return product(last_residual, last_residual) <
+           product(last_residual, differences.back().residual);
   }
 
   void

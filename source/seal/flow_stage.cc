@@ -152,8 +152,11 @@ namespace strait
     if (channel.paths.empty())
       return;
     const auto is_still_narrow = [&]() {
-      const int    ix    = meshed_bottleneck.ix % channel.gap.grid().nx;
-      const double there = fetch_rows(channel.gap, {meshed_bottleneck.iy})[ix];
+      const GridPoint  &at     = meshed_bottleneck;
+      const SlabLayout &layout = channel.gap.layout();
+      const double      there  = at.window < 0
+                                   ? fetch_rows(channel.gap, {at.iy})[at.ix % layout.grid().nx]
+                                   : channel.gap[layout.index_of(at)];
       return there > 0. && there < another_gap * channel.paths.front().bottleneck_gap;
     };
     if (!flow.followed || !is_still_narrow())

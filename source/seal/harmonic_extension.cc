@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/contact/grid_transfer.h>
 #include <strait/seal/fluid_on_wall.h>
+#include <strait/spectral/fill_windows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +11,23 @@ namespace strait
 {
   namespace
   {
-    /** The equations of the points at which the pressure is sought. */
+    /** Where on a grid the pressure is known, whatever the gap is there. */
+    struct KnownLines
+    {
+      FlowDirection direction;
+      int           seam;    // the column or row that is inlet and outlet; −1: none
+      bool          has_rim; // the outermost points are known as well
+    };
+
+    /** The equations of the points at which the pressure is sought, on a grid without
+     *  windows. */
     class ExtensionProblem
     {
     public:
-      ExtensionProblem(const SlabField &flow_gap, const FlowDirection direction_)
+      ExtensionProblem(const SlabField &flow_gap, const KnownLines &lines_)
         : spring(flow_gap.size())
         , layout(flow_gap.layout())
-        , direction(direction_)
+        , lines(lines_)
         , weight_x(layout.grid().dy() / layout.grid().dx())
         , weight_y(layout.grid().dx() / layout.grid().dy())
         , share(flow_gap.size())
@@ -39,7 +50,7 @@ namespace strait
               const double ratio =
                 largest > 0 ? 2. * std::max(flow_gap[k], 0.) / largest : 0.;
               const double sides = weight_x + weight_y;
-              spring[k]          = ratio < 1 && !is_on_seam(ix, row)
+              spring[k]          = ratio < 1 && !is_on_line(ix, row)
                                      ? sides * ratio * ratio / (1. - ratio)
                                      : std::numeric_limits<double>::infinity();
               share[k]           = over_relaxation / (2. * sides + spring[k]);
@@ -51,8 +62,19 @@ namespace strait
       bool
       is_on_seam(const int ix, const int local_row) const
       {
-        return direction == FlowDirection::x ? ix == 0
-                                             : layout.first_row() + local_row == 0;
+        return (lines.direction == FlowDirection::x
+                  ? ix
+                  : layout.first_row() + local_row) == lines.seam;
+      }
+
+      bool
+      is_on_line(const int ix, const int local_row) const
+      {
+        const PeriodicGrid &grid = layout.grid();
+        const int           iy   = layout.first_row() + local_row;
+        return is_on_seam(ix, local_row) ||
+               (lines.has_rim &&
+                (ix == 0 || iy == 0 || ix == grid.nx - 1 || iy == grid.ny - 1));
       }
 
       /** −Laplacian times dx·dy, and the springs' pull towards 0, where the pressure is
@@ -66,23 +88,26 @@ namespace strait
       {
         const int        nx = layout.grid().nx, ny = layout.grid().ny;
         const int        begin = layout.first_row(), n_rows = layout.n_rows();
-        const bool       along_x = direction == FlowDirection::x;
+        const bool       along_x = lines.direction == FlowDirection::x;
         const RowsAround rows(values);
         auto             k = points.begin();
         for (int row = 0; row < n_rows; ++row)
           {
             const double *here = rows[row], *below = rows[row - 1],
-                         *above = rows[row + 1];
-            const int iy        = begin + row;
+                         *above   = rows[row + 1];
+            const int  iy         = begin + row;
+            const bool after_seam = !along_x && (iy == 0 ? ny - 1 : iy - 1) == lines.seam;
+            const bool before_seam =
+              !along_x && (iy == ny - 1 ? 0 : iy + 1) == lines.seam;
             for (; k != points.end() && *k < (row + 1) * nx; ++k)
               {
-                const int    ix = *k - row * nx;
-                const double left =
-                  along_x && ix == 1 ? inlet : here[ix == 0 ? nx - 1 : ix - 1];
-                const double right =
-                  along_x && ix == nx - 1 ? outlet : here[ix == nx - 1 ? 0 : ix + 1];
-                const double lower = !along_x && iy == 1 ? inlet : below[ix];
-                const double upper = !along_x && iy == ny - 1 ? outlet : above[ix];
+                const int    ix    = *k - row * nx;
+                const int    west  = ix == 0 ? nx - 1 : ix - 1;
+                const int    east  = ix == nx - 1 ? 0 : ix + 1;
+                const double left  = along_x && west == lines.seam ? inlet : here[west];
+                const double right = along_x && east == lines.seam ? outlet : here[east];
+                const double lower = after_seam ? inlet : below[ix];
+                const double upper = before_seam ? outlet : above[ix];
                 result[*k]         = spring[*k] * here[ix] +
                              weight_x * (2. * here[ix] - left - right) +
                              weight_y * (2. * here[ix] - lower - upper);
@@ -118,13 +143,124 @@ namespace strait
       std::vector<int> points; // at which it is sought, ascending
 
     private:
-      const SlabLayout   &layout;
-      const FlowDirection direction;
-      const double        weight_x, weight_y; // dy/dx and dx/dy
+      const SlabLayout &layout;
+      const KnownLines  lines;
+      const double      weight_x, weight_y; // dy/dx and dx/dy
 
       // How much of its own equation's residual a point takes.
       std::vector<double> share;
     };
+
+    /** extend_under_contact() on a grid without windows, where @p lines are known. */
+    int
+    extend(SlabField        &pressure,
+           const SlabField  &flow_gap,
+           const KnownLines &lines,
+           const double      inlet_pressure,
+           const double      outlet_pressure)
+    {
+      // Of the boundary values' own residual, in the norm of the preconditioner: as
+      // exactly as FixedPoint remembers the pressures of earlier rounds.
+      constexpr double tolerance = std::numeric_limits<float>::epsilon();
+      // It only ends what would go on for ever: half of it would be enough where the
+      // preconditioner works, double of it fails later.
+      constexpr int          max_iterations = 1000;
+      const SlabLayoutPtr    layout         = pressure.layout_pointer();
+      const ExtensionProblem problem(flow_gap, lines);
+
+      // Boundary values and springs alone, which are the right-hand side.
+      SlabField boundary_values(layout), load(layout);
+      for (int row = 0, k = 0; row < layout->n_rows(); ++row)
+        for (int ix = 0; ix < layout->grid().nx; ++ix, ++k)
+          {
+            if (problem.is_on_seam(ix, row))
+              pressure[k] = .5 * (inlet_pressure + outlet_pressure);
+            if (std::isinf(problem.spring[k]))
+              boundary_values[k] = pressure[k];
+            else
+              load[k] = problem.spring[k] * pressure[k];
+          }
+
+      SlabField  r(layout), z(layout), t(layout), q(layout);
+      const auto precondition = [&]() {
+        problem.precondition(r, z);
+        return product(r, z);
+      };
+      problem.apply(boundary_values, inlet_pressure, outlet_pressure, r);
+      for (const int k : problem.points)
+        r[k] -= load[k];
+      const double enough = tolerance * tolerance * precondition();
+      if (!(enough > 0))
+        {
+          // No pressure anywhere at the edge of the contact, hence none under it.
+          pressure = boundary_values;
+          return 0;
+        }
+      problem.apply(pressure, inlet_pressure, outlet_pressure, r);
+      for (const int k : problem.points)
+        r[k] = load[k] - r[k];
+
+      double r_z       = precondition();
+      double beta      = 0.;
+      int    iteration = 0;
+      while (r_z > enough && iteration < max_iterations)
+        {
+          for (const int k : problem.points)
+            t[k] = z[k] + beta * t[k];
+          problem.apply(t, 0., 0., q);
+          const double alpha = r_z / product(t, q);
+          for (const int k : problem.points)
+            {
+              pressure[k] += alpha * t[k];
+              r[k] -= alpha * q[k];
+            }
+          const double before = r_z;
+          r_z                 = precondition();
+          beta                = r_z / before;
+          ++iteration;
+        }
+      return iteration;
+    }
+
+    /** The same in window @p w, between the pressures around it on its parent, which are
+     *  known. Collective if that is the grid. */
+    int
+    extend_in_window(SlabField          &pressure,
+                     const SlabField    &flow_gap,
+                     const int           w,
+                     const FlowDirection direction,
+                     const double        inlet_pressure,
+                     const double        outlet_pressure)
+    {
+      const SlabLayout &layout = pressure.layout();
+      const auto [dx, dy]      = layout.spacing(w);
+      const int           seam = layout.seam(w, direction == FlowDirection::x ? 0 : 1);
+      const int           nx   = layout.windows()[w].n_columns() + 2;
+      const int           ny   = layout.windows()[w].n_rows() + 2;
+      const SlabLayoutPtr box  = make_layout({nx, ny, nx * dx, ny * dy}, MPI_COMM_SELF);
+      const std::vector<double> around = around_window(pressure, w);
+      SlabField                 within(box), gap(box);
+      std::copy(around.begin(), around.end(), within.begin());
+      const auto for_each_row = [&](const auto &visit) {
+        for (int iy = 1; iy < ny - 1; ++iy)
+          visit(layout.start_of_window(w) + static_cast<std::size_t>(iy - 1) * (nx - 2),
+                &within(1, iy),
+                &gap(1, iy));
+      };
+      for_each_row([&](const std::size_t k, double *of_fluid, double *of_gap) {
+        std::copy_n(pressure.data() + k, nx - 2, of_fluid);
+        std::copy_n(flow_gap.data() + k, nx - 2, of_gap);
+      });
+      const int iterations = extend(within,
+                                    gap,
+                                    {direction, seam < 0 ? -1 : seam + 1, true},
+                                    inlet_pressure,
+                                    outlet_pressure);
+      for_each_row([&](const std::size_t k, const double *of_fluid, const double *) {
+        std::copy_n(of_fluid, nx - 2, pressure.data() + k);
+      });
+      return iterations;
+    }
   } // namespace
 
   int
@@ -134,66 +270,21 @@ namespace strait
                        const double        inlet_pressure,
                        const double        outlet_pressure)
   {
-    // Of the boundary values' own residual, in the norm of the preconditioner: as exactly
-    // as FixedPoint remembers the pressures of earlier rounds.
-    constexpr double tolerance = std::numeric_limits<float>::epsilon();
-    // It only ends what would go on for ever: half of it would be enough where the
-    // preconditioner works, double of it fails later.
-    constexpr int          max_iterations = 1000;
-    const SlabLayoutPtr    layout         = pressure.layout_pointer();
-    const ExtensionProblem problem(flow_gap, direction);
-
-    // Boundary values and springs alone, which are the right-hand side.
-    SlabField boundary_values(layout), load(layout);
-    for (int row = 0, k = 0; row < layout->n_rows(); ++row)
-      for (int ix = 0; ix < layout->grid().nx; ++ix, ++k)
-        {
-          if (problem.is_on_seam(ix, row))
-            pressure[k] = .5 * (inlet_pressure + outlet_pressure);
-          if (std::isinf(problem.spring[k]))
-            boundary_values[k] = pressure[k];
-          else
-            load[k] = problem.spring[k] * pressure[k];
-        }
-
-    SlabField  r(layout), z(layout), t(layout), q(layout);
-    const auto precondition = [&]() {
-      problem.precondition(r, z);
-      return product(r, z);
-    };
-    problem.apply(boundary_values, inlet_pressure, outlet_pressure, r);
-    for (const int k : problem.points)
-      r[k] -= load[k];
-    const double enough = tolerance * tolerance * precondition();
-    if (!(enough > 0))
-      {
-        // No pressure anywhere at the edge of the contact, hence none under it.
-        pressure = boundary_values;
-        return 0;
-      }
-    problem.apply(pressure, inlet_pressure, outlet_pressure, r);
-    for (const int k : problem.points)
-      r[k] = load[k] - r[k];
-
-    double r_z       = precondition();
-    double beta      = 0.;
-    int    iteration = 0;
-    while (r_z > enough && iteration < max_iterations)
-      {
-        for (const int k : problem.points)
-          t[k] = z[k] + beta * t[k];
-        problem.apply(t, 0., 0., q);
-        const double alpha = r_z / product(t, q);
-        for (const int k : problem.points)
-          {
-            pressure[k] += alpha * t[k];
-            r[k] -= alpha * q[k];
-          }
-        const double before = r_z;
-        r_z                 = precondition();
-        beta                = r_z / before;
-        ++iteration;
-      }
-    return iteration;
+    const SlabLayout &layout    = pressure.layout();
+    const int         n_windows = static_cast<int>(layout.windows().size());
+    const KnownLines  on_grid   = {direction, 0, false};
+    if (n_windows == 0)
+      return extend(pressure, flow_gap, on_grid, inlet_pressure, outlet_pressure);
+    const SlabLayoutPtr grid = with_windows(layout, {});
+    SlabField           of_fluid(grid), of_gap(grid);
+    std::copy_n(pressure.begin(), of_fluid.size(), of_fluid.begin());
+    std::copy_n(flow_gap.begin(), of_gap.size(), of_gap.begin());
+    int iterations = extend(of_fluid, of_gap, on_grid, inlet_pressure, outlet_pressure);
+    std::copy(of_fluid.begin(), of_fluid.end(), pressure.begin());
+    for (int w = 0; w < n_windows; ++w)
+      iterations += extend_in_window(
+        pressure, flow_gap, w, direction, inlet_pressure, outlet_pressure);
+    copy_to_covered(pressure);
+    return iterations;
   }
 } // namespace strait

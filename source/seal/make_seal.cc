@@ -135,12 +135,12 @@ namespace strait
     const SlabLayoutPtr           layout = heights.layout_pointer();
     std::shared_ptr<ContactModel> model =
       make_contact(scene, contact, std::move(heights));
-    if (scene.fluid.feedback.enabled)
-      return coupled_seal(scene, std::move(model), layout, *flow, log);
-    const SealModel dry = dry_seal(std::move(model));
+    SealModel seal = scene.fluid.feedback.enabled
+                       ? coupled_seal(scene, std::move(model), layout, *flow, log)
+                       : dry_seal(std::move(model));
     return contact.zoom.enabled
-             ? zoomed_seal(dry, contact.zoom, scene.fluid.direction, log)
-             : dry;
+             ? zoomed_seal(std::move(seal), contact.zoom, scene.fluid.direction, log)
+             : seal;
   }
 
   SearchStart

@@ -71,7 +71,8 @@ namespace strait
                              const double              share)
     : parameters(feedback_parameters)
     , assumed(layout)
-    , fixed_point(layout->communicator(),
+    , fixed_point([layout](const auto &a,
+                           const auto &b) { return product(*layout, a, b); },
                   parameters.plain_rounds ? 0 : rounds_combined,
                   share * parameters.relaxation)
   {

@@ -77,6 +77,8 @@ namespace strait
       std::vector<std::vector<ZoomWindow>> tried;
       while (true)
         {
+          if (state.fluid && state.fluid->lifted_off)
+            return state; // there is no throat
           const std::vector<ZoomWindow> &present = state.gap().layout().windows();
           std::vector<ZoomWindow>        windows =
             windows_for(state, zoom, direction, present_aim, is_trimmed);
@@ -99,8 +101,10 @@ namespace strait
                                   control.target));
               // The line to the next state has other points.
               state.contact->approach = Approach(state.contact->approach.target());
-              state.contact->pressure =
-                zoom_in(state.contact->pressure, std::move(windows));
+              state.contact->pressure = zoom_in(state.contact->pressure, windows);
+              if (state.fluid)
+                state.fluid->pressure =
+                  zoom_in_linearly(state.fluid->pressure, std::move(windows));
             }
           const Costs spent = state.costs;
           state             = seal(control, &state, present_aim);

@@ -24,12 +24,6 @@ namespace strait
   }
 
   double
-  product(const SlabField &a, const SlabField &b)
-  {
-    return product(a.layout().communicator(), a, b);
-  }
-
-  double
   min_value(const SlabField &field)
   {
     double smallest = std::numeric_limits<double>::infinity();

@@ -48,4 +48,24 @@ namespace
         last_error = error;
       }
   }
+
+  TEST(GridTransfer, ZoomsInLinearly)
+  {
+    // Linear in one direction but for the seam, in windows on the grid and on another.
+    const auto linear = [](const double x, const double y) {
+      return std::abs(x - .5) + 2 * y;
+    };
+    const std::vector<ZoomWindow> first = {{-1, 1, 36, 6, 16, 14}};
+    std::vector<ZoomWindow>       both  = {{-1, 1, 8, 30, 12, 12}, first[0]};
+    both.push_back({1, 2, 9, 8, 12, 15});
+    const SlabField grid = sampled({64, 64, 1., 1.}, linear);
+    SlabField       once = zoom_in_linearly(grid, first);
+    EXPECT_LT(largest_difference(once, sample(once.layout_pointer(), linear)), 1e-14);
+    // What is known is kept.
+    once[once.layout().start_of_window(0)] = 77.;
+    const SlabField twice                  = zoom_in_linearly(once, both);
+    SlabField       expected               = sample(twice.layout_pointer(), linear);
+    expected[expected.layout().start_of_window(1)] = 77.;
+    EXPECT_LT(largest_difference(twice, expected), 1e-14);
+  }
 } // namespace

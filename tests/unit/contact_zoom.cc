@@ -209,6 +209,44 @@ namespace
     EXPECT_EQ(saddle(out.gap), saddle(on_grid.gap));
   }
 
+  TEST(Zoom, AFluidPressesAsOnAFineGridParallel)
+  {
+    constexpr int    n    = 128;
+    constexpr double load = 1.45;
+    // A step of the pressure across the throat, smooth on the fine grid.
+    const auto fluid = [](const double x, const double) {
+      return .1 * (1. - std::tanh(60. * std::sin(2 * M_PI * x)));
+    };
+    ContactSolver   fine(contact_parameters(1e-9), saddle_heights(3 * n));
+    ContactSolver   solver(contact_parameters(1e-9), saddle_heights(n));
+    const SlabField on_fine =
+      sample(make_layout({3 * n, 3 * n, 1., 1.}, MPI_COMM_WORLD), fluid);
+    ContactState start = solver.solve(load);
+    start.pressure     = zoom_in(start.pressure, {window_at(-1, 1, 24, -40, 80, 80)});
+    const SlabLayoutPtr layout   = start.pressure.layout_pointer();
+    const SlabField     pressing = sample(layout, fluid);
+    const ContactState  zoomed   = solver.solve(load, &start, &pressing);
+    const ContactState  expected = fine.solve(load, nullptr, &on_fine);
+    const ZoomWindow   &window   = layout->windows()[0];
+    const auto          line     = fetch_rows(expected.gap, {0});
+    const double        gap      = line[3 * n / 2];
+    EXPECT_TRUE(zoomed.converged);
+    EXPECT_NEAR(mean(zoomed.pressure) + mean(pressing), load, 1e-12);
+    for (int ix = 0; ix < window.n_columns(); ++ix)
+      EXPECT_NEAR(zoomed.gap[layout->index_of({ix, 3 * 40 + 1, 0})],
+                  line[3 * window.x - 1 + ix],
+                  2e-3 * gap)
+        << ix;
+
+    // It leaves nothing behind, and a uniform one only carries load.
+    const ContactState dry = solver.solve(load - .1, &start);
+    const SlabField    uniform(layout, .1);
+    const ContactState lifted = solver.solve(load, &zoomed, &uniform);
+    EXPECT_LT(largest_difference(lifted.gap, dry.gap), 1e-7);
+    ContactSolver other(contact_parameters(1e-9), saddle_heights(n));
+    EXPECT_LT(largest_difference(other.solve(load - .1, &start).gap, dry.gap), 1e-7);
+  }
+
   TEST(Zoom, TheTextbookMethodKnowsWindowsAsWell)
   {
     const SlabField heights = saddle_heights(64);

@@ -221,9 +221,13 @@ namespace
                   advice({"Seal/Two in a row=" + two_boxes}));
     const std::string zoomed = advice({"Contact/Zoom/Enabled=true"});
     expect_in("Contact/Yielding" + excluded, zoomed);
-    expect_in("Fluid/Wall feedback" + excluded, zoomed);
+    expect_in("switch on Fluid/Wall feedback\n", zoomed);
     expect_in("raise Contact/Grid points\n", zoomed);
-    expect_in("raise Contact/Grid points\n", advice({"Contact/Yielding=cut-off"}));
+    const std::string yielding = advice({"Contact/Yielding=cut-off"});
+    expect_in("Fluid/Wall feedback" + excluded, yielding);
+    expect_in("raise Contact/Grid points\n", yielding);
+    const std::string pressed = advice({"Fluid/Wall feedback/Enabled=true"});
+    expect_in("switch on Contact/Zoom\n", pressed);
     expect_in("knows such a bound", advice({"Contact/Solver=polonsky-keer"}));
   }
 

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "window_tools.h"
 
 namespace strait
 {
@@ -80,6 +83,81 @@ namespace strait
       extend_under_contact(pressure, gap, FlowDirection::x, inlet, outlet);
       EXPECT_LE(max_value(pressure), inlet + 1e-6);
       EXPECT_GE(min_value(pressure), outlet - 1e-6);
+    }
+
+    /** Across the seam, through the edge of the disc, and through the bar. */
+    const std::vector<ZoomWindow> windows = {window_tests::window_at(-6, 10, 12, 14),
+                                             window_tests::window_at(24, 26, 14, 16),
+                                             {1, 2, 8, 9, 20, 18}};
+
+    TEST(HarmonicExtension, KeepsLinearPressuresInWindowsParallel)
+    {
+      for (const bool along_x : {true, false})
+        {
+          const SlabLayoutPtr layout = window_tests::layout_with(
+            64, along_x ? windows : window_tests::transposed(windows));
+          const auto gap = [along_x](const double x, const double y) {
+            return along_x ? gap_at(x - std::floor(x), y) : gap_at(y - std::floor(y), x);
+          };
+          // Beyond the seam the next period begins.
+          const auto exact = [along_x](const double x, const double y) {
+            const double along = along_x ? x : y;
+            return inlet + (outlet - inlet) * (along - std::floor(along));
+          };
+          SlabField pressure = sample(layout, [&](const double x, const double y) {
+            return gap(x, y) > 0 ? exact(x, y) : 0.;
+          });
+          extend_under_contact(pressure,
+                               sample(layout, gap),
+                               along_x ? FlowDirection::x : FlowDirection::y,
+                               inlet,
+                               outlet);
+          std::size_t k = 0;
+          layout->for_each_point([&](const GridPoint &point) {
+            const auto [x, y]    = layout->position(point.window, point.ix, point.iy);
+            const double along   = along_x ? x : y;
+            const bool   on_seam = std::abs(along - std::round(along)) < 1e-9;
+            EXPECT_NEAR(pressure[k++], on_seam ? 2. : exact(x, y), 1e-5)
+              << point.ix << ' ' << point.iy << ' ' << point.window;
+          });
+        }
+    }
+
+    TEST(HarmonicExtension, ObeysTheMaximumPrincipleInWindowsParallel)
+    {
+      const SlabLayoutPtr layout   = window_tests::layout_with(64, windows);
+      const SlabField     gap      = sample(layout, gap_at);
+      SlabField           pressure = sample(layout, [](const double x, const double y) {
+        return gap_at(x, y) <= 0 ? 77. : y < .5 ? outlet : 2.;
+      });
+      extend_under_contact(pressure, gap, FlowDirection::x, 2., outlet);
+      EXPECT_LE(max_value(pressure), 2. + 1e-6);
+      EXPECT_GE(min_value(pressure), outlet - 1e-6);
+    }
+
+    TEST(HarmonicExtension, IsThatOfTheFineGridInAWindowParallel)
+    {
+      // A jump of the pressure along the edge of the disc, which only its window
+      // resolves.
+      const auto fluid = [](const double x, const double y) {
+        return gap_at(x, y) <= 0 ? 0. : y < .5 ? outlet : 2.;
+      };
+      const SlabLayoutPtr layout = window_tests::layout_with(64, windows);
+      const SlabLayoutPtr fine   = layout_for(192, 192);
+      SlabField pressure = sample(layout, fluid), expected = sample(fine, fluid);
+      extend_under_contact(pressure, sample(layout, gap_at), FlowDirection::x, 2., 1.);
+      extend_under_contact(expected, sample(fine, gap_at), FlowDirection::x, 2., 1.);
+      const ZoomWindow &window  = windows[1];
+      double            largest = 0.;
+      for (int iy = 0; iy < window.n_rows(); ++iy)
+        {
+          const auto line = fetch_rows(expected, {3 * window.y - 1 + iy});
+          for (int ix = 0; ix < window.n_columns(); ++ix)
+            largest = std::max(largest,
+                               std::abs(pressure[layout->index_of({ix, iy, 1})] -
+                                        line[3 * window.x - 1 + ix]));
+        }
+      EXPECT_LT(largest, .05); // at the rim; without a window .3
     }
 
     TEST(HarmonicExtension, DoesNotJumpWhenAPointOpens)

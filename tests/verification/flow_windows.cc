@@ -214,6 +214,22 @@ namespace strait
     }
 
     // Along the flow the seam is inlet and outlet, of which a window may hold parts.
+    TEST(FlowWindows, PressureFallsEvenlyInAUniformGapParallel)
+    {
+      const SlabLayoutPtr layout = with_windows(
+        *make_layout({64, 64, 1., 1.}, MPI_COMM_WORLD),
+        {{-1, 1, -6, 10, 12, 14}, {-1, 1, 24, 26, 14, 16}, {1, 2, 8, 9, 20, 18}});
+      const SolvedOnWindows solved(SlabField(layout, .1), plain_fluid());
+      const SlabField       potential = potential_on_grid(solved.solver, layout);
+      const double         *next      = potential.data();
+      layout->for_each_point([&](const GridPoint &point) {
+        const double x = layout->position(point.window, point.ix, point.iy)[0];
+        // On the seam it is that at the inlet.
+        EXPECT_NEAR(*next++, 1. - (x - std::floor(x + 1e-12)), 1e-8)
+          << point.ix << ' ' << point.iy << ' ' << point.window;
+      });
+    }
+
     TEST(FlowWindows, MayLieAcrossInletAndOutletParallel)
     {
       const auto gap = [](const double x, const double y) {

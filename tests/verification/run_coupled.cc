@@ -40,24 +40,30 @@ namespace strait
 
     TEST(Coupled, EqualReservoirsOnlyCarryLoadParallel)
     {
-      constexpr double pressure    = .3;
-      Scene            wet         = with_equal_reservoirs(coupled_saddle(128), pressure);
-      wet.programme.find_threshold = false;
-      wet.programme.pressures      = {1.};
-      Scene dry                    = wet;
-      dry.fluid.feedback.enabled   = false;
-      dry.fluid.outlet_pressure    = 0;
-      dry.programme.pressures      = {1. - pressure};
-      const Step pressed           = last_step(wet);
-      const Step alone             = last_step(dry);
-      double     largest           = 0;
-      for (std::size_t k = 0; k < alone.state.gap().size(); ++k)
-        largest =
-          std::max(largest, std::abs(pressed.state.gap()[k] - alone.state.gap()[k]));
-      EXPECT_LT(largest, 1e-7); // heights up to 4; the solver's tolerance is 1e-8
-      EXPECT_NEAR(pressed.state.fluid->load, pressure, 1e-12);
-      EXPECT_LE(pressed.state.costs.rounds, 2);
-      EXPECT_EQ(pressed.flow->leakage.rate, 0);
+      constexpr double pressure = .3;
+      for (const bool zooms : {false, true})
+        {
+          Scene wet                = with_equal_reservoirs(coupled_saddle(128), pressure);
+          wet.contact.zoom.enabled = zooms;
+          wet.programme.find_threshold = false;
+          wet.programme.pressures      = {1.7};
+          Scene dry                    = wet;
+          dry.fluid.feedback.enabled   = false;
+          dry.fluid.outlet_pressure    = 0;
+          dry.programme.pressures      = {1.7 - pressure};
+          const Step       pressed     = last_step(wet);
+          const Step       alone       = last_step(dry);
+          const SlabField &gap         = alone.state.gap();
+          ASSERT_TRUE(pressed.state.gap().layout().windows() == gap.layout().windows());
+          EXPECT_EQ(gap.layout().windows().empty(), !zooms);
+          double largest = 0;
+          for (std::size_t k = 0; k < gap.size(); ++k)
+            largest = std::max(largest, std::abs(pressed.state.gap()[k] - gap[k]));
+          EXPECT_LT(largest, 1e-7); // heights up to 4; the solver's tolerance is 1e-8
+          EXPECT_NEAR(pressed.state.fluid->load, pressure, 1e-12);
+          EXPECT_LE(pressed.state.costs.rounds, zooms ? 10 : 2); // two for all windows
+          EXPECT_EQ(pressed.flow->leakage.rate, 0);
+        }
     }
 
     TEST(Coupled, EqualReservoirsShiftTheThreshold)

@@ -130,6 +130,43 @@ namespace strait
         }
     }
 
+    TEST(Coupled, AWindowShowsWhatTheFineGridShowsParallel)
+    {
+      Scene fine                         = coupled_saddle(384);
+      fine.programme.find_threshold      = false;
+      fine.programme.pressures           = {1.4, 1.5, 1.508};
+      Scene zoomed                       = fine;
+      zoomed.contact.grid_points         = {{128, 128}};
+      zoomed.contact.zoom.enabled        = true;
+      zoomed.contact.zoom.maximum_levels = 1;
+      const std::vector<Row> expected = sweep(fine), found = sweep(zoomed);
+      ASSERT_EQ(found.size(), 3U);
+      // What is left is the contact around the window.
+      for (const std::size_t k : {0, 1, 2})
+        {
+          EXPECT_NEAR(found[k].leak_rate / expected[k].leak_rate, 1., .03) << k;
+          EXPECT_NEAR(found[k].worst_gap / expected[k].worst_gap, 1., .01) << k;
+        }
+      EXPECT_GT(found.back().points, 4.); // of which 128² have less than two
+    }
+
+    TEST(Coupled, WindowsComeWithTheSearchForTheCriticalLoad)
+    {
+      Scene scene                         = coupled_saddle(64);
+      scene.contact.zoom.enabled          = true;
+      scene.contact.zoom.maximum_levels   = 1;
+      scene.programme.threshold_tolerance = 1e-3;
+      scene.programme.reduced_loads       = {.1};
+      const Sweep result                  = run_sweep(scene);
+      ASSERT_EQ(result.rows.size(), 1U);
+      EXPECT_NEAR(result.thresholds[0].middle(), 1.518, 2e-3);
+      EXPECT_GT(result.thresholds[0].grid_error, 0.); // by 32² points with a window
+      EXPECT_LT(result.thresholds[0].grid_error, .05);
+      EXPECT_GT(result.rows[0].points, 7.);
+      EXPECT_GT(result.rows[0].error, 0.);
+      EXPECT_LT(result.rows[0].error, 1.);
+    }
+
     TEST(Coupled, TwoWaysToALoadMeetWithinTheirBrackets)
     {
       // Near the threshold the gap amplifies what a mesh gets wrong of the fluid's

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <iterator>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -97,22 +96,6 @@ namespace strait
   minimum(MPI_Comm comm, const double value)
   {
     return -maximum(comm, -value);
-  }
-
-  /** Σ a[k] b[k] over the values of all ranks, in double precision. Collective. */
-  template <typename Values>
-  double
-  product(MPI_Comm comm, const Values &a, const Values &b)
-  {
-    // Each addition waits for the one before, unless there are several sums.
-    double            sums[8] = {};
-    const std::size_t n = a.size(), n_together = n - n % std::size(sums);
-    for (std::size_t k = 0; k < n_together; k += std::size(sums))
-      for (std::size_t j = 0; j < std::size(sums); ++j)
-        sums[j] += static_cast<double>(a[k + j]) * b[k + j];
-    for (std::size_t k = n_together; k < n; ++k)
-      sums[0] += static_cast<double>(a[k]) * b[k];
-    return sum(comm, std::accumulate(std::begin(sums), std::end(sums), 0.));
   }
 
   /** Collective: the items of all ranks, one rank after the other. They are sent as

@@ -55,8 +55,8 @@ namespace strait
                              double       residual,
                              SlabField   &grid_pressure,
                              SlabField   &grid_gap);
-    DualProblem    &problem_on(const SlabLayoutPtr &layout);
-    SlabField       start_without(const SlabLayoutPtr &layout, double target);
+    DualProblem &problem_on(const SlabLayoutPtr &layout, const SlabField *fluid_pressure);
+    SlabField    start_without(const SlabLayoutPtr &layout, double target);
 
     const ContactParameters parameters;
     Wall                    wall;
@@ -64,6 +64,7 @@ namespace strait
 
     // With windows, those of the last state.
     SlabField                      zoomed_heights;
+    SlabField                      zoomed_at_rest; // empty before the first fluid
     std::unique_ptr<ZoomedProblem> zoomed;
   };
 } // namespace strait

@@ -29,6 +29,14 @@ namespace strait
    * interpolated from the window's parent. Collective.
    */
   SlabField zoom_in(const SlabField &pressure, std::vector<ZoomWindow> windows);
+
+  /** The same of any field, linear between the points of the parent. Collective. */
+  SlabField zoom_in_linearly(const SlabField &field, std::vector<ZoomWindow> windows);
+
+  /** What @p field, linear between the points of the parent of its window @p w, has at
+   *  the points of that and at those around it, one column and one row on each side: row
+   *  by row. Collective if the parent is the grid. */
+  std::vector<double> around_window(const SlabField &field, int w);
 } // namespace strait
 
 #endif

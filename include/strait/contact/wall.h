@@ -26,6 +26,13 @@ namespace strait
      */
     void deform(const SlabField *fluid_pressure, const SlabField *indentation = nullptr);
 
+    /** The heights without fluid and indentation. */
+    const SlabField &
+    at_rest() const
+    {
+      return undeformed.empty() ? heights : undeformed;
+    }
+
     SlabField heights;          // at most 0 [length]; they stay where they are
     double    mean_height = 0.; // of these
     double    rms_height  = 0.; // of the surface as it was made, about its mean

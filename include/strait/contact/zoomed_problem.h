@@ -39,6 +39,12 @@ namespace strait
     /** Replace pressures by displacements. Collective. */
     void apply(Number *values);
 
+    /** The same of a pressure that goes on beyond the windows, and is given at the points
+     *  that they cover as well. A window then adds what it knows beyond an interpolation
+     *  of its parent, so that nothing ends at its rim; where it covers others the result
+     *  means nothing. Collective. */
+    void apply_to_continuous(Number *values);
+
     /** Replace the values of window @p window, which are 0 outside of it, by what
      * stiffness makes of them there. */
     void stiffen(int window, Number *own);
@@ -61,6 +67,7 @@ namespace strait
     class Window;
 
     void clear_covered(Number *values) const;
+    void respond(Number *values);
     void gather_from_windows(Number *values);
     void spread_to_windows(Number *values);
 
@@ -87,6 +94,10 @@ namespace strait
     double apply(const double *pressure, double *displacement) override;
     double respond(const float *step, float *response) override;
     void   precondition(float *values, const std::uint8_t *marks) override;
+
+    /** What a fluid of the pressure @p pressure does to the surface, at the points that
+     *  no window covers. Collective. */
+    void displace(const SlabField &pressure, double *displacement);
 
     float *
     scratch() override

@@ -2,9 +2,8 @@
 #ifndef strait_seal_fixed_point_h
 #define strait_seal_fixed_point_h
 
-#include <mpi.h>
-
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace strait
@@ -25,12 +24,15 @@ namespace strait
   class FixedPoint
   {
   public:
+    /** The scalar product of the values of all ranks that is a residual's measure. */
+    using Product =
+      std::function<double(const std::vector<float> &, const std::vector<float> &)>;
+
     /**
-     * The values are divided among the ranks of @p comm. @p history: how many earlier
-     * rounds are combined, 0 or more, at 8 B a value each; @p relaxation: the
-     * largest share of the residual that is taken, in (0, 1].
+     * @p history: how many earlier rounds are combined, 0 or more, at 8 B a value each;
+     * @p relaxation: the largest share of the residual that is taken, in (0, 1].
      */
-    FixedPoint(MPI_Comm comm, int history, double relaxation);
+    FixedPoint(Product product, int history, double relaxation);
 
     /**
      * The next iterate, in place of @p x, after F(@p x) = @p image was found. Both have
@@ -69,7 +71,7 @@ namespace strait
     /** Whether the residual leads back to where it was the round before. */
     bool turns_round() const;
 
-    MPI_Comm                comm;
+    Product                 product;
     int                     history;
     double                  relaxation;  // the largest share
     double                  share;       // of the residual, now

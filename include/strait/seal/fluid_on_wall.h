@@ -63,8 +63,9 @@ namespace strait
    * @p pressure: on entry that of the fluid where @p flow_gap > 0 and a start
    * elsewhere; on return that everywhere, to 1e-7 of the boundary values. On the seam,
    * which is inlet and outlet at once, every point gets the mean of the two reservoirs,
-   * as the sum over the grid is a trapezoidal rule. Returns the number of iterations.
-   * Collective.
+   * as the sum over the grid is a trapezoidal rule. Where there are windows this is done
+   * on one level after the other, in each window between what its parent has around it.
+   * Returns the number of iterations. Collective.
    */
   int extend_under_contact(SlabField       &pressure,
                            const SlabField &flow_gap,

@@ -6,7 +6,9 @@
 #include <strait/spectral/slab_layout.h>
 
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace strait
@@ -98,8 +100,42 @@ namespace strait
   /** Root mean square about the mean. Collective. */
   double rms(const SlabField &field);
 
-  /** Sum of a b over the grid points, of fields without windows. Collective. */
-  double product(const SlabField &a, const SlabField &b);
+  /** Σ a[k] b[k] for k < @p n, in double precision. */
+  template <typename Number>
+  double
+  local_product(const Number *a, const Number *b, const std::size_t n)
+  {
+    // Each addition waits for the one before, unless there are several sums.
+    double            sums[8]    = {};
+    const std::size_t n_together = n - n % std::size(sums);
+    for (std::size_t k = 0; k < n_together; k += std::size(sums))
+      for (std::size_t j = 0; j < std::size(sums); ++j)
+        sums[j] += static_cast<double>(a[k + j]) * b[k + j];
+    for (std::size_t k = n_together; k < n; ++k)
+      sums[0] += static_cast<double>(a[k]) * b[k];
+    return std::accumulate(std::begin(sums), std::end(sums), 0.);
+  }
+
+  /** Σ a b over the points of @p layout, each as much as the area that it stands for is
+   *  of a grid point's, of any values that are laid out like that. Collective. */
+  template <typename Values>
+  double
+  product(const SlabLayout &layout, const Values &a, const Values &b)
+  {
+    double total = 0.;
+    for (const SlabLayout::Range &range : layout.ranges())
+      total += range.area * local_product(a.data() + range.begin,
+                                          b.data() + range.begin,
+                                          range.end - range.begin);
+    return sum(layout.communicator(), total);
+  }
+
+  /** The same of fields. Collective. */
+  inline double
+  product(const SlabField &a, const SlabField &b)
+  {
+    return product(a.layout(), a, b);
+  }
 
   /** Smallest value. Collective. */
   double min_value(const SlabField &field);
