@@ -267,10 +267,10 @@ def assess(folder):
     loads = seal.rows()
     bands = list(bands_of(seal, patches, loads))
     write_table(folder / "seal.csv",
-          ("pressure", "leak_rate_median", "leak_rate_5_percent", "leak_rate_95_percent", "unit",
-           "sealed", "scatter_patches", "scatter_arrangement", "solution_error"),
-          [(load, band.median, band.lower, band.upper, patches.unit, band.sealed, band.patches,
-            band.arrangement, band.solution) for load, band in zip(loads, bands)])
+                ("pressure", "leak_rate_median", "leak_rate_5_percent", "leak_rate_95_percent",
+                 "unit", "sealed", "scatter_patches", "scatter_arrangement", "solution_error"),
+                [(load, band.median, band.lower, band.upper, patches.unit, band.sealed,
+                  band.patches, band.arrangement, band.solution) for load, band in zip(loads, bands)])
     unit, load_unit = patches.unit or "in the scene's units", patches.load_unit
     print(f"whole seal: {seal.n_along} × {seal.n_around} patches, drawn from "
           f"{len(patches.along)} along the flow and {len(patches.across)} across{patches.slip}")
@@ -282,8 +282,8 @@ def assess(folder):
     if seal.wanted > 0:
         found = loads_for(seal, patches, loads, bands)
         write_table(folder / "seal_load.csv",
-              ("wanted_leak_rate", "unit", "load", "load_5_percent", "load_95_percent"),
-              [(seal.wanted, patches.unit, *found)])
+                    ("wanted_leak_rate", "unit", "load", "load_5_percent", "load_95_percent"),
+                    [(seal.wanted, patches.unit, *found)])
         print(f"  {seal.wanted:.4g} {unit}: under {found[0]:.4g}{load_unit}, 90 % between "
               f"{found[1]:.4g} and {found[2]:.4g}" +
               ("; nan: beyond these loads" if np.isnan(found).any() else ""))

@@ -209,7 +209,7 @@ namespace strait
         "solves for the pressure, which does not determine the state of a contact "
         "with adhesion; switch Contact/Adhesion off.");
       require_here(
-        !scene.fluid.feedback.enabled || !scene.fluid.feedback.keeps_trapped_fluid(),
+        !scene.fluid.feedback.keeps_trapped_fluid(),
         "has windows that come and go, and pools of trapped fluid are known on the points "
         "where they formed; set Fluid/Wall feedback/Trapped fluid = drained.");
       require_here(

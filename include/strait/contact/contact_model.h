@@ -26,13 +26,13 @@ namespace strait
     /**
      * The state under the nominal pressure or, in gap control, at the mean gap @p target,
      * reached from the state @p from, or without a past if that is null. A fluid of the
-     * pressure @p fluid_pressure, on the grid of the heights and continued under the
-     * contact, presses the walls apart unless that is null: it displaces the half-space
-     * and carries its mean pressure of the load, and a point opens where the solid would
-     * press less than the fluid. Half of the @p digits are only meant for a state that is
-     * solved once more, from there; a model may always solve to all of them. Collective.
-     * Throws InputError if there is no such state, ComputationError if the fluid carries
-     * more than the load.
+     * pressure @p fluid_pressure, on the grid of the heights, perhaps with windows, which
+     * the state then has, and continued under the contact, presses the walls apart unless
+     * that is null: it displaces the half-space and carries its mean pressure of the
+     * load, and a point opens where the solid would press less than the fluid. Half of
+     * the @p digits are only meant for a state that is solved once more, from there; a
+     * model may always solve to all of them. Collective. Throws InputError if there is no
+     * such state, ComputationError if the fluid carries more than the load.
      */
     virtual ContactState solve(double              target,
                                const ContactState *from           = nullptr,

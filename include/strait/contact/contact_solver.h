@@ -19,8 +19,8 @@ namespace strait
    *
    * A problem starts from the state that is given if the load (or mean gap) changes
    * little, and from those on coarser grids otherwise. The result depends on the start
-   * within the tolerance only, but for its indentation; it has the windows of the state
-   * that is given.
+   * within the tolerance only, but for its indentation; it has the windows of the fluid's
+   * pressure or, without a fluid, of the state that is given.
    */
   class ContactSolver : public ContactModel
   {

@@ -20,9 +20,10 @@ namespace strait
 
     /**
      * Let a fluid of the pressure @p fluid_pressure press from now on, or none if that is
-     * null. It is on the grid of the heights and continued under the contact; the mean of
-     * its pressure is the load that it carries. Let the surface have an @p indentation
-     * [length], or none if that is null. Collective; one FFT pair with a fluid.
+     * null. It is on the grid of the heights, where windows do not matter, and continued
+     * under the contact; the mean of its pressure is the load that it carries. Let the
+     * surface have an @p indentation [length], or none if that is null. Collective; one
+     * FFT pair with a fluid.
      */
     void deform(const SlabField *fluid_pressure, const SlabField *indentation = nullptr);
 

@@ -29,7 +29,7 @@ namespace strait
                          Log                          &log);
 
   /**
-   * A dry @p seal whose throats are resolved: where a channel percolates, the state gets
+   * A @p seal whose throats are resolved: where a channel percolates, the state gets
    * the windows that its throats lack, one level after the other, and is solved again.
    * Where none does, so does the barrier where it is weakest, for on finer points it may
    * be open. For a leak rate half of the digits are enough while windows are sought, the
