@@ -40,7 +40,7 @@ subsection Load programme
   set Pressures = 3e4, 6e4, 1.2e5
 end
 subsection Realisations
-  set Seeds = 1, 2, 3, 4
+  set Seeds = 1, 2, 3
 end
 subsection Seal
   set Enabled          = true
@@ -124,7 +124,7 @@ def check_seal(program, scene, folder):
         fail(f"seal.csv has {before}")
     before = before[1:2]
     patches = []
-    for k in range(1, 5):
+    for k in range(1, 4):
         at_load = rows(folder / f"realisation-{k}" / "leakage.csv")[1]
         patches.append(float(at_load["leak_rate_ml_per_h"]) * 1e-2 / 4e-4)
     median = float(before[0]["leak_rate_median"])
@@ -152,7 +152,7 @@ def check_in_browser(browser, page, folder):
                        encoding="utf-8")
     shown = run(*options, "--dump-dom", clicked.as_uri())
     title = re.search("<title>(.*?)</title>", shown).group(1)
-    if title != "SORTED 1,2,3,4 THEN 4,3,2,1":
+    if title != "SORTED 1,2,3 THEN 3,2,1":
         fail(f"the table sorts as '{title}'")
     result = subprocess.run([*options, "--enable-logging=stderr", "--v=0", "--dump-dom",
                              page.as_uri()], text=True, capture_output=True, check=False,
@@ -177,7 +177,7 @@ def main():
     check_seal(program, scene, results)
     text = check_page(results / "report.html")
     missing = [words for words in EXPECTED if words not in text]
-    if missing or text.count("<img") < 5:  # one of the seal, one of each patch
+    if missing or text.count("<img") < 4:  # one of the seal, one of each patch
         fail(f"report.html lacks {missing}, and has {text.count('<img')} pictures")
     check_page(results / "realisation-2" / "report.html")
     browser = next(filter(None, map(shutil.which, ("chromium", "chromium-browser",

@@ -29,7 +29,7 @@ namespace strait
       const SlabLayoutPtr layout = make_layout({32, 32, 1., 1.}, MPI_COMM_WORLD);
       const SlabField     gap    = sample(layout, gap_at);
       FluidParameters     fluid;
-      fluid.target_accuracy = .002;
+      fluid.target_accuracy = .01;
       fluid.interpolation   = interpolation;
       FlowStage      flow(fluid, layout, log, timers);
       const StepFlow solved = flow.solve(gap, 0.);

@@ -243,6 +243,6 @@ namespace
                            BitsOfFourierTransformOn,
                            testing::Values(PeriodicGrid{256, 128, 2., 1.},
                                            PeriodicGrid{90, 100, 1., 1.},
-                                           PeriodicGrid{97, 60, 1., 1.},
+                                           PeriodicGrid{37, 60, 1., 1.},
                                            PeriodicGrid{12, 3, 2., 1.}));
 } // namespace

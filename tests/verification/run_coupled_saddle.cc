@@ -130,7 +130,7 @@ namespace strait
         }
     }
 
-    TEST(Coupled, AWindowShowsWhatTheFineGridShowsParallel)
+    TEST(Coupled, AWindowShowsWhatTheFineGridShows)
     {
       Scene fine                         = coupled_saddle(384);
       fine.programme.find_threshold      = false;
