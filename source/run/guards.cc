@@ -97,10 +97,13 @@ namespace strait
     // Windows near the critical load, and the coarser seal that tells their error: 193 in
     // all on the 4096² points of prm/paper/fig2a.prm with 8 roll-off wavelengths.
     const double of_windows = scene.contact.zoom.enabled ? 125. : 0.;
+    // The seals on every second and every fourth point: 23 to 36 on 1024² to 4096²
+    // points.
+    const double of_coarser = scene.output.error_budget ? 36. : 0.;
     return static_cast<double>(scene.contact.grid_points[0]) *
            scene.contact.grid_points[1] *
            (scene.contact.enabled
-              ? std::max(solved, kept + of_flow) + of_feedback + of_windows
+              ? std::max(solved, kept + of_flow) + of_feedback + of_windows + of_coarser
               : gap + of_flow);
   }
 

@@ -156,6 +156,10 @@ namespace
     Scene scene = scene_of("", {"Contact/Grid points=1024, 512"});
     // 64 bytes a point were measured.
     EXPECT_NEAR(memory_of_grid(scene) / (1024 * 512), 64., 8.);
+    // 92 to 100 with the seals on every second and fourth point.
+    const Scene compared =
+      scene_of("", {"Contact/Grid points=1024, 512", "Output/Error budget=true"});
+    EXPECT_NEAR(memory_of_grid(compared) / (1024 * 512), 96., 8.);
     // 240 with the pressures of a fluid that presses on the walls.
     const Scene pressed = scene_of("",
                                    {"Contact/Grid points=1024, 512",
