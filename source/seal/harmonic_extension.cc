@@ -15,6 +15,8 @@ namespace strait
     struct KnownLines
     {
       FlowDirection direction;
+      double        inlet;   // pressure on the one side of the seam
+      double        outlet;  // and on the other
       int           seam;    // the column or row that is inlet and outlet; −1: none
       bool          has_rim; // the outermost points are known as well
     };
@@ -120,20 +122,29 @@ namespace strait
       void
       precondition(const SlabField &r, SlabField &z) const
       {
-        // Neighbours across the edge of the box, and of other ranks, are left out.
+        // The rows of a rank are joined end to begin; neighbours of other ranks, and
+        // across the other edge of the box, are left out.
+        // Each point waits for that beside it, so that little may come in between.
         const int nx = layout.grid().nx, n = nx * layout.n_rows();
+        int       before  = -2;
+        double    z_there = 0.;
         for (const int k : points)
           {
-            const double left  = k % nx > 0 ? z[k - 1] : 0.;
             const double below = k >= nx ? z[k - nx] : 0.;
-            z[k]               = share[k] * (r[k] + weight_x * left + weight_y * below);
+            const double alone = share[k] * (r[k] + weight_y * below);
+            z_there = alone + share[k] * weight_x * (before == k - 1 ? z_there : 0.);
+            z[k]    = z_there;
+            before  = k;
           }
+        before = n + 1;
         for (auto point = points.rbegin(); point != points.rend(); ++point)
           {
             const int    k     = *point;
-            const double right = (k + 1) % nx > 0 ? z[k + 1] : 0.;
             const double above = k + nx < n ? z[k + nx] : 0.;
-            z[k] += share[k] * (weight_x * right + weight_y * above);
+            const double alone = z[k] + share[k] * weight_y * above;
+            z_there = alone + share[k] * weight_x * (before == k + 1 ? z_there : 0.);
+            z[k]    = z_there;
+            before  = k;
           }
       }
 
@@ -153,11 +164,7 @@ namespace strait
 
     /** extend_under_contact() on a grid without windows, where @p lines are known. */
     int
-    extend(SlabField        &pressure,
-           const SlabField  &flow_gap,
-           const KnownLines &lines,
-           const double      inlet_pressure,
-           const double      outlet_pressure)
+    extend(SlabField &pressure, const SlabField &flow_gap, const KnownLines &lines)
     {
       // Of the boundary values' own residual, in the norm of the preconditioner: as
       // exactly as FixedPoint remembers the pressures of earlier rounds.
@@ -174,7 +181,7 @@ namespace strait
         for (int ix = 0; ix < layout->grid().nx; ++ix, ++k)
           {
             if (problem.is_on_seam(ix, row))
-              pressure[k] = .5 * (inlet_pressure + outlet_pressure);
+              pressure[k] = .5 * (lines.inlet + lines.outlet);
             if (std::isinf(problem.spring[k]))
               boundary_values[k] = pressure[k];
             else
@@ -186,7 +193,7 @@ namespace strait
         problem.precondition(r, z);
         return product(r, z);
       };
-      problem.apply(boundary_values, inlet_pressure, outlet_pressure, r);
+      problem.apply(boundary_values, lines.inlet, lines.outlet, r);
       for (const int k : problem.points)
         r[k] -= load[k];
       const double enough = tolerance * tolerance * precondition();
@@ -196,7 +203,7 @@ namespace strait
           pressure = boundary_values;
           return 0;
         }
-      problem.apply(pressure, inlet_pressure, outlet_pressure, r);
+      problem.apply(pressure, lines.inlet, lines.outlet, r);
       for (const int k : problem.points)
         r[k] = load[k] - r[k];
 
@@ -222,22 +229,23 @@ namespace strait
       return iteration;
     }
 
-    /** The same in window @p w, between the pressures around it on its parent, which are
-     *  known. Collective if that is the grid. */
+    /** The same in window @p w, where @p lines are those of the grid, between the
+     * pressures around it on its parent, which are known. Collective if that is the grid.
+     */
     int
-    extend_in_window(SlabField          &pressure,
-                     const SlabField    &flow_gap,
-                     const int           w,
-                     const FlowDirection direction,
-                     const double        inlet_pressure,
-                     const double        outlet_pressure)
+    extend_in_window(SlabField       &pressure,
+                     const SlabField &flow_gap,
+                     const int        w,
+                     KnownLines       lines)
     {
       const SlabLayout &layout = pressure.layout();
       const auto [dx, dy]      = layout.spacing(w);
-      const int           seam = layout.seam(w, direction == FlowDirection::x ? 0 : 1);
-      const int           nx   = layout.windows()[w].n_columns() + 2;
-      const int           ny   = layout.windows()[w].n_rows() + 2;
-      const SlabLayoutPtr box  = make_layout({nx, ny, nx * dx, ny * dy}, MPI_COMM_SELF);
+      const int seam = layout.seam(w, lines.direction == FlowDirection::x ? 0 : 1);
+      lines.seam     = seam < 0 ? -1 : seam + 1;
+      lines.has_rim  = true;
+      const int           nx  = layout.windows()[w].n_columns() + 2;
+      const int           ny  = layout.windows()[w].n_rows() + 2;
+      const SlabLayoutPtr box = make_layout({nx, ny, nx * dx, ny * dy}, MPI_COMM_SELF);
       const std::vector<double> around = around_window(pressure, w);
       SlabField                 within(box), gap(box);
       std::copy(around.begin(), around.end(), within.begin());
@@ -251,11 +259,7 @@ namespace strait
         std::copy_n(pressure.data() + k, nx - 2, of_fluid);
         std::copy_n(flow_gap.data() + k, nx - 2, of_gap);
       });
-      const int iterations = extend(within,
-                                    gap,
-                                    {direction, seam < 0 ? -1 : seam + 1, true},
-                                    inlet_pressure,
-                                    outlet_pressure);
+      const int iterations = extend(within, gap, lines);
       for_each_row([&](const std::size_t k, const double *of_fluid, const double *) {
         std::copy_n(of_fluid, nx - 2, pressure.data() + k);
       });
@@ -272,18 +276,17 @@ namespace strait
   {
     const SlabLayout &layout    = pressure.layout();
     const int         n_windows = static_cast<int>(layout.windows().size());
-    const KnownLines  on_grid   = {direction, 0, false};
+    const KnownLines  on_grid   = {direction, inlet_pressure, outlet_pressure, 0, false};
     if (n_windows == 0)
-      return extend(pressure, flow_gap, on_grid, inlet_pressure, outlet_pressure);
+      return extend(pressure, flow_gap, on_grid);
     const SlabLayoutPtr grid = with_windows(layout, {});
     SlabField           of_fluid(grid), of_gap(grid);
     std::copy_n(pressure.begin(), of_fluid.size(), of_fluid.begin());
     std::copy_n(flow_gap.begin(), of_gap.size(), of_gap.begin());
-    int iterations = extend(of_fluid, of_gap, on_grid, inlet_pressure, outlet_pressure);
+    int iterations = extend(of_fluid, of_gap, on_grid);
     std::copy(of_fluid.begin(), of_fluid.end(), pressure.begin());
     for (int w = 0; w < n_windows; ++w)
-      iterations += extend_in_window(
-        pressure, flow_gap, w, direction, inlet_pressure, outlet_pressure);
+      iterations += extend_in_window(pressure, flow_gap, w, on_grid);
     copy_to_covered(pressure);
     return iterations;
   }
