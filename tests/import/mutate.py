@@ -26,7 +26,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 from map_import import read  # noqa: E402
 from map_import.channel import Refused  # noqa: E402
 
-SECONDS, MEMORY = 15, 2_000_000_000
+SECONDS, MEMORY = 25, 2_000_000_000
 
 
 def damaged(content, chance):

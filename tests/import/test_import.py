@@ -528,7 +528,7 @@ class Damaged(Case):
 
     def test_mutations(self):
         """More by hand: mutate.py FILE RUNS."""
-        n_runs = 8
+        n_runs = 15
         for name in self.samples():
             with self.subTest(name):
                 through = name in files.THROUGH_GWYDDION

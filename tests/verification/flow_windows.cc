@@ -213,7 +213,6 @@ namespace strait
                   .02);
     }
 
-    // Along the flow the seam is inlet and outlet, of which a window may hold parts.
     TEST(FlowWindows, PressureFallsEvenlyInAUniformGapParallel)
     {
       const SlabLayoutPtr layout = with_windows(
@@ -230,6 +229,7 @@ namespace strait
       });
     }
 
+    // Along the flow the seam is inlet and outlet, of which a window may hold parts.
     TEST(FlowWindows, MayLieAcrossInletAndOutletParallel)
     {
       const auto gap = [](const double x, const double y) {

@@ -201,7 +201,6 @@ namespace strait
       rough.programme.pressures                = {.05, .1, .06};
       Scene pressed                            = rough;
       pressed.fluid.feedback.enabled           = true;
-      pressed.programme.pressures              = {.05};
       pressed.fluid.inlet_pressure             = .02;
       pressed.programme.find_threshold         = true;
       pressed.programme.threshold_tolerance    = 1e-2;

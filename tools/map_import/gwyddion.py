@@ -10,7 +10,7 @@ import numpy as np
 
 from .channel import Channel, Refused, check_extents, metres_in
 
-SECONDS = 12   # of the 15 that an import may take; 1.5 s was the most of forty files tried
+SECONDS = 20   # of the 25 that an import may take; 1.5 s was the most of forty files tried
 
 
 def convert(path, scratch):
