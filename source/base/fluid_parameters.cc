@@ -64,7 +64,7 @@ namespace strait
       "anderson: combine the last rounds such that the change would be smallest; none: "
       "take the pressure of the last round.";
     effect.add("Relaxation", relaxation, positive.at_most(1.)).meaning =
-      "Share of a change of the fluid pressure that is taken [1].";
+      "Fraction of a change of the fluid pressure that is taken [1].";
     effect.add("Pool pressure", pool_pressure, any_number).meaning =
       "Fluid pressure in open regions that no reservoir reaches; 0: they are dry "
       "[pressure]. Where trapped fluid is not drained, that in which it is found at the "

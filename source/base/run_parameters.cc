@@ -163,7 +163,7 @@ namespace strait
       "Contact fraction at which the effective medium seals, for Dimension parameter = "
       "critical fraction [1].";
     effect.add("Gamma", gamma, positive.at_most(1.)).meaning =
-      "Persson's gamma, the share of the elastic energy of full contact that is stored "
+      "Persson's gamma, the fraction of the elastic energy of full contact that is stored "
       "at low loads [1].";
   }
 

@@ -53,7 +53,7 @@ namespace strait
     section.add("Largest missing share", largest_missing_share, not_negative.at_most(1.))
       .meaning =
       "missing points are filled by harmonic interpolation if they are not "
-      "more than this share of all [1].";
+      "more than this fraction of all [1].";
     section.add("Windows", windows, any_number.at_least(1).at_most(1000)).meaning =
       "cut the map into so many equal windows along x and y, and take the "
       "one with the number Seed, counted along x from 1; one number: both [1].";
@@ -65,7 +65,7 @@ namespace strait
       "mean at the edges; mirror: the map and its mirror images, twice as long and wide.";
     section.when("Make periodic", {"window"})
       .add("Window width", window_width, positive.at_most(0.5))
-      .meaning = "share of the sides over which heights fade, at each edge [1].";
+      .meaning = "fraction of the sides over which heights fade, at each edge [1].";
     section.add("Resample", resample).meaning =
       "bring the map to Contact/Grid points by Fourier interpolation; "
       "false: the grid must be the map's.";

@@ -137,10 +137,10 @@ namespace strait
     const double work = problem.apply(d, response.data());
     if (free_work > 0)
       {
-        const double share =
+        const double fraction =
           (work / (length * length) - fixed_work) / free_work; // <z, Kz>/<z, r>
         // A step that closes many points says little of the stiffness of the others.
-        stiffness = std::clamp(share, .2, 3.);
+        stiffness = std::clamp(fraction, .2, 3.);
       }
     return work;
   }

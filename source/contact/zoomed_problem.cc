@@ -68,7 +68,7 @@ namespace strait
     std::vector<Number>           values;
   };
 
-  /** One window's share of the operator. */
+  /** One window's part of the operator. */
   template <class Number>
   class ZoomedOperator<Number>::Window
   {

@@ -189,7 +189,7 @@ namespace strait
             {"simulated", simulated}})
         if (gaps)
           {
-            write(name, gaps->shares);
+            write(name, gaps->fractions);
             group.set_attribute(name + "_contact_area", gaps->contact_area);
           }
     }

@@ -11,7 +11,7 @@ namespace strait
   {
     // Where the accuracy is that of the whole number: what the mesh may take of it. Half
     // of it makes twice the cells, double of it leaves nothing to the gap.
-    constexpr double share_of_mesh = .5;
+    constexpr double fraction_of_mesh = .5;
 
     /** Of walls that the fluid has parted: nothing limits the leak. */
     StepFlow
@@ -27,11 +27,11 @@ namespace strait
     /** What the bracket of the leak rate in @p state may take of the target accuracy,
      * when the fluid's pressure on the wall has taken its own. */
     double
-    share_of_bracket(const SealState &state, const double target_accuracy)
+    fraction_of_bracket(const SealState &state, const double target_accuracy)
     {
-      return state.fluid
-               ? std::max(mesh_share, 1. - 2. * state.fluid->mesh_error / target_accuracy)
-               : 1.;
+      return state.fluid ? std::max(mesh_fraction,
+                                    1. - 2. * state.fluid->mesh_error / target_accuracy)
+                         : 1.;
     }
 
     /** Widen the bracket @p result of the leak rate in the gap of @p fluid by what the
@@ -55,12 +55,13 @@ namespace strait
   leak_through(const SealState &state, const Scene &scene, FlowStage &flow)
   {
     const double accuracy = scene.fluid.target_accuracy;
-    StepFlow     result   = state.fluid && state.fluid->lifted_off
-                              ? unlimited_flow(state.gap().size())
-                              : flow.solve(state.gap(),
-                                     state.control.slip_length,
-                                     share_of_bracket(state, accuracy) *
-                                       (scene.contact.zoom.enabled ? share_of_mesh : 1.));
+    StepFlow     result =
+      state.fluid && state.fluid->lifted_off
+            ? unlimited_flow(state.gap().size())
+            : flow.solve(state.gap(),
+                     state.control.slip_length,
+                     fraction_of_bracket(state, accuracy) *
+                       (scene.contact.zoom.enabled ? fraction_of_mesh : 1.));
     if (state.fluid && result.solution)
       allow_for_feedback(result.leakage, *state.fluid, accuracy);
     flow.warn_of_width(result.leakage);

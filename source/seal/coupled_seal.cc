@@ -18,13 +18,13 @@ namespace strait
   {
     // Of the change that a round makes, in rounds that are to keep a state. With three
     // times of it they lose more states that are there, half of it takes more rounds.
-    constexpr double small_share = .1;
+    constexpr double small_fraction = .1;
 
     struct LiftedOff
     {
     };
 
-    /** The way to one state, with a share of the changes that relaxation takes. */
+    /** The way to one state, with a fraction of the changes that relaxation takes. */
     class Coupling
     {
     public:
@@ -35,7 +35,7 @@ namespace strait
                Log                 &log_,
                const Control       &control_,
                const SealState     *from,
-               const double         share)
+               const double         fraction)
         : scene(scene_)
         , contact(contact_)
         , layout(from != nullptr ? from->contact->pressure.layout_pointer() : layout_)
@@ -45,9 +45,9 @@ namespace strait
         , near(from != nullptr && !(from->fluid && from->fluid->lifted_off)
                  ? &*from->contact
                  : nullptr)
-        , feedback(scene.fluid.feedback, layout, share)
+        , feedback(scene.fluid.feedback, layout, fraction)
         , on_wall(scene, control, from)
-        , mesh_accuracy(mesh_share * scene.fluid.target_accuracy)
+        , mesh_accuracy(mesh_fraction * scene.fluid.target_accuracy)
       {
         state.control = control;
         state.fluid.emplace();
@@ -58,7 +58,7 @@ namespace strait
         const double fluid_load = mean(feedback.pressure());
         if (on_wall.is_limited_by_load() && fluid_load >= control.target)
           for (double &pressure : feedback.pressure())
-            pressure *= FluidOnWall::largest_share * control.target / fluid_load;
+            pressure *= FluidOnWall::largest_fraction * control.target / fluid_load;
       }
 
       /** Contact and flow that agree to what @p aim needs; see FeedbackGoal if only one
@@ -82,10 +82,10 @@ namespace strait
         // The verdict should not depend on what the iteration leaves over, but below that
         // it is what contact and flow leave over that counts. Half of it takes a few
         // rounds more, double of it blurs the tightest thresholds that can be asked for.
-        constexpr double least = 1e-5;
-        const double     share = looseness * scene.programme.threshold_tolerance;
+        constexpr double least    = 1e-5;
+        const double     fraction = looseness * scene.programme.threshold_tolerance;
         FeedbackGoal     goal{std::min(scene.fluid.feedback.tolerance,
-                                   std::max(share, least)),
+                                   std::max(fraction, least)),
                           std::numeric_limits<double>::infinity()};
         goal.once_open = open_is_enough ? looseness : 0.;
         goal.verdict   = verdict;
@@ -104,7 +104,7 @@ namespace strait
       find_mesh()
       {
         // If the leak rate changes by more than that, contact and flow went to another
-        // state, for which another mesh of this share is wanted. Half of it discards
+        // state, for which another mesh of this fraction is wanted. Half of it discards
         // meshes that are merely coarse, double of it refines meshes that were made for
         // another gap.
         constexpr double another_state = .5;
@@ -118,7 +118,7 @@ namespace strait
         FluidState  &fluid           = *state.fluid;
         const double loosely         = std::max(tolerance, looseness * target_accuracy);
         FeedbackGoal goal{loosely, loosely};
-        double       share = mesh_share;
+        double       fraction = mesh_fraction;
 
         std::optional<double> leak_before;
         for (int finer = 0, states = 1;;)
@@ -134,14 +134,14 @@ namespace strait
               {
                 // A change below the width of the bracket, or below what the iteration
                 // leaves over, is chance.
-                const Leakage &now = flow.certify(fluid_flow, share);
+                const Leakage &now = flow.certify(fluid_flow, fraction);
                 fluid.mesh_error   = std::max({std::abs(*leak_before / now.rate - 1.),
                                                .5 * now.relative_width(),
                                                loosely});
                 stays              = fluid.mesh_error <= another_state;
                 // The bracket of the row may take as much as that of the first mesh.
                 const double width =
-                  std::max(now.relative_width(), mesh_share * target_accuracy);
+                  std::max(now.relative_width(), mesh_fraction * target_accuracy);
                 const bool is_narrow = width + 2. * fluid.mesh_error <= target_accuracy;
                 if (is_narrow || (stays ? finer == max_finer : states == max_states))
                   break;
@@ -149,14 +149,14 @@ namespace strait
             if (stays)
               {
                 ++finer;
-                share *= mesh_share;
+                fraction *= mesh_fraction;
               }
             else
               {
                 ++states;
                 flow.discard_mesh();
               }
-            leak_before = flow.certify(fluid_flow, share).rate;
+            leak_before = flow.certify(fluid_flow, fraction).rate;
           }
         goal.tolerance = tolerance;
         if (fluid.converged && !last_result.agrees_within(goal))
@@ -168,8 +168,8 @@ namespace strait
       void
       agree(FeedbackGoal goal)
       {
-        // Half as many give long steps up on which pools meet one after the other, twice
-        // as many go on where pools meet and part without end.
+        // Half as many give long steps up on which regions meet one after the other,
+        // twice as many go on where regions meet and part without end.
         constexpr int most_meetings = 4;
         if (on_wall.is_limited_by_load())
           goal.largest_mean = control.target;
@@ -287,8 +287,8 @@ namespace strait
                                                                   const SealState *from,
                                                                   const Aim        aim) {
         flow.set_inlet_pressure(control.inlet_pressure);
-        const auto reach = [&](const double share, const std::optional<bool> verdict) {
-          Coupling coupling(scene, *contact, layout, flow, log, control, from, share);
+        const auto reach = [&](const double fraction, const std::optional<bool> verdict) {
+          Coupling coupling(scene, *contact, layout, flow, log, control, from, fraction);
           return coupling.reach(aim, verdict);
         };
         SealState state = reach(1., {});
@@ -296,7 +296,7 @@ namespace strait
           {
             // A large step may have lost a state that is there.
             const bool verdict = from->fluid->percolates;
-            SealState  kept    = reach(small_share, verdict);
+            SealState  kept    = reach(small_fraction, verdict);
             kept.costs += state.costs;
             if (kept.fluid->converged && kept.fluid->percolates == verdict)
               state = std::move(kept);

@@ -14,7 +14,7 @@ namespace strait
     : product(std::move(product_))
     , history(history_)
     , relaxation(relaxation_)
-    , share(relaxation)
+    , fraction(relaxation)
   {
   }
 
@@ -25,15 +25,15 @@ namespace strait
                       const bool        combines)
   {
     // A circle through a jump, of some ten rounds, has to become smaller. With half of
-    // the growth the share recovers later from turns on the way, with double of it
+    // the growth the fraction recovers later from turns on the way, with double of it
     // circles take twice the rounds to come to rest.
     constexpr double growth     = 1.0625;
     const bool       has_before = has_last; // never without history
     remember(x, image, n);
     if (!combines && has_before && turns_round())
-      share *= .5;
+      fraction *= .5;
     else
-      share = std::min(growth * share, relaxation);
+      fraction = std::min(growth * fraction, relaxation);
     const std::vector<double> weights = combines ? best_weights() : std::vector<double>();
     for (std::size_t i = 0; i < n; ++i)
       {
@@ -43,7 +43,7 @@ namespace strait
             from -= weights[k] * differences[k].x[i];
             change -= weights[k] * differences[k].residual[i];
           }
-        x[i] = from + share * change;
+        x[i] = from + fraction * change;
       }
   }
 
@@ -89,10 +89,10 @@ namespace strait
     // Rounds that say almost the same as others must not fight each other.
     A.compute_inverse_svd(std::numeric_limits<float>::epsilon());
     A.vmult(weights, b);
-    double along_residual = share * product(last_residual, last_residual);
+    double along_residual = fraction * product(last_residual, last_residual);
     for (std::size_t i = 0; i < m; ++i)
       along_residual -=
-        weights(i) * (product(differences[i].x, last_residual) + share * b(i));
+        weights(i) * (product(differences[i].x, last_residual) + fraction * b(i));
     if (along_residual <= 0.)
       return {};
     return {weights.begin(), weights.end()};
@@ -108,9 +108,9 @@ namespace strait
   void
   FixedPoint::jump()
   {
-    const double before = share;
+    const double before = fraction;
     restart();
-    share = .5 * before;
+    fraction = .5 * before;
   }
 
   void
@@ -123,7 +123,7 @@ namespace strait
   void
   FixedPoint::move_on()
   {
-    share = relaxation;
+    fraction = relaxation;
     last_residual.clear();
     last_x.clear();
     has_last = false;

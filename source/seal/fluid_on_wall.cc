@@ -9,14 +9,14 @@
 namespace strait
 {
   void
-  UnsettledPools::note(const std::vector<NodeState> &now)
+  UnsettledRegions::note(const std::vector<NodeState> &now)
   {
     points.resize(now.size());
     for (std::size_t k = 0; k < now.size(); ++k)
       if (Point &point = points[k]; now[k] == NodeState::trapped)
-        point.is_pool = true;
+        point.is_trapped = true;
       else
-        point = {now[k], false, point.has_ceased || point.is_pool};
+        point = {now[k], false, point.has_ceased || point.is_trapped};
   }
 
   FluidOnWall::FluidOnWall(const Scene     &scene_,
@@ -57,10 +57,10 @@ namespace strait
             known.owner.assign(assumed.size(), TrappedFluid::reservoirs);
             found = known;
           }
-        const SlabField  gap = open;
-        const PoolsInGap pools(known, gap, fluid_flow.channel.clusters);
-        assign(result, open, fluid_flow, &pools);
-        hold(result, open, contact, assumed, pools);
+        const SlabField    gap = open;
+        const RegionsInGap regions(known, gap, fluid_flow.channel.clusters);
+        assign(result, open, fluid_flow, &regions);
+        hold(result, open, contact, assumed, regions);
       }
     else
       {
@@ -73,12 +73,12 @@ namespace strait
                          scene.fluid.direction,
                          control.inlet_pressure,
                          scene.fluid.outlet_pressure);
-    // Neither a pool that is too full lifts the wall off nor fluid before a channel that
-    // is closed: its pressure falls as soon as the wall has given way. Not until the
+    // Neither a region that is too full lifts the wall off nor fluid before a channel
+    // that is closed: its pressure falls as soon as the wall has given way. Not until the
     // solid carries next to nothing is it certain that the wall does not.
     const double before = mean(assumed);
     if (is_limited_by_load() && mean(result) >= control.target &&
-        before < largest_share * control.target)
+        before < largest_fraction * control.target)
       {
         const double part = .5 * (control.target - before) / (mean(result) - before);
         for (std::size_t k = 0; k < result.size(); ++k)
@@ -87,13 +87,13 @@ namespace strait
     return result;
   }
 
-  /** The pressure of all fluid but that in @p pools, if they are given. What is not open
-   *  to it is closed in @p open_gap. */
+  /** The pressure of all fluid but that in @p regions, if they are given. What is not
+   * open to it is closed in @p open_gap. */
   void
-  FluidOnWall::assign(SlabField        &pressure,
-                      SlabField        &open_gap,
-                      const StepFlow   &fluid_flow,
-                      const PoolsInGap *pools) const
+  FluidOnWall::assign(SlabField          &pressure,
+                      SlabField          &open_gap,
+                      const StepFlow     &fluid_flow,
+                      const RegionsInGap *regions) const
   {
     const std::vector<NodeState> &states = fluid_flow.channel.clusters.states;
     const double    inlet = control.inlet_pressure, outlet = scene.fluid.outlet_pressure;
@@ -103,10 +103,10 @@ namespace strait
         : SlabField();
     for (std::size_t k = 0; k < pressure.size(); ++k)
       {
-        if (pools != nullptr && pools->regions[k] >= 0)
+        if (regions != nullptr && regions->region_of_point[k] >= 0)
           continue;
         std::optional<NodeState> before;
-        if (pools == nullptr)
+        if (regions == nullptr)
           before = unsettled.state_before(k);
         switch (before.value_or(states[k]))
           {
@@ -135,34 +135,34 @@ namespace strait
       }
   }
 
-  /** The pressures at which @p pools hold their fluid. */
+  /** The pressures at which @p regions hold their fluid. */
   void
   FluidOnWall::hold(SlabField          &pressure,
                     SlabField          &open_gap,
                     const ContactState &contact,
                     const SlabField    &assumed,
-                    const PoolsInGap   &pools) const
+                    const RegionsInGap &regions) const
   {
     const FeedbackParameters &parameters = scene.fluid.feedback;
-    const std::vector<double> now        = pools.in_the_wide(assumed);
-    const std::vector<double> on_shut    = pools.in_the_wide(contact.pressure);
+    const std::vector<double> now        = regions.in_the_wide(assumed);
+    const std::vector<double> on_shut    = regions.in_the_wide(contact.pressure);
     std::vector<double>       next(now);
     for (std::size_t r = 0; r < next.size(); ++r)
-      if (r < known.pools.size())
+      if (r < known.regions.size())
         {
           // What is pressed shut opens once its fluid has taken the contact over.
-          const Pool  &pool = known.pools[r];
-          const double volume =
-            pools.volumes[r] > 0. ? pools.volumes[r] : -pool.compliance * on_shut[r];
-          next[r] = pressure_to_hold(parameters, pool, volume, now[r]);
+          const TrappedRegion &region = known.regions[r];
+          const double         volume = regions.volumes[r] > 0. ? regions.volumes[r]
+                                                                : -region.compliance * on_shut[r];
+          next[r] = pressure_to_hold(parameters, region, volume, now[r]);
         }
       else if (!has_extended)
         next[r] = parameters.pool_pressure;
     for (std::size_t k = 0; k < pressure.size(); ++k)
-      if (const int r = pools.regions[k]; r >= 0)
+      if (const int r = regions.region_of_point[k]; r >= 0)
         {
           pressure[k] = next[r];
-          // Any gap will do for a pool that is shut: its points count as open.
+          // Any gap will do for a region that is shut: its points count as open.
           open_gap[k] = std::max(open_gap[k], std::numeric_limits<double>::min());
         }
   }
@@ -175,15 +175,15 @@ namespace strait
     if (!found)
       return false;
     const SlabField          gap = open_gap(contact.gap, control.slip_length);
-    const PoolsInGap         pools(known, gap, fluid_flow.channel.clusters);
+    const RegionsInGap       regions(known, gap, fluid_flow.channel.clusters);
     std::optional<SlabField> before;
     if (past != nullptr)
       before = open_gap(past->gap(), past->control.slip_length);
-    PoolsInGap::Settled settled = pools.settle(scene.fluid.feedback,
-                                               pools.in_the_wide(pressure),
-                                               scene.contact.effective_modulus,
-                                               before ? &*before : nullptr);
-    found                       = std::move(settled.fluid);
+    RegionsInGap::Settled settled = regions.settle(scene.fluid.feedback,
+                                                   regions.in_the_wide(pressure),
+                                                   scene.contact.effective_modulus,
+                                                   before ? &*before : nullptr);
+    found                         = std::move(settled.fluid);
     found->uncertainty += known.uncertainty;
     if (settled.has_changed)
       known = *found;

@@ -32,7 +32,7 @@ namespace strait
         , lines(lines_)
         , weight_x(layout.grid().dy() / layout.grid().dx())
         , weight_y(layout.grid().dx() / layout.grid().dy())
-        , share(flow_gap.size())
+        , factor(flow_gap.size())
       {
         // The best for contacts of some twenty points across, as there are near the
         // threshold. Half of what it lacks to 2, and double, take a third more
@@ -55,7 +55,7 @@ namespace strait
               spring[k]          = ratio < 1 && !is_on_line(ix, row)
                                      ? sides * ratio * ratio / (1. - ratio)
                                      : std::numeric_limits<double>::infinity();
-              share[k]           = over_relaxation / (2. * sides + spring[k]);
+              factor[k]          = over_relaxation / (2. * sides + spring[k]);
               if (std::isfinite(spring[k]))
                 points.push_back(k);
             }
@@ -131,8 +131,8 @@ namespace strait
         for (const int k : points)
           {
             const double below = k >= nx ? z[k - nx] : 0.;
-            const double alone = share[k] * (r[k] + weight_y * below);
-            z_there = alone + share[k] * weight_x * (before == k - 1 ? z_there : 0.);
+            const double alone = factor[k] * (r[k] + weight_y * below);
+            z_there = alone + factor[k] * weight_x * (before == k - 1 ? z_there : 0.);
             z[k]    = z_there;
             before  = k;
           }
@@ -141,8 +141,8 @@ namespace strait
           {
             const int    k     = *point;
             const double above = k + nx < n ? z[k + nx] : 0.;
-            const double alone = z[k] + share[k] * weight_y * above;
-            z_there = alone + share[k] * weight_x * (before == k + 1 ? z_there : 0.);
+            const double alone = z[k] + factor[k] * weight_y * above;
+            z_there = alone + factor[k] * weight_x * (before == k + 1 ? z_there : 0.);
             z[k]    = z_there;
             before  = k;
           }
@@ -159,7 +159,7 @@ namespace strait
       const double      weight_x, weight_y; // dy/dx and dx/dy
 
       // How much of its own equation's residual a point takes.
-      std::vector<double> share;
+      std::vector<double> factor;
     };
 
     /** extend_under_contact() on a grid without windows, where @p lines are known. */

@@ -17,7 +17,7 @@ namespace strait
     constexpr int max_solves = 60;
 
     /** Of a step in which fluid is cut off, or a channel opens or closes, of the one
-     * asked for. Half of it takes twice as many where small pools form all the time,
+     * asked for. Half of it takes twice as many where small regions form all the time,
      * double of it leaves twice the doubt. */
     constexpr double shortest = 1.5 / 16;
 

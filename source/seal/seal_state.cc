@@ -46,7 +46,7 @@ namespace strait
           {
             TrappedFluid &trapped = *fluid.trapped;
             archive.field(trapped.owner, *layout);
-            archive.values(trapped.pools,
+            archive.values(trapped.regions,
                            trapped.area,
                            trapped.guessed_area,
                            trapped.pressure,

@@ -8,30 +8,32 @@
 namespace strait
 {
   double
-  volume_at(const FeedbackParameters &parameters, const Pool &pool, const double pressure)
+  volume_at(const FeedbackParameters &parameters,
+            const TrappedRegion      &region,
+            const double              pressure)
   {
     const double modulus = parameters.bulk_modulus, slope = parameters.bulk_modulus_slope;
     switch (parameters.trapped_fluid)
       {
         case TrappedFluidLaw::compressible:
-          return pool.volume * (slope == 0.
-                                  ? std::exp(-(pressure - pool.pressure) / modulus)
-                                  : std::pow((modulus + slope * pressure) /
-                                               (modulus + slope * pool.pressure),
-                                             -1. / slope));
+          return region.volume * (slope == 0.
+                                    ? std::exp(-(pressure - region.pressure) / modulus)
+                                    : std::pow((modulus + slope * pressure) /
+                                                 (modulus + slope * region.pressure),
+                                               -1. / slope));
         case TrappedFluidLaw::gas:
-          return pool.volume * pool.pressure /
+          return region.volume * region.pressure /
                  std::max(pressure, std::numeric_limits<double>::min());
         case TrappedFluidLaw::incompressible:
         case TrappedFluidLaw::drained:
           break;
       }
-    return pool.volume;
+    return region.volume;
   }
 
   double
   pressure_to_hold(const FeedbackParameters &parameters,
-                   const Pool               &pool,
+                   const TrappedRegion      &region,
                    const double              volume,
                    const double              pressure)
   {
@@ -39,17 +41,18 @@ namespace strait
     const bool   is_gas = parameters.trapped_fluid == TrappedFluidLaw::gas;
     const double least  = is_gas ? 0. : parameters.vapour_pressure;
     const auto   excess = [&](const double p) {
-      return volume + pool.compliance * (p - pressure) - volume_at(parameters, pool, p);
+      return volume + region.compliance * (p - pressure) -
+             volume_at(parameters, region, p);
     };
     if (excess(least) >= 0.)
       return least;
     // The walls yield as the pressure rises, and the fluid shrinks: one pressure fits.
     double lower = least;
-    double upper = std::max({pressure, pool.pressure, least});
+    double upper = std::max({pressure, region.pressure, least});
     upper += std::max(0.,
-                      volume_at(parameters, pool, upper) - volume -
-                        pool.compliance * (upper - pressure)) /
-             pool.compliance;
+                      volume_at(parameters, region, upper) - volume -
+                        region.compliance * (upper - pressure)) /
+             region.compliance;
     for (double middle = .5 * (lower + upper); lower < middle && middle < upper;
          middle        = .5 * (lower + upper))
       (excess(middle) < 0. ? lower : upper) = middle;

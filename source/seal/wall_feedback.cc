@@ -60,21 +60,21 @@ namespace strait
     {
       const SlabField way    = difference(b, a);
       const double    square = product(way, way);
-      const double    share =
+      const double    fraction =
         square > 0 ? std::clamp(-product(a, way) / square, 0., 1.) : 0.;
-      a = moved(std::move(a), share, way);
+      a = moved(std::move(a), fraction, way);
     }
   } // namespace
 
   WallFeedback::WallFeedback(const FeedbackParameters &feedback_parameters,
                              const SlabLayoutPtr      &layout,
-                             const double              share)
+                             const double              fraction)
     : parameters(feedback_parameters)
     , assumed(layout)
     , fixed_point([layout](const auto &a,
                            const auto &b) { return product(*layout, a, b); },
                   parameters.plain_rounds ? 0 : rounds_combined,
-                  share * parameters.relaxation)
+                  fraction * parameters.relaxation)
   {
   }
 

@@ -65,7 +65,7 @@ namespace strait
      * coarser one would fold both together.
      */
     double
-    share_of_wave(const int k, const int n, const int n_target)
+    fraction_of_wave(const int k, const int n, const int n_target)
     {
       const int twice = 2 * std::abs(k);
       if (twice > n || (twice == n_target && n_target < n))
@@ -125,11 +125,11 @@ namespace strait
     result.values.resize(static_cast<std::size_t>(target.n_points()));
     FourierTransform(make_layout(target, MPI_COMM_SELF))
       .synthesize(result.values.data(), [&](const int kx, const int ky) -> Complex {
-        const double q     = 2 * M_PI * std::hypot(kx / source.lx, ky / source.ly);
-        const double share = share_of_wave(kx, source.nx, target.nx) *
-                             share_of_wave(ky, source.ny, target.ny);
+        const double q        = 2 * M_PI * std::hypot(kx / source.lx, ky / source.ly);
+        const double fraction = fraction_of_wave(kx, source.nx, target.nx) *
+                                fraction_of_wave(ky, source.ny, target.ny);
         const bool is_in_band = q == 0. || (q <= q_most && q >= q_least);
-        return share > 0. && is_in_band ? share * mode_at(kx, ky) : 0.;
+        return fraction > 0. && is_in_band ? fraction * mode_at(kx, ky) : 0.;
       });
     const auto statistics_of = [](const PeriodicGrid        &grid,
                                   const std::vector<double> &map) {

@@ -61,7 +61,7 @@ namespace strait
     result.contact_area      = sums[2 * n] / n_points;
     for (std::size_t k = 0; k < n; ++k)
       {
-        result.shares.push_back(sums[2 * k] / n_points);
+        result.fractions.push_back(sums[2 * k] / n_points);
         result.gaps.push_back(sums[2 * k] > 0 ? sums[2 * k + 1] / sums[2 * k]
                                               : .5 * (edges[k] + edges[k + 1]));
       }
@@ -77,7 +77,7 @@ namespace strait
     for (std::size_t k = 0; k < gaps.gaps.size(); ++k)
       {
         cubes.push_back(std::pow(gaps.gaps[k], 3));
-        open += gaps.shares[k];
+        open += gaps.fractions[k];
       }
     const double blocked = gaps.contact_area / (gaps.contact_area + open);
     if (!(open > 0) || blocked >= 1 - 1 / n)
@@ -88,7 +88,8 @@ namespace strait
       const double effective = std::exp(log_effective);
       double       sum       = -gaps.contact_area / (n - 1);
       for (std::size_t k = 0; k < cubes.size(); ++k)
-        sum += gaps.shares[k] * (cubes[k] - effective) / (cubes[k] + (n - 1) * effective);
+        sum +=
+          gaps.fractions[k] * (cubes[k] - effective) / (cubes[k] + (n - 1) * effective);
       return sum;
     };
     // Between the results for the least and the most conductivity throughout, and as much

@@ -22,7 +22,7 @@ namespace strait
 
     /** Probability that |separation + roughness z| < u, z normal. */
     double
-    share_below(const GapLayer &layer, const double u)
+    fraction_below(const GapLayer &layer, const double u)
     {
       const double scale = std::sqrt(.5) / layer.roughness;
       return .5 * (std::erf((u - layer.separation) * scale) +
@@ -73,8 +73,8 @@ namespace strait
         const double elastic = contact_area(hardness - pressure);
         return {elastic, 1. - elastic};
       }
-    // The shares that have not been absorbed are sines that decay, e_n; for the next ones
-    // of a sum of at most 54 to be a rounding error.
+    // The fractions that have not been absorbed are sines that decay, e_n; for the next
+    // ones of a sum of at most 54 to be a rounding error.
     double elastic = 0., plastic = pressure / hardness;
     for (int n = 1;; ++n)
       {
@@ -183,15 +183,15 @@ namespace strait
         const double last_height = height;
         open                     = std::erfc(x);
         gap                      = mean_gap(slopes[k], smoothed / area);
-        height             = waves.height_square_above(waves.wave_number_at(slopes[k]));
-        const double share = open - last_open;
-        if (k == 0 || !(share > 0))
+        height = waves.height_square_above(waves.wave_number_at(slopes[k]));
+        const double fraction = open - last_open;
+        if (k == 0 || !(fraction > 0))
           continue;
         // d(ūA)/dA as a quotient of differences, without that of products close to
         // each other.
-        state.layers.push_back({share,
+        state.layers.push_back({fraction,
                                 .5 * (gap + last_gap) + (1 - .5 * (open + last_open)) *
-                                                          (last_gap - gap) / share,
+                                                          (last_gap - gap) / fraction,
                                 std::sqrt(.5 * (height + last_height))});
       }
     return state;
@@ -211,18 +211,18 @@ namespace strait
                             1e3 * std::sqrt(waves.height_square()),
                             bins_per_decade() / merged);
     const std::size_t n = result.edges.size() - 1;
-    result.shares.assign(n, 0.);
+    result.fractions.assign(n, 0.);
     for (const GapLayer &layer : state.layers)
       {
         // That of zero is 0/0 in a layer that has neither roughness nor separation.
-        double below = closed > 0 ? share_below(layer, closed) : 0.;
-        result.contact_area += layer.share * below;
+        double below = closed > 0 ? fraction_below(layer, closed) : 0.;
+        result.contact_area += layer.fraction * below;
         for (std::size_t k = 0; k < n; ++k)
           {
             // Whatever is larger belongs to the last bin; the walls are far apart there.
             const double next =
-              k + 1 < n ? share_below(layer, closed + result.edges[k + 1]) : 1.;
-            result.shares[k] += layer.share * (next - below);
+              k + 1 < n ? fraction_below(layer, closed + result.edges[k + 1]) : 1.;
+            result.fractions[k] += layer.fraction * (next - below);
             below = next;
             if (below == 1.)
               break;

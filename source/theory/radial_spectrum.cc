@@ -19,12 +19,12 @@ namespace strait
       return power == 0. ? x : std::expm1(power * x) / power;
     }
 
-    /** The x at which growth() reaches @p share of its value at @p end. */
+    /** The x at which growth() reaches @p fraction of its value at @p end. */
     double
-    inverse_growth(const double power, const double share, const double end)
+    inverse_growth(const double power, const double fraction, const double end)
     {
-      return power == 0. ? share * end
-                         : std::log1p(share * std::expm1(power * end)) / power;
+      return power == 0. ? fraction * end
+                         : std::log1p(fraction * std::expm1(power * end)) / power;
     }
 
     /** That which @p q lies in, if it is within the band. */

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Laws of trapped fluid, and what becomes of pools that split, meet or find a reservoir.
+// Laws of trapped fluid, and what becomes of regions that split, meet or find a
+// reservoir.
 #include <strait/base/collective.h>
-#include <strait/seal/pools_in_gap.h>
+#include <strait/seal/regions_in_gap.h>
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ namespace strait
 
     TEST(TrappedFluid, PressureAndVolumeBelongTogether)
     {
-      const Pool pool{2., .5, .3};
+      const TrappedRegion region{2., .5, .3};
       for (const FeedbackParameters &parameters :
            {law(TrappedFluidLaw::incompressible),
             law(TrappedFluidLaw::compressible, 3.),
@@ -34,18 +35,19 @@ namespace strait
             law(TrappedFluidLaw::gas)})
         for (const double volume : {1.5, 2., 2.04})
           {
-            const double p = pressure_to_hold(parameters, pool, volume, .5);
-            EXPECT_NEAR(volume + pool.compliance * (p - .5),
-                        volume_at(parameters, pool, p),
+            const double p = pressure_to_hold(parameters, region, volume, .5);
+            EXPECT_NEAR(volume + region.compliance * (p - .5),
+                        volume_at(parameters, region, p),
                         1e-12);
             EXPECT_EQ(volume == 2., std::abs(p - .5) < 1e-12);
           }
       // dV/dp = −V/B with B = B0 + B1 p.
       const FeedbackParameters stiff = law(TrappedFluidLaw::compressible, 3., 7.);
       const double             slope =
-        (volume_at(stiff, pool, .5 + 1e-6) - volume_at(stiff, pool, .5 - 1e-6)) / 2e-6;
+        (volume_at(stiff, region, .5 + 1e-6) - volume_at(stiff, region, .5 - 1e-6)) /
+        2e-6;
       EXPECT_NEAR(slope, -2. / 6.5, 1e-8);
-      EXPECT_EQ(volume_at(law(TrappedFluidLaw::gas), pool, 1.), 1.);
+      EXPECT_EQ(volume_at(law(TrappedFluidLaw::gas), region, 1.), 1.);
     }
 
     TEST(TrappedFluid, FormsACavityOfVapour)
@@ -83,20 +85,20 @@ namespace strait
     }
 
     /** What is left of @p before in the gap @p rows, under @p pressures. */
-    PoolsInGap::Settled
+    RegionsInGap::Settled
     settle(const TrappedFluid             &before,
            const std::vector<std::string> &rows,
            const std::vector<double>      &pressures,
            const FeedbackParameters       &parameters)
     {
-      const SlabField  gap      = draw(rows);
-      const Clusters   clusters = find_clusters(gap, FlowDirection::x, true);
-      const PoolsInGap pools(before, gap, clusters);
-      EXPECT_EQ(pools.volumes.size(), pressures.size());
-      return pools.settle(parameters,
-                          pressures,
-                          1.,
-                          before.pools.empty() ? nullptr : &gap);
+      const SlabField    gap      = draw(rows);
+      const Clusters     clusters = find_clusters(gap, FlowDirection::x, true);
+      const RegionsInGap regions(before, gap, clusters);
+      EXPECT_EQ(regions.volumes.size(), pressures.size());
+      return regions.settle(parameters,
+                            pressures,
+                            1.,
+                            before.regions.empty() ? nullptr : &gap);
     }
 
     // The inlet is to the left, the outlet to the right.
@@ -115,21 +117,21 @@ namespace strait
                                   apart,
                                   {.3, .6},
                                   law(TrappedFluidLaw::incompressible));
-      ASSERT_EQ(settled.fluid.pools.size(), 2U);
+      ASSERT_EQ(settled.fluid.regions.size(), 2U);
       EXPECT_FALSE(settled.has_changed);
-      EXPECT_EQ(settled.fluid.pools[0].volume, 6.);
-      EXPECT_EQ(settled.fluid.pools[1].volume, 4.);
-      EXPECT_EQ(settled.fluid.pools[0].pressure, .3);
-      EXPECT_EQ(settled.fluid.pools[1].pressure, .6);
-      EXPECT_TRUE(settled.fluid.pools[1].is_guess);
+      EXPECT_EQ(settled.fluid.regions[0].volume, 6.);
+      EXPECT_EQ(settled.fluid.regions[1].volume, 4.);
+      EXPECT_EQ(settled.fluid.regions[0].pressure, .3);
+      EXPECT_EQ(settled.fluid.regions[1].pressure, .6);
+      EXPECT_TRUE(settled.fluid.regions[1].is_guess);
       EXPECT_DOUBLE_EQ(settled.fluid.area, 9. / 48);
       EXPECT_DOUBLE_EQ(settled.fluid.guessed_area, 9. / 48);
       EXPECT_DOUBLE_EQ(settled.fluid.pressure, (6 * .3 + 3 * .6) / 9);
       // A slit of three points: A = 3, S = 8.
-      EXPECT_DOUBLE_EQ(settled.fluid.pools[1].compliance, 2.5 * 9. / 8);
+      EXPECT_DOUBLE_EQ(settled.fluid.regions[1].compliance, 2.5 * 9. / 8);
     }
 
-    TEST(TrappedFluid, KeepsItsMassWherePoolsMeetAndPart)
+    TEST(TrappedFluid, KeepsItsMassWhereRegionsMeetAndPart)
     {
       for (const TrappedFluidLaw name :
            {TrappedFluidLaw::incompressible, TrappedFluidLaw::gas})
@@ -138,19 +140,19 @@ namespace strait
           const TrappedFluid       two =
             settle(nothing(draw(apart)), apart, {.3, .6}, parameters).fluid;
           const auto one = settle(two, together, {.3, .6}, parameters);
-          ASSERT_EQ(one.fluid.pools.size(), 1U);
+          ASSERT_EQ(one.fluid.regions.size(), 1U);
           EXPECT_TRUE(one.has_changed);
           // By volume, or by pressure times volume.
           const double mass = name == TrappedFluidLaw::gas ? 6 * .3 + 4 * .6 : 10.;
-          const Pool  &pool = one.fluid.pools[0];
-          EXPECT_NEAR(volume_at(parameters, pool, 1.), mass, 1e-12);
+          const TrappedRegion &region = one.fluid.regions[0];
+          EXPECT_NEAR(volume_at(parameters, region, 1.), mass, 1e-12);
           EXPECT_FALSE(settle(two, together, {.45, .45}, parameters).has_changed);
 
           const auto again = settle(one.fluid, parted, {.4}, parameters);
-          ASSERT_EQ(again.fluid.pools.size(), 3U);
+          ASSERT_EQ(again.fluid.regions.size(), 3U);
           EXPECT_FALSE(again.has_changed);
           for (int i = 0; i < 3; ++i)
-            EXPECT_NEAR(volume_at(parameters, again.fluid.pools[i], 1.),
+            EXPECT_NEAR(volume_at(parameters, again.fluid.regions[i], 1.),
                         mass * (i == 0 ? 6 : 1) / 8,
                         1e-12);
         }
@@ -169,10 +171,10 @@ namespace strait
           const TrappedFluid       before =
             settle(nothing(draw(fjord)), fjord, {.6}, parameters).fluid;
           const auto after = settle(before, closed, {.6, .3}, parameters);
-          ASSERT_EQ(after.fluid.pools.size(), 1U);
+          ASSERT_EQ(after.fluid.regions.size(), 1U);
           EXPECT_TRUE(after.has_changed);
           const double mass = name == TrappedFluidLaw::gas ? 4 * .6 + 6 * .3 : 10.;
-          EXPECT_NEAR(volume_at(parameters, after.fluid.pools[0], 1.), mass, 1e-12);
+          EXPECT_NEAR(volume_at(parameters, after.fluid.regions[0], 1.), mass, 1e-12);
         }
     }
 
@@ -183,13 +185,13 @@ namespace strait
         settle(nothing(draw(apart)), apart, {.3, .6}, parameters).fluid;
       const auto none = settle(two, drained, {.3, .6}, parameters);
       EXPECT_TRUE(none.has_changed);
-      EXPECT_TRUE(none.fluid.pools.empty());
+      EXPECT_TRUE(none.fluid.regions.empty());
       // On the way to that state they are still themselves.
-      const SlabField  gap      = draw(drained);
-      const Clusters   clusters = find_clusters(gap, FlowDirection::x, true);
-      const PoolsInGap pools(two, gap, clusters);
-      EXPECT_EQ(pools.volumes[0], 6.);
-      EXPECT_EQ(pools.volumes[1], 4.);
+      const SlabField    gap      = draw(drained);
+      const Clusters     clusters = find_clusters(gap, FlowDirection::x, true);
+      const RegionsInGap regions(two, gap, clusters);
+      EXPECT_EQ(regions.volumes[0], 6.);
+      EXPECT_EQ(regions.volumes[1], 4.);
     }
 
     TEST(TrappedFluid, RemembersWhereItWasPressedShut)
@@ -197,17 +199,17 @@ namespace strait
       const FeedbackParameters parameters = law(TrappedFluidLaw::incompressible);
       const TrappedFluid       two =
         settle(nothing(draw(apart)), apart, {.3, .6}, parameters).fluid;
-      const SlabField  gap      = draw(std::vector<std::string>(6, "########"));
-      const Clusters   clusters = find_clusters(gap, FlowDirection::x, true);
-      const PoolsInGap pools(two, gap, clusters);
-      EXPECT_EQ(pools.volumes[1], 0.);
+      const SlabField    gap      = draw(std::vector<std::string>(6, "########"));
+      const Clusters     clusters = find_clusters(gap, FlowDirection::x, true);
+      const RegionsInGap regions(two, gap, clusters);
+      EXPECT_EQ(regions.volumes[1], 0.);
       double n_points = 0;
       for (std::size_t k = 0; k < gap.size(); ++k)
-        n_points += pools.regions[k] == 1 ? 1. : 0.;
+        n_points += regions.region_of_point[k] == 1 ? 1. : 0.;
       EXPECT_EQ(sum(MPI_COMM_WORLD, n_points), 3.);
-      const TrappedFluid still = pools.settle(parameters, {.3, .6}, 1., &gap).fluid;
-      ASSERT_EQ(still.pools.size(), 2U);
-      EXPECT_EQ(still.pools[1].volume, 4.);
+      const TrappedFluid still = regions.settle(parameters, {.3, .6}, 1., &gap).fluid;
+      ASSERT_EQ(still.regions.size(), 2U);
+      EXPECT_EQ(still.regions[1].volume, 4.);
       EXPECT_EQ(still.owner, two.owner);
     }
   } // namespace

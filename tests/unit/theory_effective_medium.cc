@@ -26,7 +26,7 @@ namespace
     for (const auto &[share, conductivity] : medium)
       if (conductivity > 0)
         {
-          gaps.shares.push_back(share);
+          gaps.fractions.push_back(share);
           gaps.gaps.push_back(std::cbrt(conductivity));
         }
       else

@@ -22,10 +22,10 @@ namespace
   {
     const GapDistribution gaps = gap_histogram(ramp(4000, 5), {0., .5, 1., 2., 4.});
     EXPECT_NEAR(gaps.contact_area, .25, 1e-3);
-    EXPECT_NEAR(gaps.shares[0], .125, 5e-4);
-    EXPECT_NEAR(gaps.shares[1], .125, 5e-4);
-    EXPECT_NEAR(gaps.shares[2], .25, 1e-3);
-    EXPECT_NEAR(gaps.shares[3], .25, 2e-3);
+    EXPECT_NEAR(gaps.fractions[0], .125, 5e-4);
+    EXPECT_NEAR(gaps.fractions[1], .125, 5e-4);
+    EXPECT_NEAR(gaps.fractions[2], .25, 1e-3);
+    EXPECT_NEAR(gaps.fractions[3], .25, 2e-3);
     EXPECT_NEAR(gaps.gaps[2], 1.5, 1e-3);
     EXPECT_NEAR(gaps.gaps[3], 2.5, 1e-3);
   }
@@ -40,8 +40,8 @@ namespace
         double                sum = gaps.contact_area, mean_gap = 0;
         for (std::size_t k = 0; k < gaps.gaps.size(); ++k)
           {
-            sum += gaps.shares[k];
-            mean_gap += gaps.shares[k] * gaps.gaps[k];
+            sum += gaps.fractions[k];
+            mean_gap += gaps.fractions[k] * gaps.gaps[k];
           }
         EXPECT_NEAR(sum, 1., 1e-14);
         EXPECT_NEAR(mean_gap, mean(gap), 1e-13);
@@ -53,7 +53,7 @@ namespace
     const SlabField       gap(make_layout({8, 4, 1., 1.}, MPI_COMM_WORLD), .3);
     const GapDistribution gaps = gap_histogram(gap, 6, 10);
     EXPECT_EQ(gaps.contact_area, 0.);
-    EXPECT_NEAR(gaps.shares.back(), 1., 1e-15);
+    EXPECT_NEAR(gaps.fractions.back(), 1., 1e-15);
     EXPECT_NEAR(gaps.gaps.back(), .3, 1e-15);
     const SlabField closed(make_layout({8, 4, 1., 1.}, MPI_COMM_WORLD), 0.);
     EXPECT_EQ(gap_histogram(closed, 6, 10).contact_area, 1.);
@@ -74,9 +74,9 @@ namespace
     const SlabField       gap  = ramp(4000, 5);
     const GapDistribution gaps = gap_histogram(gap, {0., .5, 1., 2.}, 1.);
     EXPECT_NEAR(gaps.contact_area, .5, 1e-3);
-    EXPECT_NEAR(gaps.shares[0], .125, 5e-4);
-    EXPECT_NEAR(gaps.shares[1], .125, 5e-4);
-    EXPECT_NEAR(gaps.shares[2], .25, 1e-3);
+    EXPECT_NEAR(gaps.fractions[0], .125, 5e-4);
+    EXPECT_NEAR(gaps.fractions[1], .125, 5e-4);
+    EXPECT_NEAR(gaps.fractions[2], .25, 1e-3);
     EXPECT_NEAR(gaps.gaps[0], .25, 1e-3);
     EXPECT_NEAR(gaps.gaps[2], 1.5, 1e-3);
     EXPECT_EQ(gap_histogram(gap, 6, 10, 3.).contact_area, 1.);

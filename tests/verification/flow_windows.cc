@@ -144,8 +144,8 @@ namespace strait
     }
 
     // A throat at the seam is half at the inlet and half at the outlet. Between them the
-    // pressure must be half of the drop in a pool that is 10⁷ times as wide.
-    TEST(FlowWindows, HalvesOfAThroatAreBalancedAcrossAWidePool)
+    // pressure must be half of the drop in a region that is 10⁷ times as wide.
+    TEST(FlowWindows, HalvesOfAThroatAreBalancedAcrossAWideRegion)
     {
       const double          gap   = 1e-7;
       const FluidParameters fluid = plain_fluid(3e-3);

@@ -112,7 +112,7 @@ namespace
         const double scale = std::sqrt(.5) / layer.roughness;
         const double left  = (u - layer.separation) * scale;
         const double right = (u + layer.separation) * scale;
-        density += layer.share * scale / std::sqrt(M_PI) *
+        density += layer.fraction * scale / std::sqrt(M_PI) *
                    (std::exp(-left * left) + std::exp(-right * right));
       }
     return density;
@@ -133,7 +133,7 @@ namespace
         EXPECT_NEAR(sum, 1 - state.contact_area, 1e-4) << load;
         const GapDistribution gaps   = theory.distribution(state);
         double                shares = 0;
-        for (const double share : gaps.shares)
+        for (const double share : gaps.fractions)
           shares += share;
         EXPECT_NEAR(shares, 1 - state.contact_area, 1e-12) << load;
       }
@@ -146,7 +146,7 @@ namespace
     const GapDistribution gaps  = theory.distribution(state);
     int                   n     = 0;
     for (std::size_t k = 1; k < gaps.gaps.size(); ++k)
-      if (gaps.shares[k] > 1e-5)
+      if (gaps.fractions[k] > 1e-5)
         {
           // Simpson's rule across the bin.
           const double left = gaps.edges[k], right = gaps.edges[k + 1];
@@ -154,7 +154,7 @@ namespace
             (gap_density(state, left) + 4 * gap_density(state, .5 * (left + right)) +
              gap_density(state, right)) /
             6;
-          ASSERT_NEAR(gaps.shares[k] / (right - left) / density, 1., 1e-5);
+          ASSERT_NEAR(gaps.fractions[k] / (right - left) / density, 1., 1e-5);
           ++n;
         }
     EXPECT_GT(n, 100);
@@ -168,16 +168,16 @@ namespace
     const GapDistribution fine   = theory.distribution(state);
     const GapDistribution broad  = theory.distribution(state, 0., merged);
     EXPECT_EQ(broad.contact_area, state.contact_area);
-    EXPECT_EQ(broad.shares[0], fine.shares[0]);
-    for (std::size_t k = 1; k < broad.shares.size(); ++k)
+    EXPECT_EQ(broad.fractions[0], fine.fractions[0]);
+    for (std::size_t k = 1; k < broad.fractions.size(); ++k)
       {
         double sum = 0;
         for (std::size_t j = merged * (k - 1) + 1;
-             j <= merged * k && j < fine.shares.size();
+             j <= merged * k && j < fine.fractions.size();
              ++j)
-          sum += fine.shares[j];
+          sum += fine.fractions[j];
         EXPECT_NEAR(broad.edges[k], fine.edges[merged * (k - 1) + 1], 1e-12);
-        EXPECT_NEAR(broad.shares[k], sum, 1e-12);
+        EXPECT_NEAR(broad.fractions[k], sum, 1e-12);
       }
   }
 
@@ -191,7 +191,7 @@ namespace
     std::size_t first = 0;
     double      below = all.contact_area;
     while (below < .3)
-      below += all.shares[first++];
+      below += all.fractions[first++];
     const double          closed = all.edges[first];
     const GapDistribution open   = theory.distribution(state, closed);
     EXPECT_NEAR(open.contact_area, below, 1e-12);
@@ -199,12 +199,12 @@ namespace
     double sum = open.contact_area, mean_excess = 0, expected = 0;
     for (std::size_t k = 0; k < open.gaps.size(); ++k)
       {
-        sum += open.shares[k];
-        mean_excess += open.shares[k] * open.gaps[k];
+        sum += open.fractions[k];
+        mean_excess += open.fractions[k] * open.gaps[k];
       }
     EXPECT_NEAR(sum, 1., 1e-12);
     for (std::size_t k = first; k < all.gaps.size(); ++k)
-      expected += all.shares[k] * (all.gaps[k] - closed);
+      expected += all.fractions[k] * (all.gaps[k] - closed);
     EXPECT_NEAR(mean_excess / expected, 1., 1e-3); // of bins
   }
 

@@ -14,7 +14,7 @@ namespace strait
   struct TheoryResult
   {
     double pressure     = 0.; // nominal; not a number without contact, as what follows
-    double contact_area = 0.; // share of the nominal area, by Persson's theory
+    double contact_area = 0.; // fraction of the nominal area, by Persson's theory
     double mean_gap     = 0.;
     double leak_rate    = 0.; // of the effective medium in the scene's box
     double error        = 0.; // of mean gap and leak rate by quadrature, relative

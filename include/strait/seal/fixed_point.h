@@ -30,27 +30,29 @@ namespace strait
 
     /**
      * @p history: how many earlier rounds are combined, 0 or more, at 8 B a value each;
-     * @p relaxation: the largest share of the residual that is taken, in (0, 1].
+     * @p relaxation: the largest fraction of the residual that is taken, in (0, 1].
      */
     FixedPoint(Product product, int history, double relaxation);
 
     /**
      * The next iterate, in place of @p x, after F(@p x) = @p image was found. Both have
      * @p n values on this rank. Unless it @p combines the rounds before it is plain
-     * relaxation, with half the share each time that the residual turns round. Else the
-     * share grows again; what this round says is remembered in either case. Collective.
+     * relaxation, with half the fraction each time that the residual turns round. Else
+     * the fraction grows again; what this round says is remembered in either case.
+     * Collective.
      */
     void advance(double *x, const double *image, std::size_t n, bool combines = true);
 
-    /** Forget the rounds before and take half the share, because the map has jumped. */
+    /** Forget the rounds before and take half the fraction, because the map has jumped.
+     */
     void jump();
 
     /** Forget the rounds before, because the map is another one, and take all of the
-     *  share. */
+     *  fraction. */
     void restart();
 
     /** Begin at another point or with a map that has changed a little, with all of the
-     *  share: what the rounds before say about directions still holds. */
+     *  fraction: what the rounds before say about directions still holds. */
     void move_on();
 
   private:
@@ -73,8 +75,8 @@ namespace strait
 
     Product                 product;
     int                     history;
-    double                  relaxation;  // the largest share
-    double                  share;       // of the residual, now
+    double                  relaxation;  // the largest fraction
+    double                  fraction;    // of the residual, now
     std::vector<Difference> differences; // the latest last
     std::vector<float>      last_residual;
     std::vector<double>     last_x;

@@ -5,7 +5,7 @@
 #include <strait/base/scene.h>
 #include <strait/percolation/clusters.h>
 #include <strait/seal/flow_stage.h>
-#include <strait/seal/pools_in_gap.h>
+#include <strait/seal/regions_in_gap.h>
 #include <strait/seal/seal_state.h>
 
 #include <cstddef>
@@ -15,31 +15,33 @@
 namespace strait
 {
   /**
-   * The drained pools for which there is no state with the pool pressure: the fluid comes
-   * in as soon as they are dry and is cut off once it is in. What has ceased to be a pool
-   * does not count as one when it comes back, but as what it was in between: as part of
-   * the region that it was joined to, or as contact.
+   * Regions of drained fluid for which there is no state with its pressure: the channel's
+   * fluid comes in as soon as they are dry and is cut off once it is in. What has ceased
+   * to be trapped does not count as trapped when it comes back, but as what it was in
+   * between: as part of the region that it was joined to, or as contact.
    */
-  class UnsettledPools
+  class UnsettledRegions
   {
   public:
     /** Take note of the states of the next round, one per local grid point. */
     void note(const std::vector<NodeState> &now);
 
-    /** What a local grid point in such a pool last was but a pool; nothing elsewhere. */
+    /** What a local grid point in such a region last was but trapped; nothing elsewhere.
+     */
     std::optional<NodeState>
     state_before(const std::size_t k) const
     {
-      return points[k].is_pool && points[k].has_ceased ? std::optional(points[k].before)
-                                                       : std::nullopt;
+      return points[k].is_trapped && points[k].has_ceased
+               ? std::optional(points[k].before)
+               : std::nullopt;
     }
 
   private:
     struct Point
     {
       NodeState before     = NodeState::closed;
-      bool      is_pool    = false; // in the last round
-      bool      has_ceased = false; // to be one
+      bool      is_trapped = false; // in the last round
+      bool      has_ceased = false; // to be trapped
     };
 
     std::vector<Point> points;
@@ -76,10 +78,10 @@ namespace strait
   /**
    * The pressure of the fluid on the walls of a given gap: that of the flow in the
    * channel, that of the reservoir in regions that only one of them reaches, harmonic
-   * under the contact, and in trapped fluid what its law says, which is the pool
-   * pressure where it is drained (but see UnsettledPools).
+   * under the contact, and in trapped fluid what its law says, which is
+   * Pool pressure where it is drained (but see UnsettledRegions).
    *
-   * A pool of trapped fluid takes the pressure at which it would hold its mass if it
+   * A region of trapped fluid takes the pressure at which it would hold its mass if it
    * widened by its compliance; what it widens by in truth shows in the next gap. So its
    * pressure is found together with that of all other fluid. What has just been cut off
    * keeps the pressure that it has.
@@ -90,7 +92,7 @@ namespace strait
     /** Of the load: what fluid may carry without a doubt that the solid carries the rest.
      *  Half as much of a rest takes one round more before walls part, double of it may
      *  part walls that the rest would have held near each other. */
-    static constexpr double largest_share = .99;
+    static constexpr double largest_fraction = .99;
 
     /** On the way to the state under @p control from the state @p from, or without a past
      *  if that is null. All of them must outlive this object. */
@@ -103,8 +105,8 @@ namespace strait
                        const SlabField    &assumed);
 
     /**
-     * Once contact and flow agree on @p pressure: find out which pools there are now.
-     * Returns whether pools met a reservoir or each other, so that the pressure is
+     * Once contact and flow agree on @p pressure: find out which regions there are now.
+     * Returns whether regions met a reservoir or each other, so that the pressure is
      * another one. Collective.
      */
     bool settle(const ContactState &contact,
@@ -123,23 +125,23 @@ namespace strait
     bool is_limited_by_load() const;
 
   private:
-    void assign(SlabField        &pressure,
-                SlabField        &open_gap,
-                const StepFlow   &fluid_flow,
-                const PoolsInGap *pools) const;
+    void assign(SlabField          &pressure,
+                SlabField          &open_gap,
+                const StepFlow     &fluid_flow,
+                const RegionsInGap *regions) const;
     void hold(SlabField          &pressure,
               SlabField          &open_gap,
               const ContactState &contact,
               const SlabField    &assumed,
-              const PoolsInGap   &pools) const;
+              const RegionsInGap &regions) const;
 
     const Scene  &scene;
     const Control control;
-    // At the start of the step, which its uncertainty counts from, or when pools last
+    // At the start of the step, which its uncertainty counts from, or when regions last
     // met.
     TrappedFluid                known;
     std::optional<TrappedFluid> found;
-    UnsettledPools              unsettled;    // of fluid that is drained
+    UnsettledRegions            unsettled;    // of fluid that is drained
     const SealState            *past;         // none at the first state of a path
     bool                        has_extended; // so that the assumed pressure is a start
   };

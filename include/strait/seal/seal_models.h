@@ -58,7 +58,7 @@ namespace strait
    * of the fluid's pressure, the more so the closer it is to the threshold. Half of it
    * makes each mesh larger, double of it takes more meshes.
    */
-  constexpr double mesh_share = .25;
+  constexpr double mesh_fraction = .25;
 } // namespace strait
 
 #endif

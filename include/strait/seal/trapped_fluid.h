@@ -10,7 +10,7 @@ namespace strait
 {
   /** A region of fluid that no reservoir reaches. Its mass is told by a volume that it
    *  fills at a pressure. */
-  struct Pool
+  struct TrappedRegion
   {
     double volume     = 0.;    // [length³]
     double pressure   = 0.;    // at which it fills that
@@ -21,13 +21,15 @@ namespace strait
   /** The fluid that a path has cut off from its reservoirs so far. */
   struct TrappedFluid
   {
-    /** Instead of the number of a pool: of contact, and of fluid that is not trapped. */
+    /** Instead of the number of a region: of contact, and of fluid that is not trapped.
+     */
     static constexpr int no_fluid = -1, reservoirs = -2;
 
-    std::vector<float> owner; // of each local grid point: the number of a pool, or these
-    std::vector<Pool>  pools;
+    std::vector<float>
+      owner; // of each local grid point: the number of a region, or these
+    std::vector<TrappedRegion> regions;
 
-    double area         = 0.; // of all pools over the nominal area
+    double area         = 0.; // of all regions over the nominal area
     double guessed_area = 0.; // of those whose mass was unknown
     double pressure     = 0.; // mean over their area
 
@@ -36,17 +38,18 @@ namespace strait
     double uncertainty = 0.;
   };
 
-  /** The volume that the fluid of @p pool fills at @p pressure without a cavity. */
-  double
-  volume_at(const FeedbackParameters &parameters, const Pool &pool, double pressure);
+  /** The volume that the fluid of @p region fills at @p pressure without a cavity. */
+  double volume_at(const FeedbackParameters &parameters,
+                   const TrappedRegion      &region,
+                   double                    pressure);
 
   /**
-   * The pressure at which @p pool holds its fluid if it has the volume @p volume under
+   * The pressure at which @p region holds its fluid if it has the volume @p volume under
    * @p pressure and widens by its compliance with every unit of pressure; no less than
    * that of vapour.
    */
   double pressure_to_hold(const FeedbackParameters &parameters,
-                          const Pool               &pool,
+                          const TrappedRegion      &region,
                           double                    volume,
                           double                    pressure);
 } // namespace strait

@@ -69,7 +69,7 @@ namespace strait
    *
    * The first 30 rounds combine those before (FixedPoint), the next ones do not, unless
    * only one verdict is wanted. Where the verdict on percolation changes the map has
-   * jumped: rounds begin again, with half the share. So steps become smaller where a
+   * jumped: rounds begin again, with half the fraction. So steps become smaller where a
    * channel opens and closes or a gap is ajar, until they stay in one place
    * (stays_in_place()). Where they go in a circle instead, closed as long as the fluid
    * comes nearer and open until the pressure has fallen, no closed state is met on the
@@ -80,10 +80,10 @@ namespace strait
   public:
     using Round = std::function<FeedbackRound(const SlabField &assumed)>;
 
-    /** @p share: of what relaxation takes of a change, the part that is taken. */
+    /** @p fraction: of what relaxation takes of a change, the part that is taken. */
     WallFeedback(const FeedbackParameters &parameters,
                  const SlabLayoutPtr      &layout,
-                 double                    share = 1.);
+                 double                    fraction = 1.);
 
     /**
      * Iterate from pressure() on. The last call of @p round is for the pressure()

@@ -11,9 +11,9 @@ namespace strait
   /** How much of the nominal area has which gap: P(u) in bins. */
   struct GapDistribution
   {
-    double              contact_area = 0.; // share of the area where the gap is zero
+    double              contact_area = 0.; // fraction of the area where the gap is zero
     std::vector<double> edges;             // of the bins, ascending from 0; one more
-    std::vector<double> shares;            // of the nominal area, one a bin
+    std::vector<double> fractions;         // of the nominal area, one a bin
     std::vector<double> gaps;              // that stand for the bins
   };
 
@@ -33,7 +33,7 @@ namespace strait
 
   /** 12 η K_e of an effective medium in which @p gaps are distributed at random
    *  [length³]: the K_e at which ∫ dK P(K) (K − K_e)/(K + (n−1) K_e) = 0, to rounding;
-   *  the sum of all shares may be one to rounding. Zero where the contact reaches
+   *  the sum of all fractions may be one to rounding. Zero where the contact reaches
    *  1 − 1/n of the area. @p n > 1; two is Bruggeman's theory in the plane. */
   double effective_cubed_gap(const GapDistribution &gaps, double n);
 } // namespace strait

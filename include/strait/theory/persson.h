@@ -16,7 +16,7 @@ namespace strait
    *  normal. */
   struct GapLayer
   {
-    double share;      // of the nominal area
+    double fraction;   // of the nominal area
     double separation; // u1: mean distance of the walls, smoothed at that magnification
     double roughness;  // rms height of the shorter waves
   };
@@ -24,12 +24,12 @@ namespace strait
   /** What Persson's theory says about one load. */
   struct PerssonState
   {
-    double                contact_area = 0.; // share of the nominal area
+    double                contact_area = 0.; // fraction of the nominal area
     double                mean_gap     = 0.; // ū
     std::vector<GapLayer> layers;            // from long waves to short ones
   };
 
-  /** Shares of the nominal area in contact where no pressure exceeds a hardness. */
+  /** Fractions of the nominal area in contact where no pressure exceeds a hardness. */
   struct YieldingAreas
   {
     double elastic; // under less than the hardness
@@ -41,7 +41,7 @@ namespace strait
   class PerssonTheory
   {
   public:
-    /** @p gamma: share of the elastic energy at low loads, about 0.45. @p fineness
+    /** @p gamma: fraction of the elastic energy at low loads, about 0.45. @p fineness
      *  multiplies the number of points of all integrals; what half of it changes tells
      *  their errors. */
     PerssonTheory(RadialSpectrum spectrum,
@@ -62,7 +62,7 @@ namespace strait
       return 25 * fineness;
     }
 
-    /** Share of the nominal area in contact at the nominal @p pressure > 0. */
+    /** Fraction of the nominal area in contact at the nominal @p pressure > 0. */
     double contact_area(double pressure) const;
 
     /** The same of a solid that flows at @p hardness > @p pressure: the distribution of

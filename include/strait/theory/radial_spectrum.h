@@ -16,7 +16,7 @@ namespace strait
   class RadialSpectrum
   {
   public:
-    /** C ∝ q^(−decay) for from <= q <= to; the share of this section in the mean
+    /** C ∝ q^(−decay) for from <= q <= to; the fraction of this section in the mean
      *  squares of height and slope. */
     struct Section
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_pools_in_gap_h
-#define strait_seal_pools_in_gap_h
+#ifndef strait_seal_regions_in_gap_h
+#define strait_seal_regions_in_gap_h
 
 #include <strait/percolation/clusters.h>
 #include <strait/seal/trapped_fluid.h>
@@ -12,22 +12,22 @@
 namespace strait
 {
   /**
-   * Where the pools of trapped fluid are in one gap on the way to a state, how large they
-   * are there, and which of them there are once the state is found.
+   * Where the regions of trapped fluid are in one gap on the way to a state, how large
+   * they are there, and which of them there are once the state is found.
    *
    * On the way the regions stay what they were in the state before: an open point belongs
-   * to the pool that owned it, whatever its cluster is joined to by now. What a trapped
+   * to the region that owned it, whatever its cluster is joined to by now. What a trapped
    * cluster has of the reservoirs' fluid has just been cut off: a region of its own, of
-   * no mass yet. What has opened in a trapped cluster belongs to the largest pool in it,
-   * if there is one. A pool that is pressed shut keeps the points that it had.
+   * no mass yet. What has opened in a trapped cluster belongs to the largest region in
+   * it, if there is one. A region that is pressed shut keeps the points that it had.
    */
-  struct PoolsInGap
+  struct RegionsInGap
   {
-    /** The pools that are @p known own points; @p open_gap has the @p clusters, which
+    /** The regions that are @p known own points; @p open_gap has the @p clusters, which
      * tell those of trapped fluid apart. All must outlive this object. Collective. */
-    PoolsInGap(const TrappedFluid &known,
-               const SlabField    &open_gap,
-               const Clusters     &clusters);
+    RegionsInGap(const TrappedFluid &known,
+                 const SlabField    &open_gap,
+                 const Clusters     &clusters);
 
     /** The mean of @p field over the widest points of each region: those that are open by
      *  half of its largest gap, where the fluid's own pressure is known. Collective. */
@@ -37,11 +37,11 @@ namespace strait
     struct Settled
     {
       TrappedFluid fluid;
-      bool         has_changed = false; // pools met a reservoir, or each other
+      bool         has_changed = false; // regions met a reservoir, or each other
     };
 
     /**
-     * The pools of a state that has been found, where the regions have @p pressures.
+     * The regions of a state that has been found, where the regions have @p pressures.
      * Splits share their mass by volume, mergers add it, what a reservoir has reached
      * forgets it, and what was cut off fills its volume at its pressure. That is a guess
      * without a past; else it has been cut off somewhere between the open gap
@@ -63,7 +63,7 @@ namespace strait
     struct Cluster
     {
       std::map<int, Part> parts;       // by owner
-      int                 region = -1; // of the largest pool in it
+      int                 region = -1; // of the largest region in it
     };
 
     const TrappedFluid              &known;
@@ -71,8 +71,8 @@ namespace strait
     const std::vector<std::int64_t> &labels;
     std::map<std::int64_t, Cluster>  trapped; // by label
 
-    /** Of each local grid point: a pool, then those just cut off; −1: none. */
-    std::vector<int> regions;
+    /** Of each local grid point: a region, then those just cut off; −1: none. */
+    std::vector<int> region_of_point;
 
     /** Of each region of both kinds [length³]; 0: it is pressed shut. */
     std::vector<double> volumes;

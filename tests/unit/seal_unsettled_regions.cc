@@ -5,7 +5,7 @@
 
 using namespace strait;
 
-TEST(UnsettledPools, AreThoseThatComeAndGo)
+TEST(UnsettledRegions, AreThoseThatComeAndGo)
 {
   const std::vector<NodeState> wet  = {NodeState::trapped,
                                        NodeState::closed,
@@ -15,20 +15,20 @@ TEST(UnsettledPools, AreThoseThatComeAndGo)
                                        NodeState::trapped,
                                        NodeState::trapped,
                                        NodeState::percolating};
-  UnsettledPools               pools;
+  UnsettledRegions             regions;
   for (int round = 0; round < 3; ++round)
     {
-      pools.note(trap);
+      regions.note(trap);
       // Once may happen on the way.
       for (std::size_t k = 0; k < trap.size(); ++k)
         {
           const bool comes_and_goes = k == 1 || k == 2;
-          const auto before         = pools.state_before(k);
+          const auto before         = regions.state_before(k);
           EXPECT_EQ(before.has_value(), round > 0 && comes_and_goes) << round << " " << k;
           EXPECT_EQ(before.value_or(wet[k]), wet[k]);
         }
-      pools.note(wet);
+      regions.note(wet);
       for (std::size_t k = 0; k < wet.size(); ++k)
-        EXPECT_FALSE(pools.state_before(k)); // wet, or a contact
+        EXPECT_FALSE(regions.state_before(k)); // wet, or a contact
     }
 }
