@@ -210,7 +210,7 @@ namespace strait
         "with adhesion; switch Contact/Adhesion off.");
       require_here(
         !scene.fluid.feedback.keeps_trapped_fluid(),
-        "has windows that come and go, and pools of trapped fluid are known on the points "
+        "has windows that come and go, and regions of trapped fluid are known on the points "
         "where they formed; set Fluid/Wall feedback/Trapped fluid = drained.");
       require_here(
         scene.fluid.mesh_file.empty(),
