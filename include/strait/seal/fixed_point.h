@@ -43,8 +43,7 @@ namespace strait
      */
     void advance(double *x, const double *image, std::size_t n, bool combines = true);
 
-    /** Forget the rounds before and take half the fraction, because the map has jumped.
-     */
+    /** Forget the rounds before and halve the fraction, because the map has jumped. */
     void jump();
 
     /** Forget the rounds before, because the map is another one, and take all of the

@@ -26,8 +26,7 @@ namespace strait
     /** Take note of the states of the next round, one per local grid point. */
     void note(const std::vector<NodeState> &now);
 
-    /** What a local grid point in such a region last was but trapped; nothing elsewhere.
-     */
+    /** What a local grid point in such a region last was but trapped; else nothing. */
     std::optional<NodeState>
     state_before(const std::size_t k) const
     {
@@ -78,8 +77,8 @@ namespace strait
   /**
    * The pressure of the fluid on the walls of a given gap: that of the flow in the
    * channel, that of the reservoir in regions that only one of them reaches, harmonic
-   * under the contact, and in trapped fluid what its law says, which is
-   * Pool pressure where it is drained (but see UnsettledRegions).
+   * under the contact, and in trapped fluid what its law says, which is Pool
+   * pressure where it is drained (but see UnsettledRegions).
    *
    * A region of trapped fluid takes the pressure at which it would hold its mass if it
    * widened by its compliance; what it widens by in truth shows in the next gap. So its

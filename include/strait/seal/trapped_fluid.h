@@ -21,12 +21,10 @@ namespace strait
   /** The fluid that a path has cut off from its reservoirs so far. */
   struct TrappedFluid
   {
-    /** Instead of the number of a region: of contact, and of fluid that is not trapped.
-     */
+    /** Instead of a region's number: of contact, and of fluid that is not trapped. */
     static constexpr int no_fluid = -1, reservoirs = -2;
 
-    std::vector<float>
-      owner; // of each local grid point: the number of a region, or these
+    std::vector<float> owner; // of each local grid point: a region's number, or these
     std::vector<TrappedRegion> regions;
 
     double area         = 0.; // of all regions over the nominal area
