@@ -47,9 +47,13 @@ def joined(status):
     return "+".join(words) or "ok"
 
 
-def largest_fitted(folder):
-    """Up to which reduced load the scene wants exponents fitted."""
-    return float(read_parameters(scene_in(folder))["Load programme/Largest reduced load of fits"])
+def asked_for(folder):
+    """Up to which reduced load the scene wants exponents fitted; and whether the laws of closing
+    and of the crossover are of its kind: for a viscous fluid, and walls that do not attract."""
+    scene = read_parameters(scene_in(folder))
+    return (float(scene["Load programme/Largest reduced load of fits"]),
+            scene.get("Fluid/Rarefaction", "none") == "none" and
+            scene.get("Contact/Adhesion/Enabled") != "true")
 
 
 def samples_in(folder):
@@ -117,12 +121,12 @@ def report(quantity, fit, slopes):
              f"{min(local):.3f} to {max(local):.3f} within the fit")
 
 
-def fits_of(samples, largest):
+def fits_of(samples, largest, has_law):
     """The rows of fit.csv; says what was fitted."""
     trusted = samples.rows(doubtless(samples, "leak_rate") & (samples["slip_length"] == 0))
     slopes = [fit for fit, _ in local_slopes(trusted, "leak_rate") if within(fit.end, (0, largest))]
     constant = closing_constant(np.array([middle(fit) for fit in slopes]),
-                                np.array([fit.exponent for fit in slopes]))
+                                np.array([fit.exponent for fit in slopes])) if has_law else np.nan
     for slip_length in np.unique(samples["slip_length"]):
         of_slip = samples.rows(samples["slip_length"] == slip_length)
         for quantity, (member, with_slip) in QUANTITIES.items():
@@ -153,7 +157,7 @@ def suffice(result, samples, window, serves):
         f"serve; the others are left out for {others}")
 
 
-def summary_of(samples, largest, thresholds):
+def summary_of(samples, largest, thresholds, has_law=True):
     """What ensemble.csv says of a run at the smallest slip length, with the words for its status
     where a result is missing; and the warnings."""
     samples = samples.rows(nearest_slip(samples))
@@ -175,11 +179,17 @@ def summary_of(samples, largest, thresholds):
         if quantity in samples:
             rows = samples.rows(resolved(samples, quantity))
             rate = decay_rate(rows["reduced_load"], rows[quantity])
-            result[prefix + "crossover"] = crossover(rate)
-            if rate < LEAK_RATE_EXPONENT:
-                warnings.append(f"no crossover load of the {name}: its logarithm rises by less than"
-                                f" 69/20 times 1 - L/L_c from {EXPONENTIAL_DECAY[0]:.3g} to "
-                                f"{EXPONENTIAL_DECAY[1]:.3g}")
+            reason = None
+            if not has_law or slip < 0:
+                reason = ("the exponent 69/20 is that of a viscous fluid without slip between "
+                          "walls that do not attract")
+            elif rate < LEAK_RATE_EXPONENT:
+                reason = (f"its logarithm rises by less than 69/20 times 1 - L/L_c from "
+                          f"{EXPONENTIAL_DECAY[0]:.3g} to {EXPONENTIAL_DECAY[1]:.3g}")
+            else:
+                result[prefix + "crossover"] = crossover(rate)
+            if reason and np.isfinite(rate):
+                warnings.append(f"no crossover load of the {name}: {reason}")
                 words += [] if prefix else ["no-crossover"]
         result[prefix + "crossover_load"] = ((1 - result[prefix + "crossover"]) * critical[0]
                                              if critical.size else np.nan)
@@ -196,20 +206,21 @@ def write(path, header, rows):
     write_table(path, header, ([entry(value) for value in row] for row in rows))
 
 
-def fit_run(folder, largest):
+def fit_run(folder, largest, has_law):
     """Write fit.csv and say what is in it."""
     samples = samples_in(folder)
-    write(folder / "fit.csv", FIT_COLUMNS, fits_of(samples, largest))
-    for warning in summary_of(samples, largest, read_table(folder / "threshold.csv"))[2]:
+    write(folder / "fit.csv", FIT_COLUMNS, fits_of(samples, largest, has_law))
+    for warning in summary_of(samples, largest, read_table(folder / "threshold.csv"), has_law)[2]:
         warn(warning)
 
 
-def fit_realisation(row, folder, largest):
+def fit_realisation(row, folder, largest, has_law):
     """Fill in what fits say in a row of ensemble.csv; returns the crossover's reduced load."""
     if row["status"] == "failed":
         return np.nan
     path = folder / f"realisation-{row['realisation']}"
-    found, words, _ = summary_of(samples_in(path), largest, read_table(path / "threshold.csv"))
+    found, words, _ = summary_of(samples_in(path), largest, read_table(path / "threshold.csv"),
+                                 has_law)
     row.update({name: entry(found[name]) for name in found if name in row})
     status = row["status"].split("+")
     row["status"] = joined([*(word for word in status if not word.startswith("no-")), words])
@@ -223,13 +234,13 @@ def scatter_of(samples):
             known.std(ddof=1) if known.size > 1 else np.nan, known.size, samples.size - known.size)
 
 
-def fit_ensemble(folder, largest):
+def fit_ensemble(folder, largest, has_law):
     """Complete ensemble.csv, write ensemble_summary.csv and say what is not known."""
     path = folder / "ensemble.csv"
     with open(path, newline="", encoding="utf-8") as file:
         reader = csv.DictReader(file)
         columns, rows = reader.fieldnames, list(reader)
-    crossovers = np.array([fit_realisation(row, folder, largest) for row in rows])
+    crossovers = np.array([fit_realisation(row, folder, largest, has_law) for row in rows])
     write(path, columns, ([row[name] for name in columns] for row in rows))
     table = read_table(path)
     table["critical_load"] = 0.5 * (table["critical_load_lower"] + table["critical_load_upper"])
@@ -257,8 +268,9 @@ def main(arguments=None):
     options = parser.parse_args(arguments)
     folder = options.folder
     try:
-        largest = largest_fitted(folder) if options.largest is None else options.largest
-        (fit_ensemble if (folder / "ensemble.csv").exists() else fit_run)(folder, largest)
+        largest, has_law = asked_for(folder)
+        largest = largest if options.largest is None else options.largest
+        (fit_ensemble if (folder / "ensemble.csv").exists() else fit_run)(folder, largest, has_law)
     except (OSError, KeyError, ValueError) as problem:
         print(f"fit.py: {folder} holds no results of a search for the threshold that can be "
               f"fitted ({' '.join(f'{type(problem).__name__}: {problem}'.split())}).")

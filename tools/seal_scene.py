@@ -95,6 +95,10 @@ class Seal:
         """The mean loads for which the patches know the pressures of the whole profile, at bonds
         along and around: those of the patches, the least and the largest that there are, and that
         of the table."""
+        if self.profile and self.n_along == 1:
+            sys.exit(f"Seal/Pressure profile = {self.profile} cannot press parts of a patch, and "
+                     f"one patch spans Seal/Contact width = {self.width:.6g}; make Surface/Size "
+                     "along the flow half of that or less, or leave the profile empty.")
         along, around, mean = self.columns()
         bonds = np.concatenate([along, around])
         least, most, uniform = bonds.min(), bonds.max(), np.allclose(bonds, 1)

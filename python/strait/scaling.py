@@ -12,7 +12,7 @@ import typing
 
 import numpy as np
 
-LEAK_RATE_EXPONENT = 69 / 20  # as the paper has it
+LEAK_RATE_EXPONENT = 69 / 20  # as the paper has it, of a viscous fluid between dry elastic walls
 # Where the leak rate falls exponentially with the load. Half of its nearest end takes loads in at
 # which the power law has begun, a larger farthest one those at which there is hardly any contact.
 EXPONENTIAL_DECAY = (0.3, 0.7)

@@ -21,7 +21,8 @@ namespace strait
       "z0: range of the attraction [length]; or give the Tabor number.";
     effect.add("Tabor number", tabor_number, not_negative).meaning =
       "Sets the range: z0 = Rc^(1/3) (gamma0/E*)^(2/3) over this number, with 1/Rc^2 = "
-      "1/2 sum (qx^4 + qy^4) |h(q)|^2. Small: long range; large: short [1].";
+      "1/2 sum (qx^4 + qy^4) |h(q)|^2, where creases count, as those of a mirrored map; of "
+      "a sphere its radius. Small: long range; large: short [1].";
     effect.add("Match area at pressure", matched_pressure, not_negative).meaning =
       "If not 0, choose gamma0 such that adhesion doubles the contact area at this "
       "nominal pressure, loading; takes the place of Surface energy [pressure].";

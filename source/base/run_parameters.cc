@@ -34,7 +34,8 @@ namespace strait
            any_number.at_least(1e-9).at_most(0.1))
       .meaning = "Relative width of the brackets of L_c and of blow-out pressures [1].";
     section.add("Reduced loads", reduced_loads, positive.below(1.)).meaning =
-      "Further steps at these values of 1 - L/L_c, once L_c is known [1].";
+      "Further steps at these values of 1 - L/L_c, once L_c is known, on a path of their "
+      "own that begins anew [1].";
     section.when("Find threshold", {"true"})
       .add("Largest reduced load of fits", largest_fitted, not_negative.at_most(1.))
       .meaning = "Exponents are fitted to the steps up to this value of 1 - L/L_c [1].";
@@ -112,7 +113,7 @@ namespace strait
       "How the contact pressure is distributed over the width. Empty: uniform; hertz: "
       "that of a cylinder on a plane, which vanishes at both edges; else a table of two "
       "columns, position [length] and pressure, say of a finite-element program. A "
-      "nominal pressure is then the mean over the width.";
+      "nominal pressure is then the mean over the width, which takes two patches at least.";
     effect.add("Isotropic", isotropic).meaning =
       "true: rotated realisations are further samples of the flow along; false: they "
       "give the conductances across, for a surface with a lay.";

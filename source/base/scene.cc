@@ -40,7 +40,7 @@ namespace strait
            {std::pair{has_contact && !is_given("Contact/Young's moduli"),
                       "Contact/Effective modulus"},
             std::pair{has_flow, "Fluid/Inlet pressure"},
-            std::pair{has_flow && !scene.fluid.is_gas && !scene.units.time.empty(),
+            std::pair{has_flow && scene.fluid.gas.empty() && !scene.units.time.empty(),
                       "Fluid/Viscosity"}})
         if (counts && !is_given(name))
           scene.oversights.push_back(std::string(name) +
@@ -83,6 +83,8 @@ namespace strait
   {
     Scene scene = parse_scene(entries);
     scene.contact.take_elastic_constants();
+    if (scene.surface.kind == SurfaceKind::sphere)
+      scene.contact.adhesion.sphere_radius = scene.surface.amplitude;
     scene.fluid.take_gas(scene.units);
     scene.check();
     const auto is_given = [&entries](const std::string &name) {

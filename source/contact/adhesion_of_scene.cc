@@ -94,9 +94,12 @@ namespace strait
   SceneAdhesion
   adhesion_of_scene(const ContactParameters &parameters, const SlabField &heights)
   {
-    const AdhesionParameters &adhesion         = parameters.adhesion;
-    const double              modulus          = parameters.effective_modulus;
-    const double              curvature_radius = statistics(heights).curvature_radius;
+    const AdhesionParameters &adhesion = parameters.adhesion;
+    const double              modulus  = parameters.effective_modulus;
+    // Most of a sphere's spectrum is that of the edge where its periods meet.
+    const double curvature_radius = adhesion.sphere_radius > 0
+                                      ? adhesion.sphere_radius
+                                      : statistics(heights).curvature_radius;
     if (adhesion.tabor_number > 0 && !std::isfinite(curvature_radius))
       throw InputError(
         "Contact/Adhesion/Tabor number says nothing about a flat surface; give Range.");

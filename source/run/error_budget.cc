@@ -112,6 +112,8 @@ namespace strait
                                 std::abs(flow.change_by_interpolation(*step.flow)),
                                 "Contact/Grid points"});
       }
+    else
+      errors.items.push_back({"contact grid", std::nan(""), "Output/Error budget"});
     std::stable_sort(errors.items.begin(),
                      errors.items.end(),
                      [](const ErrorItem &a, const ErrorItem &b) {

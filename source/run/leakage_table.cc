@@ -225,7 +225,8 @@ namespace strait
       .add(
         [](const Step &step) { return step.state.contact->plasticity->mean_indentation; },
         "mean_indentation [length]: mean over the box of what the surface was indented "
-        "by at this and all earlier loads")
+        "by at this load and all before it; rows at `Reduced loads` begin with the "
+        "surface as it was")
       .when(with_contact)
       .add([](const Step &step) { return step.state.costs.contact_seconds; },
            "contact_seconds [s]: wall-clock time of the contact")

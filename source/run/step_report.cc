@@ -15,18 +15,24 @@ namespace strait
                                : format("%.1f h", seconds / 3600.);
     }
 
-    /** The largest error of a leak rate, and what would reduce it. */
+    /** The largest error of a leak rate that is known, what would reduce it, and what is
+     *  not known. */
     std::string
     largest_of(const StepErrors &errors)
     {
-      const ErrorItem &largest = errors.items.front();
-      if (std::isnan(largest.relative))
-        return "  the error of the leak rate from the " + largest.source +
-               " is not known (" + largest.parameter + ")";
-      std::string text = format("  largest error of the leak rate: %s, %.2g %% (%s)",
-                                largest.source.c_str(),
-                                100. * largest.relative,
-                                largest.parameter.c_str());
+      std::string known, unknown;
+      for (const ErrorItem &item : errors.items)
+        if (std::isnan(item.relative))
+          unknown +=
+            "; that of the " + item.source + " is not known (" + item.parameter + ")";
+        else if (known.empty())
+          known = format("%s, %.2g %% (%s)",
+                         item.source.c_str(),
+                         100. * item.relative,
+                         item.parameter.c_str());
+      std::string text = (unknown.empty() ? "  largest error of the leak rate: "
+                                          : "  largest known error of the leak rate: ") +
+                         known + unknown;
       if (errors.extrapolated)
         text += format("; order in the grid %.2f, extrapolated leak rate %.5g",
                        *errors.grid_order,

@@ -2,8 +2,10 @@
 // The adhesive contact: the conditions that define a solution, and three methods against
 // each other.
 #include <strait/base/exceptions.h>
+#include <strait/base/scene.h>
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/contact/adhesive_contact_solver.h>
+#include <strait/surface/make_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -45,6 +47,23 @@ namespace
     const SceneAdhesion longer = adhesion_of_scene(parameters, heights);
     EXPECT_EQ(longer.law.range, range);
     EXPECT_NEAR(longer.resolution, adhesion.resolution / 6, 1e-9);
+  }
+
+  // The periods of a sphere meet at an edge, whose curvature grows with the grid.
+  TEST(Adhesion, TheTaborNumberOfASphereIsThatOfItsRadius)
+  {
+    for (const int n : {32, 64})
+      {
+        Scene scene = make_scene({lex_override("Surface/Kind=sphere", "."),
+                                  lex_override("Surface/Amplitude=2", ".")});
+        scene.contact.adhesion.surface_energy = .1;
+        scene.contact.adhesion.tabor_number   = .5;
+        const SlabField heights =
+          make_surface(scene.surface, make_layout({n, n, 1., 1.}, MPI_COMM_WORLD));
+        EXPECT_NEAR(adhesion_of_scene(scene.contact, heights).law.range,
+                    2. * std::cbrt(2. * .1 * .1),
+                    1e-12);
+      }
   }
 
   TEST(Adhesion, RefusesARangeThatTheGridDoesNotResolve)

@@ -101,12 +101,12 @@ class Folder(unittest.TestCase):
             writer.writeheader()
             writer.writerows(rows)
 
-    def make_run(self, steps, largest=0.02, thresholds=((0., 2.),), where=""):
+    def make_run(self, steps, largest=0.02, thresholds=((0., 2.),), where="", scene=""):
         """The tables that a run leaves, with throats that close like ε^1.2."""
         (self.folder / where).mkdir(exist_ok=True)
         (self.folder / "parameters.prm").write_text(
             "subsection Load programme\n"
-            f"  set Largest reduced load of fits = {largest}\nend\n", encoding="utf-8")
+            f"  set Largest reduced load of fits = {largest}\nend\n{scene}", encoding="utf-8")
         numbers = [{"step": k + 1, **row} for k, row in enumerate(steps)]
         self.table(where + "leakage.csv", numbers)
         self.table(where + "constrictions.csv",
@@ -237,6 +237,26 @@ class OfARun(Folder):
         self.assertTrue(np.isnan(self.summary()[0]["theory_crossover_load"]))
         self.assertEqual(self.summary()[1], "no-crossover")
         self.assertEqual(len(self.warnings()), 2)
+
+    def test_other_physics_close_by_no_law_that_is_known(self):
+        steps = [*(step(e, np.exp(10. * e)) for e in (.7, .5)), *(step(e, e**3.6) for e in (.3, .2))]
+        slips = [{**row, "slip_length": -.1} for row in steps]
+        for scene, rows in (("subsection Fluid\n  set Rarefaction = slip\nend\n", steps),
+                            ("subsection Contact\n  subsection Adhesion\n    set Enabled = true\n"
+                             "  end\nend\n", steps), ("", slips)):
+            self.make_run(rows, .3, ((0., 2.), (-.1, 1.)), scene=scene)
+            for quantity in ("the leak rate", "the theory's leak rate"):
+                self.assertIn(f"no crossover load of {quantity}: the exponent 69/20 is that of a "
+                              "viscous fluid without slip between walls that do not attract",
+                              self.warnings())
+            table = read_table(self.folder / "fit.csv")
+            laws = table["closing_law"][table["quantity"] == "leak_rate"]
+            self.assertTrue(np.isnan(laws[:-1]).all() if rows is steps else (laws[:-1] == 3).all())
+            found, words, _ = fit.summary_of(fit.samples_in(self.folder), .3,
+                                             read_table(self.folder / "threshold.csv"),
+                                             fit.asked_for(self.folder)[1])
+            self.assertTrue(np.isnan(found["crossover_load"]))
+            self.assertEqual(words, "no-crossover")
 
     def test_a_run_without_steps(self):
         columns = tuple(step(.1, 1.)) + ("step",)

@@ -410,9 +410,15 @@ class OfAFolder(unittest.TestCase):
                 self.assertAlmostEqual(along.mean(), 1, 13)
                 if mean:
                     self.assertAlmostEqual(mean, (0.8 * inner + 0.9 * (n - inner)) / 2 / n, 13)
-        # One row of patches is under the mean, whatever the profile, so one load will do.
+
+    def test_one_row_of_patches_has_no_profile(self):
         self.about.update(loads="0.1", profile="hertz")
         scene = SCENE.format(**self.about).replace("width = 4", "width = 1")
+        refused = self.assess("--check", scene=scene)
+        self.assertEqual(refused.returncode, 1)
+        self.assertRegex(refused.stderr, "^Seal/Pressure profile = hertz cannot press parts .* = 1; "
+                                         r"make .* or leave the profile empty\.\n$")
+        scene = scene.replace("profile = hertz", "profile =")
         self.assertEqual(list(seal_scene.Seal(scene).rows()), [0.1])
         self.assertEqual(self.assess("--check", scene=scene).returncode, 0)
 

@@ -179,6 +179,27 @@ namespace strait
       EXPECT_NEAR(rows[2].upper / alone.upper, 1., 1e-5);
     }
 
+    TEST(ErrorBudget, WithoutItTheErrorOfTheGridIsNotKnown)
+    {
+      Scene scene               = saddle_scene(64);
+      scene.programme.pressures = {1.};
+      SilentSweep silent(scene);
+      silent.loads.run([](const Step &step) {
+        const ErrorItem &unknown = step.errors.items.at(0);
+        EXPECT_EQ(unknown.source, "contact grid");
+        EXPECT_TRUE(std::isnan(unknown.relative));
+        EXPECT_EQ(unknown.parameter, "Output/Error budget");
+        Log loud(MPI_COMM_WORLD, false);
+        testing::internal::CaptureStdout();
+        report_step(step, 1, loud);
+        const std::string said = testing::internal::GetCapturedStdout();
+        EXPECT_NE(said.find("  largest known error of the leak rate: mesh, "), said.npos);
+        EXPECT_NE(said.find(
+                    "; that of the contact grid is not known (Output/Error budget)"),
+                  said.npos);
+      });
+    }
+
     TEST(ErrorBudget, SaysThatItKnowsNothingOfAnOddGrid)
     {
       Scene scene               = saddle_scene(63);

@@ -42,6 +42,7 @@ namespace strait
     double         surface_energy    = 0.;                         // γ0
     double         range             = 0.;                         // z0; or
     double         tabor_number      = 0.;                         // sets z0
+    double         sphere_radius     = 0.;                         // 0: not of a sphere
     double         matched_pressure  = 0.;                         // sets γ0; 0: off
     AdhesionMethod method            = AdhesionMethod::nonlinear_cg;
     bool           accept_unresolved = false;
