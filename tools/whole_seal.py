@@ -272,8 +272,10 @@ def assess(folder):
                 [(load, band.median, band.lower, band.upper, patches.unit, band.sealed,
                   band.patches, band.arrangement, band.solution) for load, band in zip(loads, bands)])
     unit, load_unit = patches.unit or "in the scene's units", patches.load_unit
+    across = (", which serve across it as well" if patches.across is patches.along
+              else f" and {len(patches.across)} across")
     print(f"whole seal: {seal.n_along} × {seal.n_around} patches, drawn from "
-          f"{len(patches.along)} along the flow and {len(patches.across)} across{patches.slip}")
+          f"{len(patches.along)} along the flow{across}{patches.slip}")
     for load, band in zip(loads, bands):
         print(f"  under {load:.6g}{load_unit}: {band.median:.4g} {unit}, "
               f"90 % between {band.lower:.4g} and {band.upper:.4g}")

@@ -2,6 +2,7 @@
 #include "seal.h"
 
 #include <strait/base/exceptions.h>
+#include <strait/run/guards.h>
 #include <strait/run/load_sweep.h>
 #include <strait/surface/make_surface.h>
 #include <strait/surface/map_processing.h>
@@ -27,13 +28,20 @@ namespace strait::python
     // decide.
     scene.programme.find_threshold =
       scene.contact.enabled && scene.fluid.enabled && scene.contact.loads();
+    for (const std::string &warning : scene.warnings())
+      log.warn(warning);
     {
       const Computing computing;
       SlabField       heights;
       if (array)
         {
-          if (scene.surface.invert || scene.surface.rotate)
-            log.warn("Surface/Invert and Rotate do not act on heights that are given");
+          const MapParameters &map = scene.surface.map;
+          if (scene.surface.invert || scene.surface.rotate ||
+              map.detrend != Detrend::none || map.make_periodic != MakePeriodic::no ||
+              map.shortest_wavelength > 0. || map.longest_wavelength > 0.)
+            log.warn(
+              "Surface/Invert, Rotate and the processing of maps do not act on "
+              "heights that are given");
           heights = as_field(layout, *array, "heights");
         }
       else
@@ -43,7 +51,8 @@ namespace strait::python
           for (const std::string &warning : remarks.warnings)
             log.warn(warning);
         }
-      slope   = statistics(heights).rms_slope;
+      slope = statistics(heights).rms_slope;
+      check_slope(scene, slope, log);
       contact = complete_contact(scene, heights, 0., log);
       if (scene.fluid.enabled)
         stage = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
@@ -125,11 +134,18 @@ namespace strait::python
     return result;
   }
 
+  /** The control, whose pressures must have a meaning. */
   Control
-  Seal::control_of(const LoadOrControl &at) const
+  Seal::control_of(const LoadOrControl &at)
   {
     const auto *const target = std::get_if<double>(&at);
-    return target != nullptr ? control(*target, {}, {}) : std::get<Control>(at);
+    const Control     asked =
+      target != nullptr ? control(*target, {}, {}) : std::get<Control>(at);
+    Scene of_load                = scene;
+    of_load.programme.pressures  = {asked.target};
+    of_load.fluid.inlet_pressure = asked.inlet_pressure;
+    check_numbers(of_load, log);
+    return asked;
   }
 
   Aim

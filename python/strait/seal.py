@@ -67,8 +67,9 @@ class Seal(_core.Seal):
         return Path(*self._follow(list(controls), from_))
 
     def flow(self, state: _core.State, fields: bool = False) -> _core.Flow:
-        """Percolation and leak rate in the gap of a state, to Fluid/Target accuracy. With
-        `fields` also the fluid's pressure and its current on the points of the grid."""
+        """Percolation and leak rate in the gap of a state, to Fluid/Target accuracy. The inlet
+        pressure and the slip length are those of `state.control`, all else is of this seal's
+        scene. With `fields` also the fluid's pressure and its current on the points of the grid."""
         return super().flow(state, fields)
 
     def find_transition(self, first: float | None = None) -> _core.Transition:

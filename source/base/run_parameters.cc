@@ -79,8 +79,7 @@ namespace strait
       "Run the scene for each of these seeds instead of Surface/Seed, each with its own "
       "folder of results; compare them in ensemble.csv.";
     section.add("Orientations", orientations, orientation_names).meaning =
-      "Run each seed in these orientations, which replace Surface/Invert and "
-      "Surface/Rotate.";
+      "Run each seed in these orientations; Surface/Invert and Rotate turn a single run.";
     section.add("Ranks each", ranks_each, any_number.at_least(1)).meaning =
       "How many ranks run a realisation together, one number that divides the number of "
       "ranks: groups of so many run realisations at the same time. Empty: all ranks run "

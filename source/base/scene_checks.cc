@@ -5,6 +5,7 @@
 #include <strait/base/text.h>
 
 #include <algorithm>
+#include <set>
 
 namespace strait
 {
@@ -174,6 +175,17 @@ namespace strait
         "or they would be copies.");
     }
 
+    /** Which way the surface of each realisation is turned. */
+    void
+    check_orientations(const Scene &scene)
+    {
+      const int turned = (scene.surface.invert ? 1 : 0) + (scene.surface.rotate ? 2 : 0);
+      require(!scene.realisations.enabled() || turned == 0,
+              "Surface/Invert and Rotate are of one run, and Realisations are several; "
+              "remove them and set Realisations/Orientations = " +
+                name_of(turned) + ".");
+    }
+
     /** What a whole seal is made of. */
     void
     check_whole_seal(const Scene &scene)
@@ -189,6 +201,10 @@ namespace strait
               "Seal/Enabled needs at least two patches to tell how they scatter; set "
               "Realisations/Seeds, which of a measured map are its Surface/Windows, or "
               "Orientations.");
+      const auto &ways = scene.realisations.orientations;
+      require(scene.seal.isotropic || std::any_of(ways.begin(), ways.end(), is_rotated),
+              "Seal/Isotropic = false needs patches across the lay; add rotated to "
+              "Realisations/Orientations.");
     }
 
     /** What windows of finer points cannot be combined with, and why. */
@@ -233,6 +249,7 @@ namespace strait
     realisations.check();
     seal.check();
     check_windows(*this);
+    check_orientations(*this);
     check_whole_seal(*this);
     require(
       !seal.two_in_a_row || can_flow_in_a_row(),
@@ -275,6 +292,29 @@ namespace strait
   Scene::warnings() const
   {
     std::vector<std::string> warnings = oversights;
+    // The theory takes its numbers from both sections whatever is on.
+    const auto list_idle = [&](const std::string           &section,
+                               const bool                   is_on,
+                               const std::set<std::string> &used) {
+      std::set<std::string> idle;
+      for (const SceneEntry &entry : entries)
+        if (entry.section == section && !entry.name.empty() &&
+            used.count(entry.name) == 0)
+          idle.insert(entry.name);
+      if (!is_on && !theory.enabled && !idle.empty())
+        warnings.push_back("without " + section +
+                           "/Enabled = true these have no effect: " +
+                           join({idle.begin(), idle.end()}, ", "));
+    };
+    list_idle("Fluid", fluid.enabled, {"Enabled"});
+    list_idle("Contact",
+              contact.enabled,
+              {"Enabled",
+               "Grid points",
+               "Effective modulus",
+               "Young's moduli",
+               "Poisson ratios",
+               "Control"});
     if (surface.kind == SurfaceKind::self_affine &&
         surface.roll_off_wavelength > std::min(surface.size[0], surface.size[1]))
       warnings.emplace_back(

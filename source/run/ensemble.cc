@@ -71,7 +71,7 @@ namespace strait
     scene_of(const RealisationRow &realisation, const Scene &scene)
     {
       const bool              is_inverted = (realisation.orientation & 1) != 0;
-      const bool              is_rotated  = (realisation.orientation & 2) != 0;
+      const bool              turns       = is_rotated(realisation.orientation);
       std::vector<SceneEntry> entries     = scene.entries;
       const auto set = [&entries](const std::string &name, const std::string &value) {
         entries.push_back(lex_override(name + "=" + value, ""));
@@ -79,9 +79,8 @@ namespace strait
       const auto yes_or_no = [](const bool value) { return value ? "true" : "false"; };
       set("Surface/Seed", std::to_string(realisation.seed));
       set("Surface/Invert", yes_or_no(is_inverted));
-      set("Surface/Rotate", yes_or_no(is_rotated));
-      if (scene.surface.kind != SurfaceKind::self_affine &&
-          is_rotated != scene.surface.rotate)
+      set("Surface/Rotate", yes_or_no(turns));
+      if (scene.surface.kind != SurfaceKind::self_affine && turns)
         {
           // A surface turns with its frame, unless it is another draw of the same kind.
           const auto &size = scene.surface.size;

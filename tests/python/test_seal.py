@@ -97,8 +97,9 @@ class Seals(unittest.TestCase):
             with self.assertRaisesRegex(strait.SceneError, "masked points"):
                 call()
         inverted = self.scene.replace({"Surface/Invert": True})
-        with self.assertWarnsRegex(strait.SceneWarning, "do not act on heights that are given"):
-            strait.Seal(inverted, self.scene.heights())
+        for scene in (inverted, self.scene.replace({"Surface/Detrend": "tilt"})):
+            with self.assertWarnsRegex(strait.SceneWarning, "do not act on heights that are given"):
+                strait.Seal(scene, self.scene.heights())
 
     def test_controls_that_mean_nothing(self):
         for what in ({"slip_length": np.nan}, {"slip_length": -np.inf}, {"slip_length": 1e-3},
@@ -235,6 +236,22 @@ class Seals(unittest.TestCase):
             dry.flow(dry.solve(0.1))
         with self.assertRaises(TypeError):
             self.seal.solve("much")
+
+    def test_what_the_program_refuses_or_warns_of(self):
+        real = {**SMALL, "Units/Length": "um", "Units/Pressure": "MPa", "Surface/Size": 50,
+                "Surface/RMS value": 0.4, "Surface/Roll-off wavelength": 20,
+                "Surface/Short cut-off wavelength": 6, "Contact/Effective modulus": 10,
+                "Fluid/Inlet pressure": 1}
+        seal = strait.Seal(strait.Scene(real))
+        with self.assertRaisesRegex(strait.SceneError, "exceeds the nominal pressure"):
+            seal.solve(0.5)
+        with self.assertRaisesRegex(strait.SceneError, "more than the effective modulus"):
+            seal.follow([2., 25.])
+        self.assertTrue(seal.solve(seal.control(0.5, inlet_pressure=0.4)).converged)
+        with self.assertRaisesRegex(strait.SceneError, "which no surface has"):
+            strait.Seal(strait.Scene({**real, "Surface/RMS value": 50}))
+        with self.assertWarnsRegex(strait.SceneWarning, "have no effect: Range"):
+            strait.Seal(strait.Scene({**SMALL, "Contact/Adhesion/Range": 0.1}))
 
     def test_warnings(self):
         with warnings.catch_warnings(record=True) as caught:

@@ -94,7 +94,11 @@ namespace
     EXPECT_TRUE(
       mentions(complaint_of_map(replaced(canonical_map(), "heights", "voltage")),
                "no two-dimensional variable 'heights': type \""));
-    EXPECT_FALSE(read_map(replaced(canonical_map(), "length", "widths")).size);
+    // Coordinates with a unit say what their steps are.
+    const std::string without = replaced(canonical_map(), "length", "widths");
+    EXPECT_DOUBLE_EQ(read_map(without).size.value().at(0), 30.);
+    EXPECT_DOUBLE_EQ(read_map(without).size.value().at(1), 40.);
+    EXPECT_FALSE(read_map(replaced(without, "unit", "unix")).size);
     EXPECT_FALSE(read_map(replaced(canonical_map(), "nm", "qm")).height_unit.metres);
   }
 
@@ -109,9 +113,9 @@ namespace
       EXPECT_TRUE(
         mentions(complaint_of_map(with_last_x({bytes, 8})),
                  "has coordinates 'x' that do not rise in steps of its length"));
-    // As of a map that begins and ends with a point.
-    EXPECT_EQ(read_map(with_last_x(std::string("\x40\x3e\0\0\0\0\0\0", 8))).size->at(0),
-              30.);
+    // Of a map that begins and ends with a point, as long as three of its two steps.
+    EXPECT_DOUBLE_EQ(
+      read_map(with_last_x(std::string("\x40\x3e\0\0\0\0\0\0", 8))).size->at(0), 45.);
     EXPECT_EQ(read_map(with_last_x(std::string(8, '\0'))).size->at(0), 30.);
   }
 

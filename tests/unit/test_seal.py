@@ -314,7 +314,7 @@ class OfAFolder(unittest.TestCase):
         self.assertIn("2 along the flow and 2 across", result.stdout)
         self.assertAlmostEqual(float(self.table()[0]["leak_rate_median"]), 5, delta=0.1)
         self.write([[1.] * 3] * 2 + [[1e-6] * 3] * 2, rotated=(3, 4), isotropic="true")
-        self.assertIn("4 along the flow and 4 across", self.assess().stdout)
+        self.assertIn("4 along the flow, which serve across it as well", self.assess().stdout)
         self.assertLess(float(self.table()[0]["leak_rate_median"]), 1)
 
     def test_what_dominates(self):
@@ -484,7 +484,7 @@ class OfAFolder(unittest.TestCase):
                                     f"{load},{slip}{f',{factor * rate}' * 3},ok\n"
                                     for load, rate in ((0.1, 8.), (0.2, 2.), (0.4, 0.5))
                                     for slip, factor in ordered))
-            self.assertIn("3 across, with the slip length 0, the nearest to zero of 2\n",
+            self.assertIn("serve across it as well, with the slip length 0, the nearest to zero of 2\n",
                           self.assess().stdout)
             self.assertAlmostEqual(float(self.table()[0]["leak_rate_median"]), 40, delta=0.1)
 

@@ -70,6 +70,13 @@ namespace strait
   /** The name of an orientation in a scene. */
   std::string name_of(int orientation);
 
+  /** Whether the surface is turned by 90 degrees in it. */
+  inline bool
+  is_rotated(const int orientation)
+  {
+    return (orientation & 2) != 0;
+  }
+
   /** What sets n of the effective medium. */
   enum class TheoryDimension
   {

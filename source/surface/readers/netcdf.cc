@@ -186,33 +186,44 @@ namespace strait
       return decode(bytes, variable.type);
     }
 
-    /** Refuse coordinates along the dimension @p name that fall, or do not rise, to a
-     *  hundredth, in steps of the side that they state, of n steps or of n − 1. */
-    void
-    check_coordinates(const std::string   &file,
-                      const ClassicHeader &header,
-                      const std::string   &name)
+    /**
+     * The side along the dimension @p name, by its coordinates: what they state as their
+     * length, if it is that of n of their steps; n steps, if it is the span of n − 1, or
+     * they state none but a unit. Nothing if there is none of that. Throws where they
+     * fall, or do not rise, to a hundredth, in steps of either.
+     */
+    std::optional<double>
+    side_along(const std::string   &file,
+               const ClassicHeader &header,
+               const std::string   &name)
     {
       const auto found = header.variables.find(name);
-      if (found == header.variables.end() || found->second.dimensions.size() != 1 ||
-          found->second.dimensions[0] >= header.dimensions.size())
-        return;
-      const Variable  &variable = found->second;
-      const Dimension &along    = header.dimensions[variable.dimensions[0]];
+      if (found == header.variables.end())
+        return {};
+      const Variable             &variable = found->second;
+      const std::optional<double> stated   = variable["length"].number;
+      if (variable.dimensions.size() != 1 ||
+          variable.dimensions[0] >= header.dimensions.size())
+        return stated;
+      const Dimension &along = header.dimensions[variable.dimensions[0]];
       if (along.name != name || along.n < 2 || variable.type < type_int ||
           variable.type > type_double)
-        return;
+        return stated;
       const double rise =
         value_at(file, variable, along.n - 1) - value_at(file, variable, 0);
       const auto   n      = static_cast<double>(along.n);
       const double step   = rise / (n - 1);
-      const double length = variable["length"].number.value_or((n - .5) * step);
+      const double length = stated.value_or(n * step);
       // Equal numbers are those of a dimension to which none were written.
-      if (rise < 0 || (rise != 0 && !(std::abs((n - .5) * step - length) <=
-                                      .6 * std::abs(step) + .01 * std::abs(length))))
+      if (rise == 0)
+        return stated;
+      if (rise < 0 || !(std::abs((n - .5) * step - length) <=
+                        .6 * std::abs(step) + .01 * std::abs(length)))
         reject_for_import(file,
                           "has coordinates '" + name +
                             "' that do not rise in steps of its length");
+      const bool is_span = std::abs(length - rise) < .01 * step;
+      return is_span || (!stated && !variable.unit().empty()) ? n * step : stated;
     }
 
     /** What the coordinate variables say of the sides; nothing if one states no length.
@@ -224,18 +235,17 @@ namespace strait
                const std::string   &name_x,
                const std::string   &name_y)
     {
-      const auto x = header.variables.find(name_x), y = header.variables.find(name_y);
-      for (const std::string &name : {name_x, name_y})
-        check_coordinates(file, header, name);
-      if (x == header.variables.end() || y == header.variables.end() ||
-          !x->second["length"].number || !y->second["length"].number)
+      const std::optional<double> lx = side_along(file, header, name_x);
+      const std::optional<double> ly = side_along(file, header, name_y);
+      if (!lx || !ly)
         return;
-      if (x->second.unit() != y->second.unit())
+      const Variable &x = header.variables.at(name_x), &y = header.variables.at(name_y);
+      if (x.unit() != y.unit())
         reject_for_import(file, "states different units for its sides");
-      map.size         = {{*x->second["length"].number, *y->second["length"].number}};
-      map.lateral_unit = parse_length_unit(x->second.unit());
-      map.is_periodic  = x->second["periodic"].number.value_or(0.) != 0. &&
-                        y->second["periodic"].number.value_or(0.) != 0.;
+      map.size         = {{*lx, *ly}};
+      map.lateral_unit = parse_length_unit(x.unit());
+      map.is_periodic  = x["periodic"].number.value_or(0.) != 0. &&
+                        y["periodic"].number.value_or(0.) != 0.;
     }
 
     /** The variable of the heights; throws where the layout is another. */

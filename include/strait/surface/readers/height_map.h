@@ -64,8 +64,9 @@ namespace strait
    * Read the variable "heights" of a NetCDF file in the classic format (CDF-1 or CDF-2)
    * and the layout of contact.engineering, as strait_import and write_netcdf_map() leave
    * it: floating-point numbers; the dimension called x, else the last, runs along x;
-   * coordinate variables with the attributes "length" (of the whole side), "unit" and
-   * "periodic", or "length_unit", which is that of the heights as well if they have none.
+   * coordinate variables with the attributes "length" (of the whole side; without it, or
+   * where it is the span of the coordinates, n of their steps), "unit" and "periodic", or
+   * "length_unit", which is that of the heights as well if they have none.
    * NaN and _FillValue mark missing points. What the header claims is checked against the
    * length of the file: the library of NetCDF (4.9) would read zeros where a file was cut
    * off, without a word.
