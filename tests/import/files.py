@@ -116,7 +116,8 @@ COMPLETE = {
                            + rows(" "),
     "scale_of_one.txt": "Width: 24 um\nHeight: 10 um\nUnit: um\nz scale = 1.0\n" + rows(" "),
     "side_of_all_steps.txt": SIDES_AND_UNIT + "dx: 2 um\ndy: 1 um\n" + rows(" "),
-    "side_between_points.txt": SIDES_AND_UNIT + "dx: 2.1818 um\ndy: 1.1111 um\n" + rows(" "),
+    "side_between_points.txt": "x size: 22 um\ny size: 9 um\nUnit: um\ndx: 2 um\ndy: 1 um\n"
+                               + rows(" "),
     "stated_twice.txt": "Width: 24 um\nHeight: 10 um\nUnit: um\nHeight: 10000 nm\n" + rows(" "),
 }
 

@@ -248,8 +248,34 @@ class Arrays(Case):
                 file["height"].attrs.update({"unit": "um", "lateral_unit": "um", "lx": side,
                                              "ly": 10., "dx": step, "dy": 1.})
             if side < 100:
-                self.assertAlmostEqual(self.read(path)[1], side * 1e-6)
+                self.check_map(path)
         self.check_refusal(path, "a side of 240 and 12 points in steps of 2, which contradict")
+
+    def test_side_between_points(self):
+        """A side that is stated from the first point to the last is one step too short."""
+        import h5py
+
+        heights = np.resize(files.MICRONS, (24, 40))
+        attributes, netcdf = (os.path.join(self.folder, name) for name in ("map.h5", "map.nc"))
+        with h5py.File(attributes, "w") as file:
+            file["height"] = heights
+            file["height"].attrs.update({"unit": "um", "lateral_unit": "um", "lx": 19.5,
+                                         "ly": 8.625, "dx": .5, "dy": .375})
+        files.write_netcdf(netcdf, .5 * np.arange(40), .375 * np.arange(24), heights)
+        with netcdf_file(netcdf, "a") as file:
+            file.variables["x"].length, file.variables["y"].length = 19.5, 8.625
+        header = "x size: 19.5 um\ny size: 8.625 um\ndx: 0.5 um\ndy: 0.375 um\nz unit: um\n"
+        rows = "".join(" ".join(map(str, row)) + "\n" for row in heights)
+        for path in (attributes, netcdf, self.write("map.txt", header + rows)):
+            with self.subTest(path):
+                np.testing.assert_allclose(self.read(path)[1:], (20e-6, 9e-6), rtol=1e-12)
+        # Steps that the file has rounded.
+        for sides, size in (((24., 10.), (26.1816, 11.111)), ((26.18, 11.11), (26.18, 11.11))):
+            header = (f"x size: {sides[0]} um\ny size: {sides[1]} um\ndx: 2.1818 um\n"
+                      "dy: 1.1111 um\nz unit: um\n")
+            with self.subTest(sides):
+                path = self.write("rounded.txt", header + files.rows(" "))
+                np.testing.assert_allclose(self.read(path)[1:], np.multiply(size, 1e-6))
 
     def test_unit_of_all_lengths(self):
         """As contact.engineering writes it: with the coordinates only."""

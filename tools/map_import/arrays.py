@@ -4,7 +4,7 @@ import os
 
 import numpy as np
 
-from .channel import Channel, Refused, check_extents, dispute, metres_in
+from .channel import Channel, Refused, check_extents, dispute, metres_in, whole_side
 
 
 def _plain(attribute):
@@ -87,9 +87,8 @@ def _map(name, values, attributes, of_file=None):
     sides = [_first(known, "lx"), _first(known, "ly")]
     steps = [_first(known, "dx"), _first(known, "dy")]
     disputed = dispute("x", nx, sides[0], steps[0]) or dispute("y", ny, sides[1], steps[1])
-    if None in sides:
-        sides = None if None in steps else [nx * steps[0], ny * steps[1]]
-    extent = tuple(sides) if sides and all(isinstance(side, float) for side in sides) else None
+    extent = tuple(map(whole_side, (nx, ny), sides, steps))
+    extent = extent if all(isinstance(side, float) for side in extent) else None
     size = tuple(side * lateral for side in extent) if extent and lateral else None
     metres = metres_in(str(unit)) if unit else None
     return Channel(name, _interpret(values, attributes), size, extent, metres,
@@ -109,8 +108,7 @@ def _side(n, coordinate):
     # Equal numbers are those of a dimension to which none were written.
     step = float(abs(values[-1] - values[0])) / (n - 1) if len(values) > 1 else 0.
     length = attributes.get("length")
-    if not isinstance(length, float) and step:
-        length = n * step
+    length = whole_side(n, length if isinstance(length, float) else None, step or None)
     return length, step or None, metres, bool(attributes.get("periodic"))
 
 

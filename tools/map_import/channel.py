@@ -65,6 +65,21 @@ def dispute(axis, n, side, step, unit=""):
     return f"along {axis} a side of {side:g}{unit} and {n} points in steps of {step:g}{unit}"
 
 
+def whole_side(n, side, step):
+    """The side that n points take up, of a side and a step that a file states, if it does both.
+
+    A stated side may be that from the first point to the last, one step less. It is where n - 1
+    steps make it up to a hundredth of one, as rounded steps do.
+    """
+    if not isinstance(step, float):
+        return side
+    if side is None:
+        return n * step
+    is_between_points = isinstance(side, float) and (
+        abs((n - 1) * abs(step) - side) <= .01 * abs(step))
+    return n * abs(step) if is_between_points else side
+
+
 def check_extents(n_columns, n_rows, n_bytes):
     """Refuse a map that cannot be in a file of so many bytes, before memory is taken."""
     if not (1 <= n_columns <= MOST_POINTS and 1 <= n_rows <= MOST_POINTS):

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from .channel import Refused, dispute, metres_in
+from .channel import Refused, dispute, metres_in, whole_side
 from .table import MARK, may_be_thousands
 
 # Gwyddion writes its header in the language of its user: its keys, as far as they are known.
@@ -220,10 +220,9 @@ class TextHeader:
 
     def size(self, nx, ny):
         """lx, ly of so many points; None if not both are stated."""
-        if self.side.get("x") and self.side.get("y"):
-            return self.side["x"], self.side["y"]
-        dx, dy = map(self._step, "xy")
-        return (nx * dx, ny * dy) if dx and dy else None
+        sides = tuple(whole_side(n, self.side.get(axis), self._step(axis))
+                      for axis, n in zip("xy", (nx, ny)))
+        return sides if all(sides) else None
 
     def _step(self, axis):
         return self.spacing.get(axis, self.spacing.get("xy"))
