@@ -315,6 +315,28 @@ class Arrays(Case):
         files.write_netcdf(path, x, y, files.MICRONS, lx=2.4e-5, ly=1e-5)
         self.check_map(path)
 
+    def test_periodic(self):
+        import h5py
+
+        path = os.path.join(self.folder, "map.h5")
+        netcdf = os.path.join(self.folder, "map.nc")
+        files.write_netcdf(netcdf, 2. * np.arange(files.NX), 1. * np.arange(files.NY),
+                           files.MICRONS)
+        for expected, stated in ((True, ("true", "Yes", "1", b"TRUE", 1, 1., np.True_)),
+                                 (False, ("false", "No", "0", b"False", 0, 0., np.False_,
+                                          "perhaps", ""))):
+            for value in stated:
+                with self.subTest(value=value):
+                    with h5py.File(path, "w") as file:
+                        file["height"] = files.MICRONS
+                        file["height"].attrs["periodic"] = value
+                    self.assertIs(read.read(path, None, self.folder)[0].periodic, expected)
+                    if isinstance(value, np.bool_):   # which classic NetCDF does not have
+                        continue
+                    with netcdf_file(netcdf, "a") as file:
+                        file.variables["x"].periodic = file.variables["y"].periodic = value
+                    self.assertIs(read.read(netcdf, None, self.folder)[0].periodic, expected)
+
     def test_marks_of_missing_values(self):
         path = os.path.join(self.folder, "map.nc")
         tenths = np.rint(10 * files.MICRONS)

@@ -17,7 +17,13 @@ def _plain(attribute):
         return value.decode("utf-8", "replace").strip("\0 ")
     if isinstance(value, str):
         return value.strip()
-    return float(value) if np.issubdtype(type(value), np.number) else None
+    return float(value) if isinstance(value, (np.number, np.bool_)) else None
+
+
+def _is_true(attribute):
+    """Whether an attribute, as text or as one number, says yes; what is neither yes nor no does
+    not."""
+    return str(attribute).lower() in ("true", "yes", "1", "1.0")
 
 
 # Attributes that say which values are none, in the numbers that are stored.
@@ -92,7 +98,7 @@ def _map(name, values, attributes, of_file=None):
     size = tuple(side * lateral for side in extent) if extent and lateral else None
     metres = metres_in(str(unit)) if unit else None
     return Channel(name, _interpret(values, attributes), size, extent, metres,
-                   "" if metres or not unit else str(unit), bool(known.get("periodic")),
+                   "" if metres or not unit else str(unit), _is_true(known.get("periodic")),
                    disputed=disputed)
 
 
@@ -109,7 +115,7 @@ def _side(n, coordinate):
     step = float(abs(values[-1] - values[0])) / (n - 1) if len(values) > 1 else 0.
     length = attributes.get("length")
     length = whole_side(n, length if isinstance(length, float) else None, step or None)
-    return length, step or None, metres, bool(attributes.get("periodic"))
+    return length, step or None, metres, _is_true(attributes.get("periodic"))
 
 
 def _against_attributes(channel, steps, units):
