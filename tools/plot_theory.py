@@ -4,7 +4,8 @@
 
 plot_theory.py FOLDER... --picture FILE draws what the effective medium leaks in each folder
 against the load over that which seals it, normalised by the flow through a gap of the short
-cut-off wavelength everywhere, as the paper's figure 2b.
+cut-off wavelength everywhere, as the paper's figure 2b. Where a scene names a gas and leaves its
+viscosity to the program, that flow is not known here, and all leak rates are drawn as they are.
 """
 import argparse
 import pathlib
@@ -14,7 +15,7 @@ from statistics import NormalDist
 import numpy as np
 from matplotlib.figure import Figure
 
-from plot_common import COLOURS, RED, scientific, use_style
+from plot_common import COLOURS, RED, read_units, scientific, use_style, with_unit
 from run_folder import read_parameters, scene_in
 from seal_scene import box_of
 from strait_results import read_table
@@ -35,11 +36,22 @@ def draw_theory(axes, table, x, name="theory_leak_rate", label="theory"):
                   linewidth=1.1, label=label if i == 0 else None, zorder=1)
 
 
-def normalised(folder):
-    """(load over the critical one, leak rate over that of a gap λs everywhere, λr/λs), without
-    slip."""
+def flow_at_cut_off(scene):
+    """The leak rate of a gap λs everywhere; None where only the program knows the viscosity."""
+    # As FluidParameters::take_gas(): the default of a gas with a name stands for the gas's own.
+    viscosity = float(scene["Fluid/Viscosity"])
+    if scene.get("Fluid/Gas") and viscosity == 1:
+        return None
+    length, breadth = box_of(scene)
+    return float(scene["Surface/Short cut-off wavelength"])**3 / (12 * viscosity) * \
+        breadth / length * \
+        (float(scene["Fluid/Inlet pressure"]) - float(scene["Fluid/Outlet pressure"]))
+
+
+def normalised(folder, by_flow=True):
+    """(load over the critical one, leak rate, λr/λs), without slip; the leak rate is over that of
+    a gap λs everywhere or else its size as it is."""
     table, scene = read_table(folder / "leakage.csv"), read_parameters(scene_in(folder))
-    cut_off = float(scene["Surface/Short cut-off wavelength"])
     dimension = scene["Theory/Dimension parameter"]
     if dimension not in ("bruggeman", "critical fraction"):
         raise ValueError("Theory/Dimension parameter must be bruggeman or critical fraction")
@@ -52,27 +64,40 @@ def normalised(folder):
     scale = [NormalDist().inv_cdf((1 + area) / 2)
              for area in (sealing, table["theory_contact_area"][first])]
     critical = table["pressure"][first] * scale[0] / scale[1]
-    length, breadth = box_of(scene)
-    flow = cut_off**3 / (12 * float(scene["Fluid/Viscosity"])) * breadth / length * \
-        (float(scene["Fluid/Inlet pressure"]) - float(scene["Fluid/Outlet pressure"]))
-    return (table["pressure"] / critical, table["theory_leak_rate"] / flow,
-            cut_off / float(scene["Surface/Roll-off wavelength"]))
+    leak = table["theory_leak_rate"]
+    return (table["pressure"] / critical,
+            leak / flow_at_cut_off(scene) if by_flow else np.abs(leak),
+            float(scene["Surface/Short cut-off wavelength"]) /
+            float(scene["Surface/Roll-off wavelength"]))
+
+
+def unit_of_all(folders):
+    """The units of the leak rates of all folders, which must be the same to be drawn as they
+    are."""
+    units = [read_units(folder) for folder in folders]
+    if len({of_one.get("leak_rate") for of_one in units}) > 1:
+        raise ValueError("the leak rates of these runs have different units, and one that names a "
+                         "gas cannot be normalised; give Fluid/Viscosity")
+    return units[0]
 
 
 def draw_folders(folders, picture):
     """The curves of all folders over the load, and over the distance from the threshold."""
     figure = Figure(figsize=(9.6, 4.2), layout="constrained")
     left, right = figure.subplots(1, 2, sharey=True)
+    by_flow = all(flow_at_cut_off(read_parameters(scene_in(folder))) is not None
+                  for folder in folders)
+    label = (r"Leak rate / that of a gap $\lambda_s$ everywhere" if by_flow else
+             with_unit("Leak rate", "leak_rate", unit_of_all(folders)))
     for i, folder in enumerate(folders):
-        load, leak, ratio = normalised(folder)
+        load, leak, ratio = normalised(folder, by_flow)
         rows = np.argsort(load)
         rows = rows[leak[rows] > 0]
         style = {"color": COLOURS[i % len(COLOURS)],
                  "label": rf"$\lambda_s/\lambda_r$ = {scientific(ratio)}"}
         left.plot(load[rows], leak[rows], **style)
         right.plot(1 - load[rows], leak[rows], **style)
-    left.set(yscale="log", xlabel="$L/L_c$",
-             ylabel=r"Leak rate / that of a gap $\lambda_s$ everywhere")
+    left.set(yscale="log", xlabel="$L/L_c$", ylabel=label)
     right.set(xscale="log", xlabel=r"Distance from threshold, $1 - L/L_c$")
     left.legend()
     for axes in (left, right):

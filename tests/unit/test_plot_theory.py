@@ -1,11 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of the theory in the pictures: red lines, gaps.png and the comparison of runs."""
+import json
 import math
 import pathlib
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import h5py
 import numpy as np
@@ -104,6 +106,38 @@ class TheoryPlot(unittest.TestCase):
         np.testing.assert_allclose([math.erf(2 * 0.02 / load[0])], [0.3], rtol=1e-9)
         flow = 0.1**3 / (12 * 0.5) * 2 * 1 / 2
         np.testing.assert_allclose(leak[1], 1e-3 * 0.1**3 / flow, rtol=1e-9)
+
+    def test_gas_whose_viscosity_only_the_program_knows(self):
+        """The default that parameters.prm then has is not that of the gas."""
+        def drawn(gas, viscosity):
+            (self.folder / "parameters.prm").write_text(SCENE.replace(
+                "  set Viscosity       = 0.5", f"  set Gas = {gas}\n  set Viscosity = {viscosity}"))
+            with unittest.mock.patch.object(plot_theory.Figure, "savefig", autospec=True) as save:
+                plot_theory.draw_folders([self.folder], self.folder / "theory.png")
+            axes = save.call_args.args[0].axes[0]
+            return axes.get_ylabel(), axes.lines[0].get_ydata()[0]
+
+        self.write_theory()
+        (self.folder / "run.json").write_text(json.dumps({"units": {"leak_rate": "m³/s"}}))
+        leak, flow_of_one = 1e-3 * 0.18**3, 0.1**3 / 12 * 2 * 1 / 2
+        for gas, viscosity, expected in (("", 1, leak / flow_of_one), ("helium", 1, leak),
+                                         ("helium", 2e-5, leak / flow_of_one * 2e-5)):
+            with self.subTest(gas=gas, viscosity=viscosity):
+                label, value = drawn(gas, viscosity)
+                self.assertAlmostEqual(value / expected, 1)
+                self.assertEqual(label == "Leak rate (m³/s)", expected == leak)
+
+    def test_leak_rates_of_different_units(self):
+        self.write_theory()
+        other = self.folder / "other"
+        other.mkdir()
+        (other / "leakage.csv").write_bytes((self.folder / "leakage.csv").read_bytes())
+        (other / "parameters.prm").write_text(SCENE.replace("= 0.5\nend\nsubsection Theory",
+                                                            "= 1\n  set Gas = air\nend\n"
+                                                            "subsection Theory"))
+        (other / "run.json").write_text(json.dumps({"units": {"leak_rate": "mm³/s"}}))
+        with self.assertRaisesRegex(ValueError, "different units.* Fluid/Viscosity"):
+            plot_theory.draw_folders([self.folder, other], self.folder / "theory.png")
 
     def test_comparison(self):
         self.write_theory()
