@@ -18,6 +18,9 @@ from .results import Run
 
 NO_FILE = os.devnull  # the empty scene file
 TEMPORARY = ""  # in place of a folder for the results
+# The parameters that are paths, and the word that each may have in place of one.
+PATHS = {"Surface/File": "", "Surface/Second file": "", "Fluid/Mesh": "",
+         "Seal/Pressure profile": "hertz"}
 
 
 def _plain(name: str) -> str:
@@ -77,8 +80,21 @@ def _flatten(parameters: Mapping[str, Any], section: str = "") -> Iterator[tuple
             yield section + name, value
 
 
+def _from_here(path: str) -> str:
+    """A path that stays what it is when the current folder, that of the first rank, is another."""
+    if os.path.isabs(path):
+        return path
+    return os.path.normpath(os.path.join(_core.broadcast(os.getcwd()), path))
+
+
+def _override(name: str, text: str) -> str:
+    if name in PATHS and text.strip() not in ("", PATHS[name]):
+        text = _from_here(text.strip())
+    return f"{name}={text}"
+
+
 def _overrides(*parameters: Mapping[str, Any] | None) -> list[str]:
-    return [f"{_full_name(name)}={_text(value)}"
+    return [_override(_full_name(name), _text(value))
             for some in parameters for name, value in _flatten(some or {})]
 
 
@@ -86,7 +102,8 @@ class Scene(_core.Scene):
     """A scene: all that the program is told in a scene file, checked.
 
     Parameters are those of doc/parameters.md, by their names or as keywords, a dictionary for
-    a section; values are numbers, truth values, texts or sequences of them:
+    a section; values are numbers, truth values, texts or sequences of them. The relative path of
+    a file counts from the folder that is the current one when it is given:
 
     >>> a = Scene({"Contact/Grid points": 128, "Surface/Kind": "square saddle"})
     >>> b = Scene(contact=dict(grid_points=128), surface=dict(kind="square saddle"))
@@ -112,7 +129,7 @@ class Scene(_core.Scene):
     def from_prm(cls, path: str | os.PathLike, parameters: Mapping[str, Any] | None = None, /,
                  **more: Any) -> Scene:
         """The scene of a file, with other values for some parameters."""
-        return cls._made_of(os.fspath(path), _overrides(parameters, more))
+        return cls._made_of(_from_here(os.fspath(path)), _overrides(parameters, more))
 
     def replace(self, parameters: Mapping[str, Any] | None = None, /, **more: Any) -> Scene:
         """This scene with other values for some parameters.

@@ -52,7 +52,7 @@ class Scenes(unittest.TestCase):
             with self.assertRaisesRegex(strait.SceneError, sentence):
                 strait.Scene(parameters)
         self.assertTrue(issubclass(strait.SceneError, ValueError))
-        with self.assertRaisesRegex(strait.SceneError, "Cannot read the scene file 'no.prm'"):
+        with self.assertRaisesRegex(strait.SceneError, "Cannot read the scene file '.*/no.prm'"):
             strait.Scene.from_prm("no.prm")
 
     def test_a_file_and_what_is_changed_of_it(self):
@@ -62,6 +62,43 @@ class Scenes(unittest.TestCase):
         self.assertEqual(scene["Contact/Grid points"],
                          strait.Scene.from_prm(file)["Contact/Grid points"])
         self.assertEqual(pickle.loads(pickle.dumps(scene)).text, scene.text)
+
+    def test_relative_paths_count_from_where_they_were_given(self):
+        self.addCleanup(os.chdir, pathlib.Path.cwd())
+        folders = [pathlib.Path(self.enterContext(tempfile.TemporaryDirectory())).resolve()
+                   for _ in range(2)]
+        for k, folder in enumerate(folders, 1):
+            np.save(folder / "map.npy", k * np.cos(np.pi * np.arange(64) / 8) * np.ones((64, 1)))
+            (folder / "scene.prm").write_text("subsection Surface\n  set Kind = file\n"
+                                              f"  set File = map.npy\n  set Seed = {k}\nend\n")
+        os.chdir(folders[0])
+        given = strait.Scene({**SMALL, "Surface/Kind": "file", "surface/file": "map.npy",
+                              "Surface/Size": 1})
+        of_file = strait.Scene.from_prm("scene.prm", {**SMALL, "Surface/Size": 1})
+        heights = given.heights()
+        os.chdir(folders[1])
+        for scene in (given, of_file):
+            for other in (scene, scene.replace(fluid=dict(enabled=False)),
+                          pickle.loads(pickle.dumps(scene))):
+                self.assertEqual(other["Surface/File"], str(folders[0] / "map.npy"))
+                np.testing.assert_array_equal(other.heights(), heights)
+        run = given.replace(fluid=dict(enabled=False)).run()
+        self.assertAlmostEqual(run.table["mean_gap"][0],
+                               strait.Seal(given).solve(0.05).mean_gap, 12)
+        here = given.replace({"Surface/File": pathlib.Path("map.npy")})
+        np.testing.assert_allclose(here.heights(), 2 * heights)
+
+    def test_paths_are_those_of_the_program(self):
+        rows, section = {}, ""
+        for line in (PROJECT / "doc" / "parameters.md").read_text(encoding="utf-8").splitlines():
+            if line.startswith("## "):
+                section = line[3:].replace(" / ", "/")
+            cells = [cell.strip() for cell in line.split("|")]
+            if len(cells) > 4 and cells[3].endswith("a path"):
+                rows[f"{section}/{cells[1]}"] = cells[3].removesuffix("a path").rstrip(" or,")
+        self.assertEqual(strait.scene.PATHS, rows)
+        for name, word in rows.items():
+            self.assertEqual(strait.Scene({name: word}).overrides, [f"{name}={word}"])
 
     def test_units(self):
         scene = strait.Scene.from_prm(PROJECT / "prm" / "oring_water.prm")
