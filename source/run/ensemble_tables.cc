@@ -28,7 +28,7 @@ namespace strait
       .add(not_yet,
            "crossover_load [pressure]: (1 − ε_x) L_c at the smallest slip length, where "
            "the exponential decay far from the threshold turns into the power law, see "
-           "below; `nan` if it is too slow for that")
+           "below; `nan` if it is too slow for that, or the power is another")
       .add(not_yet, "exponent [1]: of the leak rate at the smallest slip length")
       .add(not_yet, "exponent_error [1]: standard error of its fit")
       .when({"with `Theory/Enabled`", scene.theory.enabled})
@@ -36,11 +36,13 @@ namespace strait
            "theory_crossover_load [pressure]: that of the theory's leak rate at the same "
            "steps; `nan` likewise")
       .when()
-      .add(&RealisationRow::status,
-           "status: `ok`, `failed`, or the words of `status` of all its rows of "
-           "leakage.csv, after `not-converged` if these are failures of solvers; and "
-           "`no-exponent` or `no-crossover` where fewer than two of the steps that these "
-           "take are resolved, or where the decay is too slow for a crossover")
+      .add(
+        &RealisationRow::status,
+        "status: `ok`, `failed`, or the words of `status` of all its rows of "
+        "leakage.csv, after `not-converged` if these are failures of solvers; and "
+        "`no-exponent` or `no-crossover` where fewer than two of the steps that these "
+        "take are resolved, or where the decay is too slow for a crossover or the power "
+        "is not 69/20")
       .add(&RealisationRow::validity,
            "validity: `ok`, or the words of `validity` of all its rows");
     return table;
