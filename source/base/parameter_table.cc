@@ -223,6 +223,16 @@ namespace strait
     return sentences;
   }
 
+  std::set<std::string>
+  ParameterTable::changed() const
+  {
+    std::set<std::string> paths;
+    for (const Parameter &parameter : parameters)
+      if (parameter.value != parameter.usual)
+        paths.insert(parameter.section + "/" + parameter.name);
+    return paths;
+  }
+
   std::string
   ParameterTable::scene(const bool explained) const
   {

@@ -5,7 +5,6 @@
 #include <strait/base/text.h>
 
 #include <algorithm>
-#include <set>
 
 namespace strait
 {
@@ -286,69 +285,5 @@ namespace strait
     require(contact.enabled || fluid.enabled || theory.enabled,
             "Contact/Enabled and Fluid/Enabled are both false, so there is "
             "nothing to compute.");
-  }
-
-  std::vector<std::string>
-  Scene::warnings() const
-  {
-    std::vector<std::string> warnings = oversights;
-    // The theory takes its numbers from both sections whatever is on.
-    const auto list_idle = [&](const std::string           &section,
-                               const bool                   is_on,
-                               const std::set<std::string> &used) {
-      std::set<std::string> idle;
-      for (const SceneEntry &entry : entries)
-        if (entry.section == section && !entry.name.empty() &&
-            used.count(entry.name) == 0)
-          idle.insert(entry.name);
-      if (!is_on && !theory.enabled && !idle.empty())
-        warnings.push_back("without " + section +
-                           "/Enabled = true these have no effect: " +
-                           join({idle.begin(), idle.end()}, ", "));
-    };
-    list_idle("Fluid", fluid.enabled, {"Enabled"});
-    list_idle("Contact",
-              contact.enabled,
-              {"Enabled",
-               "Grid points",
-               "Effective modulus",
-               "Young's moduli",
-               "Poisson ratios",
-               "Control"});
-    if (surface.kind == SurfaceKind::self_affine &&
-        surface.roll_off_wavelength > std::min(surface.size[0], surface.size[1]))
-      warnings.emplace_back(
-        "Surface/Roll-off wavelength exceeds the shorter side of the box, so the "
-        "surface is not isotropic.");
-    if (fluid.enabled && fluid.is_gas && fluid.molar_mass == 0.)
-      warnings.emplace_back(
-        "whether the gas is rarefied is not checked, because neither Fluid/Gas nor Molar "
-        "mass is given.");
-    const auto ignores = [&](const bool effect, const std::string &name) {
-      if (theory.enabled && effect)
-        warnings.push_back("the theory knows nothing of " + name +
-                           ": its columns are those of a dry contact without adhesion, "
-                           "and of viscous flow.");
-    };
-    ignores(fluid.rarefaction != Rarefaction::none, "Fluid/Rarefaction");
-    ignores(fluid.feedback.enabled, "Fluid/Wall feedback");
-    ignores(contact.adhesion.enabled, "Contact/Adhesion");
-    if (fluid.is_gas && fluid.feedback.enabled)
-      warnings.emplace_back(
-        "a gas presses on the walls with its absolute pressure, so the loads count from "
-        "a vacuum outside the seal.");
-    if (!fluid.enabled && output.error_budget)
-      warnings.emplace_back(
-        "Output/Error budget is of the leak rate, and Fluid/Enabled = false.");
-    if (!programme.find_threshold && !programme.find_blow_out &&
-        programme.threshold_tolerance != ProgrammeParameters().threshold_tolerance)
-      warnings.emplace_back(
-        "Load programme/Threshold tolerance has no effect without Find threshold or Find "
-        "blow-out.");
-    if (is_theory_only() && (output.surface_map || output.surface_spectrum))
-      warnings.emplace_back(
-        "the theory alone writes neither Output/Surface map nor Surface spectrum; switch "
-        "Contact or Fluid on to have them.");
-    return warnings;
   }
 } // namespace strait

@@ -174,7 +174,7 @@ namespace strait
       .add([](const Step &step) { return step.state.contact->contact_area_corrected; },
            "contact_area_corrected [1]: the same for the continuum: A − 0.118 S a, with "
            "the lattice perimeter S of the contact, less where it yields up to its edge, "
-           "and the spacing a of the points")
+           "and the spacing a = √(dx dy) of the points")
       .when({"if some slip length is not zero",
              scene.fluid.has_slip() && (scene.fluid.enabled || theory_alone)})
       .add([](const Step &step) { return step.state.control.slip_length; },

@@ -53,12 +53,26 @@ TEST(Scene, ParametersWithoutEffectAreNamed)
     warnings_of({"Contact/Zoom/Enabled=true", "Contact/Zoom/Maximum levels=2"}).empty());
   const std::string loose = "Load programme/Threshold tolerance=1e-3";
   EXPECT_EQ(warnings_of({loose}),
-            std::vector<std::string>{"Load programme/Threshold tolerance has no effect "
-                                     "without Find threshold or Find blow-out."});
+            std::vector<std::string>{
+              "without Load programme/Find threshold or Find blow-out these have no "
+              "effect: Threshold tolerance"});
   EXPECT_TRUE(warnings_of({loose, "Load programme/Find threshold=true"}).empty());
   EXPECT_TRUE(
     warnings_of(
       {loose, "Load programme/Find blow-out=true", "Fluid/Wall feedback/Enabled=true"})
+      .empty());
+  for (const auto &[given, needed] :
+       {std::pair{"Load programme/Jump tolerance=.1", "Contact/Adhesion/Enabled = true"},
+        std::pair{"Realisations/Ranks each=2", "Realisations/Seeds or Orientations"}})
+    EXPECT_EQ(warnings_of({given}).at(0).find(std::string("without ") + needed), 0U);
+  // What a run writes as its scene states every default, and is no cause for warnings.
+  const Overrides dry = {"Fluid/Enabled=false", "Fluid/Viscosity=2"};
+  EXPECT_EQ(warnings_of(dry),
+            std::vector<std::string>{
+              "without Fluid/Enabled = true these have no effect: Viscosity"});
+  EXPECT_TRUE(scene_of(scene_of("", {dry[0]}).resolved, {}).warnings().empty());
+  EXPECT_TRUE(
+    warnings_of({dry[0], dry[1], "Contact/Enabled=false", "Theory/Enabled=true"})
       .empty());
   expect_in("Surface/Kind is no file", error_of("", {"Surface/File=/a/map.nc"}));
 }

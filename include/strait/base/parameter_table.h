@@ -221,6 +221,9 @@ namespace strait
      *  than their defaults. */
     std::vector<std::string> without_effect() const;
 
+    /** "Section/Parameter" of all whose value is not the default. */
+    std::set<std::string> changed() const;
+
     /** A scene file with all values; with the documentation if @p explained. */
     std::string scene(bool explained) const;
 

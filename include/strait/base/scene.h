@@ -10,6 +10,7 @@
 #include <strait/base/units.h>
 
 #include <iosfwd>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,9 @@ namespace strait
 
     /** What it was made of. */
     std::vector<SceneEntry> entries;
+
+    /** "Section/Parameter" of all that have other values than their defaults. */
+    std::set<std::string> changed;
 
     /** The scene file, with every default filled in. */
     std::string resolved;
