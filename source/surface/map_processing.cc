@@ -126,6 +126,10 @@ namespace strait
                                               "lateral",
                                               map.file)
                                   : std::nullopt;
+    if (!map.size && !parameters.lateral_unit.empty())
+      reject_height_map(map.file,
+                        "states no size that Surface/Lateral unit could be of: remove "
+                        "that, Surface/Size is in the unit of the scene.");
     if (map.size && height && !lateral)
       reject_height_map(map.file,
                         "states a size without a unit, but has heights with one: set "

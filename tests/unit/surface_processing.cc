@@ -74,6 +74,16 @@ namespace
                              [](MapParameters &p) { p.lateral_unit = "scene"; })
                        .size->at(0),
                      2.);
+    // Nothing that the unit could be of.
+    const auto sizeless = [&]() {
+      HeightMap     map = sampled(2, 2, [](double, double) { return 3.; });
+      MapParameters parameters;
+      map.size.reset();
+      parameters.lateral_unit = "nm";
+      convert_to_scene_units(map, parameters);
+    };
+    EXPECT_TRUE(
+      mentions(input_error(sizeless), "states no size that Surface/Lateral unit"));
   }
 
   TEST(MapDetrend, RemovesWhatItSays)
