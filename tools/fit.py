@@ -157,7 +157,7 @@ def suffice(result, samples, window, serves):
         f"serve; the others are left out for {others}")
 
 
-def summary_of(samples, largest, thresholds, has_law=True):
+def summary_of(samples, largest, thresholds, has_law):
     """What ensemble.csv says of a run at the smallest slip length, with the words for its status
     where a result is missing; and the warnings."""
     samples = samples.rows(nearest_slip(samples))

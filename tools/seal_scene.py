@@ -49,6 +49,7 @@ class Seal:
         self.circumference = float(values["Seal/Circumference"])
         self.width = float(values["Seal/Contact width"])
         self.isotropic = values["Seal/Isotropic"] == "true"
+        self.orientations = values.get("Realisations/Orientations", "as is").split(",")
         self.wanted = float(values["Seal/Wanted leak rate"])
         self.profile = values["Seal/Pressure profile"]
         self.length, self.breadth = box_of(values)
@@ -91,15 +92,28 @@ class Seal:
             return (np.fmax.reduce(self.loads[0] / factors),
                     np.fmin.reduce(self.loads[-1] / factors))
 
+    def _require_patches(self):
+        """Refuse a seal whose patches cannot tell what it asks for."""
+        if not self.isotropic:
+            rotated = ["rotated" in name for name in self.orientations]
+            if self.n_along > 1 and not any(rotated):
+                sys.exit("Seal/Isotropic = false needs patches across the lay; add rotated to "
+                         "Realisations/Orientations.")
+            if all(rotated):
+                sys.exit("Seal/Isotropic = false needs patches along the flow; add 'as is' to "
+                         "Realisations/Orientations.")
+        places = np.linspace(0, 1, 9)
+        if self.n_along == 1 and not np.allclose(self._shares(places)[0], places):
+            sys.exit(f"Seal/Pressure profile = {self.profile} cannot press parts of a patch, and "
+                     f"one patch spans Seal/Contact width = {self.width:.6g}; make Surface/Size "
+                     "along the flow half of that or less, or leave the profile empty.")
+
     def rows(self):
         """The mean loads for which the patches know the pressures of the whole profile, at bonds
         along and around: those of the patches, the least and the largest that there are, and that
         of the table."""
-        if self.profile and self.n_along == 1:
-            sys.exit(f"Seal/Pressure profile = {self.profile} cannot press parts of a patch, and "
-                     f"one patch spans Seal/Contact width = {self.width:.6g}; make Surface/Size "
-                     "along the flow half of that or less, or leave the profile empty.")
         along, around, mean = self.columns()
+        self._require_patches()
         bonds = np.concatenate([along, around])
         least, most, uniform = bonds.min(), bonds.max(), np.allclose(bonds, 1)
         wanted = self.loads if mean is None else _joined(self.loads, [mean])

@@ -98,6 +98,10 @@ class Patches:
             sys.exit("The whole seal needs two patches along the flow with leak rates at all "
                      f"loads, and there are {len(self.along)}" +
                      (": " + "; ".join(self.dropped) if self.dropped else "") + ".")
+        if not (self.across or seal.isotropic or seal.n_along == 1):
+            sys.exit("The whole seal has a lay and needs a patch across it with leak rates at all "
+                     "loads, and there is none" +
+                     (": " + "; ".join(self.dropped) if self.dropped else "") + ".")
         self.along, self.ends = np.array(self.along), np.array(self.ends)
         self.across = np.array(self.across) if self.across else self.along
         # Not all grids can be compared with coarser ones.

@@ -14,6 +14,8 @@
 #include <pybind11/iostream.h>
 #include <pybind11/stl.h>
 
+#include <filesystem>
+
 #include "arrays.h"
 #include "bindings.h"
 #include "environment.h"
@@ -128,6 +130,18 @@ namespace strait::python
       return broadcast(MPI_COMM_WORLD, text);
     }
 
+    /** That of the first rank, which reads the files. */
+    std::string
+    current_folder()
+    {
+      start();
+      const Computing computing;
+      std::string     here;
+      run_on_root(MPI_COMM_WORLD,
+                  [&]() { here = std::filesystem::current_path().string(); });
+      return broadcast(MPI_COMM_WORLD, here);
+    }
+
     void
     wait_for_all_ranks()
     {
@@ -193,6 +207,7 @@ namespace strait::python
       .def("_run", &run, py::arg("verbose"), py::arg("resume"), py::arg("force"));
     module.def("statistics", &statistics_of, py::arg("heights"), py::arg("size"));
     module.def("broadcast", &broadcast_text);
+    module.def("current_folder", &current_folder);
     module.def("rank", &rank);
     module.def("wait_for_all_ranks", &wait_for_all_ranks);
   }

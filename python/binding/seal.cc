@@ -42,7 +42,8 @@ namespace strait::python
             log.warn(
               "Surface/Invert, Rotate and the processing of maps do not act on "
               "heights that are given");
-          heights = as_field(layout, *array, "heights");
+          heights                              = as_field(layout, *array, "heights");
+          scene.contact.adhesion.sphere_radius = 0.; // which may be another surface
         }
       else
         {
@@ -181,13 +182,17 @@ namespace strait::python
         require_own(*from);
       Scene of_path = scene;
       of_path.programme.pressures.clear(); // the measure of the tolerance of jumps
-      for (const LoadOrControl &at : through)
-        of_path.programme.pressures.push_back(control_of(at).target);
-      State last = from;
+      std::vector<Control> controls;
       for (const LoadOrControl &at : through)
         {
+          controls.push_back(control_of(at));
+          of_path.programme.pressures.push_back(controls.back().target);
+        }
+      State last = from;
+      for (const Control &next : controls)
+        {
           Arrival arrival =
-            strait::follow(seal, control_of(at), last.get(), aim(), step_rule(of_path));
+            strait::follow(seal, next, last.get(), aim(), step_rule(of_path));
           jumps.insert(jumps.end(), arrival.jumps.begin(), arrival.jumps.end());
           parted = !arrival.state;
           if (parted)
@@ -249,7 +254,10 @@ namespace strait::python
             "A blow-out pressure needs Fluid/Wall feedback/Enabled and "
             "Contact/Control = load.");
     for (const double load : loads)
-      require(load > 0., "A blow-out pressure needs a load above 0.");
+      {
+        require(load > 0., "A blow-out pressure needs a load above 0.");
+        control_of(load); // and one that has a meaning
+      }
     const Use use(*this);
     Scene     of_loads           = scene;
     of_loads.programme.pressures = loads;

@@ -81,10 +81,11 @@ def _flatten(parameters: Mapping[str, Any], section: str = "") -> Iterator[tuple
 
 
 def _from_here(path: str) -> str:
-    """A path that stays what it is when the current folder, that of the first rank, is another."""
+    """The same path, which then no longer depends on the current folder, that of the first rank.
+    Collective."""
     if os.path.isabs(path):
         return path
-    return os.path.normpath(os.path.join(_core.broadcast(os.getcwd()), path))
+    return os.path.join(_core.current_folder(), path)
 
 
 def _override(name: str, text: str) -> str:

@@ -181,7 +181,8 @@ namespace strait
       const int turned = (scene.surface.invert ? 1 : 0) + (scene.surface.rotate ? 2 : 0);
       require(!scene.realisations.enabled() || turned == 0,
               "Surface/Invert and Rotate are of one run, and Realisations are several; "
-              "remove them and set Realisations/Orientations = " +
+              "remove them and name what turns these in Realisations/Orientations, as "
+              "they would: " +
                 name_of(turned) + ".");
     }
 
@@ -200,10 +201,6 @@ namespace strait
               "Seal/Enabled needs at least two patches to tell how they scatter; set "
               "Realisations/Seeds, which of a measured map are its Surface/Windows, or "
               "Orientations.");
-      const auto &ways = scene.realisations.orientations;
-      require(scene.seal.isotropic || std::any_of(ways.begin(), ways.end(), is_rotated),
-              "Seal/Isotropic = false needs patches across the lay; add rotated to "
-              "Realisations/Orientations.");
     }
 
     /** What windows of finer points cannot be combined with, and why. */

@@ -113,7 +113,10 @@ namespace strait
                                 "Contact/Grid points"});
       }
     else
-      errors.items.push_back({"contact grid", std::nan(""), "Output/Error budget"});
+      errors.items.push_back(
+        {"contact grid",
+         std::nan(""),
+         scene.fluid.mesh_file.empty() ? "Output/Error budget" : "Contact/Grid points"});
     std::stable_sort(errors.items.begin(),
                      errors.items.end(),
                      [](const ErrorItem &a, const ErrorItem &b) {

@@ -45,7 +45,7 @@ namespace strait
       RunRecord relative = RunRecord::object();
       for (const ErrorItem &item : step.errors.items)
         relative[item.source] = item.relative;
-      const ErrorItem &largest = step.errors.items.front();
+      const ErrorItem &largest = step.errors.largest_known();
       RunRecord        record  = {{"step", step.number},
                                   {"relative_errors", relative},
                                   {"largest", largest.source},

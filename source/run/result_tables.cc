@@ -50,7 +50,7 @@ namespace strait
          ("closing_law [1]: of a local exponent: what the law of closing says of it, with "
           "its one constant fitted to those of the leak rate up to `Largest reduced load "
           "of fits`, see [theory.md](theory.md); `nan` with `Rarefaction` or `Adhesion`, "
-          "for which it is none"),
+          "for which there is no such law"),
          "status: `ok`, or the words of `status` in leakage.csv of all its steps"});
     }
 

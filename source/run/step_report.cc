@@ -20,19 +20,18 @@ namespace strait
     std::string
     largest_of(const StepErrors &errors)
     {
-      std::string known, unknown;
+      std::string unknown;
       for (const ErrorItem &item : errors.items)
         if (std::isnan(item.relative))
           unknown +=
             "; that of the " + item.source + " is not known (" + item.parameter + ")";
-        else if (known.empty())
-          known = format("%s, %.2g %% (%s)",
-                         item.source.c_str(),
-                         100. * item.relative,
-                         item.parameter.c_str());
-      std::string text = (unknown.empty() ? "  largest error of the leak rate: "
-                                          : "  largest known error of the leak rate: ") +
-                         known + unknown;
+      const ErrorItem &largest = errors.largest_known();
+      std::string text = format("  largest %serror of the leak rate: %s, %.2g %% (%s)",
+                                unknown.empty() ? "" : "known ",
+                                largest.source.c_str(),
+                                100. * largest.relative,
+                                largest.parameter.c_str()) +
+                         unknown;
       if (errors.extrapolated)
         text += format("; order in the grid %.2f, extrapolated leak rate %.5g",
                        *errors.grid_order,

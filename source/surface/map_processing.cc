@@ -126,7 +126,7 @@ namespace strait
                                               "lateral",
                                               map.file)
                                   : std::nullopt;
-    if (!map.size && !parameters.lateral_unit.empty())
+    if (!map.size && !parameters.lateral_unit.empty() && parameters.second_file.empty())
       reject_height_map(map.file,
                         "states no size that Surface/Lateral unit could be of: remove "
                         "that, Surface/Size is in the unit of the scene.");

@@ -498,6 +498,30 @@ class Program(Case):
             np.testing.assert_allclose(file.variables["x"][:], np.arange(files.NX) * 2e-6)
         self.check_map(written)
 
+    def test_both_readers_find_the_same_size(self):
+        """A NetCDF file has the same sides for the program as after an import."""
+        path = os.path.join(self.folder, "map.nc")
+        for kind in ("f8", "i2"):
+            for sides in ({}, {"x": 24., "y": 10.}, {"x": 22., "y": 9.}, {"x": np.int16(22),
+                                                                          "y": np.int16(9)}):
+                with netcdf_file(path, "w") as file:
+                    for name, n, step in (("x", files.NX, 2), ("y", files.NY, 1)):
+                        file.createDimension(name, n)
+                        along = file.createVariable(name, kind, (name,))
+                        along[:] = step * np.arange(n)
+                        along.unit = "um"
+                        if name in sides:
+                            along.length = sides[name]
+                    heights = file.createVariable("heights", "f8", ("y", "x"))
+                    heights[:], heights.unit = files.MICRONS, "um"
+                with self.subTest(kind=kind, sides=sides):
+                    np.testing.assert_allclose(self.read(path)[1:], (24e-6, 10e-6))
+                    said = subprocess.run(
+                        [PROGRAM, self.write("scene.prm", f"subsection Surface\n set Kind = file\n "
+                                             f"set File = {path}\nend\n"), "--dry-run"],
+                        text=True, capture_output=True, check=False, cwd=self.folder).stdout
+                    self.assertIn("on a box of 2.4e-05 × 1e-05,", said)
+
     def test_names_the_command_of_the_import(self):
         path = self.write("map.x3p", files.x3p())
         scene = self.write("scene.prm", f"subsection Surface\n set Kind = file\n "

@@ -101,6 +101,17 @@ class Seals(unittest.TestCase):
             with self.assertWarnsRegex(strait.SceneWarning, "do not act on heights that are given"):
                 strait.Seal(scene, self.scene.heights())
 
+    def test_a_range_is_that_of_the_heights(self):
+        # Of heights that are given nobody knows whether they are the sphere of the scene.
+        adhesive = {"Contact/Grid points": 64, "Fluid/Enabled": False, "Surface/Amplitude": 20,
+                    "Contact/Adhesion/Enabled": True, "Contact/Adhesion/Surface energy": 0.02,
+                    "Contact/Adhesion/Tabor number": 0.5}
+        x = 2 * np.pi * np.arange(64) / 64
+        heights = 0.02 * (np.cos(x) + np.cos(x)[:, None])
+        gaps = [strait.Seal(strait.Scene({**adhesive, "Surface/Kind": kind}), heights
+                            ).solve(0.02).mean_gap for kind in ("sphere", "square saddle")]
+        self.assertEqual(*gaps)
+
     def test_controls_that_mean_nothing(self):
         for what in ({"slip_length": np.nan}, {"slip_length": -np.inf}, {"slip_length": 1e-3},
                      {"inlet_pressure": np.nan}):
@@ -248,6 +259,9 @@ class Seals(unittest.TestCase):
         with self.assertRaisesRegex(strait.SceneError, "more than the effective modulus"):
             seal.follow([2., 25.])
         self.assertTrue(seal.solve(seal.control(0.5, inlet_pressure=0.4)).converged)
+        pressed = strait.Seal(strait.Scene({**real, "Fluid/Wall feedback/Enabled": True}))
+        with self.assertRaisesRegex(strait.SceneError, "more than the effective modulus"):
+            pressed.find_blow_outs([25.])
         with self.assertRaisesRegex(strait.SceneError, "which no surface has"):
             strait.Seal(strait.Scene({**real, "Surface/RMS value": 50}))
         with self.assertWarnsRegex(strait.SceneWarning, "have no effect: Range"):

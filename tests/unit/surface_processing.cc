@@ -74,16 +74,18 @@ namespace
                              [](MapParameters &p) { p.lateral_unit = "scene"; })
                        .size->at(0),
                      2.);
-    // Nothing that the unit could be of.
-    const auto sizeless = [&]() {
+    // Nothing that the unit could be of, unless it is of another map.
+    const auto sizeless = [&](const std::string &second_file) {
       HeightMap     map = sampled(2, 2, [](double, double) { return 3.; });
       MapParameters parameters;
       map.size.reset();
       parameters.lateral_unit = "nm";
+      parameters.second_file  = second_file;
       convert_to_scene_units(map, parameters);
     };
-    EXPECT_TRUE(
-      mentions(input_error(sizeless), "states no size that Surface/Lateral unit"));
+    EXPECT_TRUE(mentions(input_error([&]() { sizeless(""); }),
+                         "states no size that Surface/Lateral unit"));
+    EXPECT_NO_THROW(sizeless("other.nc"));
   }
 
   TEST(MapDetrend, RemovesWhatItSays)

@@ -133,7 +133,7 @@ class Folder(unittest.TestCase):
     def summary(self, largest=0.02):
         """What a run says for ensemble.csv, and its words."""
         return fit.summary_of(fit.samples_in(self.folder), largest,
-                              read_table(self.folder / "threshold.csv"))[:2]
+                              read_table(self.folder / "threshold.csv"), True)[:2]
 
 
 class OfARun(Folder):

@@ -224,6 +224,9 @@ end
 subsection Load programme
   set Pressures = {loads}
 end
+subsection Realisations
+  set Orientations = {orientations}
+end
 subsection Seal
   set Enabled = true
   set Circumference = 20
@@ -246,7 +249,7 @@ class OfAFolder(unittest.TestCase):
         self.addCleanup(temporary.cleanup)
         self.folder = pathlib.Path(temporary.name)
         self.about = {"loads": "0.1, 0.2, 0.4", "profile": "", "isotropic": "true", "wanted": 0,
-                      "rotate": "false", "yielding": "none"}
+                      "rotate": "false", "yielding": "none", "orientations": "as is, rotated"}
 
     def write(self, rates, rotated=(), status="ok", **about):
         """A realisation for each list of leak rates."""
@@ -316,6 +319,21 @@ class OfAFolder(unittest.TestCase):
         self.write([[1.] * 3] * 2 + [[1e-6] * 3] * 2, rotated=(3, 4), isotropic="true")
         self.assertIn("4 along the flow, which serve across it as well", self.assess().stdout)
         self.assertLess(float(self.table()[0]["leak_rate_median"]), 1)
+
+    def test_a_lay_without_patches_that_tell_of_it(self):
+        for orientations, width, missing in (("as is, inverted", 4, "across the lay; add rotated"),
+                                             ("rotated", 4, "along the flow; add 'as is'"),
+                                             ("as is", 1, None)):
+            self.about.update(isotropic="false", orientations=orientations)
+            refused = self.assess("--check", scene=SCENE.format(**self.about).replace(
+                "width = 4", f"width = {width}"))
+            self.assertEqual(refused.returncode, 1 if missing else 0)
+            self.assertIn(missing or "", refused.stderr)
+        # None is left.
+        self.write([[1.] * 3] * 3, rotated=(3,), isotropic="false", orientations="as is, rotated")
+        (self.folder / "realisation-3" / "leakage.csv").unlink()
+        self.assertRegex(self.assess().stderr, "^The whole seal has a lay and needs a patch across "
+                                               "it .*, and there is none: realisation-3 .*\\.\n$")
 
     def test_what_dominates(self):
         rng = np.random.default_rng(2)
@@ -418,6 +436,10 @@ class OfAFolder(unittest.TestCase):
         self.assertEqual(refused.returncode, 1)
         self.assertRegex(refused.stderr, "^Seal/Pressure profile = hertz cannot press parts .* = 1; "
                                          r"make .* or leave the profile empty\.\n$")
+        table = self.folder / "profile.csv"
+        table.write_text("0 0.1\n1 0.1\n")
+        even = scene.replace("profile = hertz", f"profile = {table}")
+        self.assertEqual(self.assess("--check", scene=even).returncode, 0)
         scene = scene.replace("profile = hertz", "profile =")
         self.assertEqual(list(seal_scene.Seal(scene).rows()), [0.1])
         self.assertEqual(self.assess("--check", scene=scene).returncode, 0)

@@ -184,7 +184,9 @@ namespace strait
       Scene scene               = saddle_scene(64);
       scene.programme.pressures = {1.};
       SilentSweep silent(scene);
-      silent.loads.run([](const Step &step) {
+      int         n_steps = 0;
+      silent.loads.run([&n_steps](const Step &step) {
+        ++n_steps;
         const ErrorItem &unknown = step.errors.items.at(0);
         EXPECT_EQ(unknown.source, "contact grid");
         EXPECT_TRUE(std::isnan(unknown.relative));
@@ -198,6 +200,7 @@ namespace strait
                     "; that of the contact grid is not known (Output/Error budget)"),
                   said.npos);
       });
+      EXPECT_EQ(n_steps, 1);
     }
 
     TEST(ErrorBudget, SaysThatItKnowsNothingOfAnOddGrid)

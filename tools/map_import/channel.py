@@ -66,7 +66,7 @@ def dispute(axis, n, side, step, unit=""):
 
 
 def whole_side(n, side, step):
-    """The side that n points take up, of a side and a step that a file states, if it does both.
+    """The side that n points take up, by what a file states: a side, a step, or both.
 
     A stated side may be that from the first point to the last, one step less. It is where n - 1
     steps make it up to a hundredth of one, as rounded steps do.
@@ -74,7 +74,7 @@ def whole_side(n, side, step):
     if not isinstance(step, float):
         return side
     if side is None:
-        return n * step
+        return n * abs(step)
     is_between_points = isinstance(side, float) and (
         abs((n - 1) * abs(step) - side) <= .01 * abs(step))
     return n * abs(step) if is_between_points else side

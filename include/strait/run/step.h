@@ -47,6 +47,16 @@ namespace strait
     std::optional<double>  grid_order;   // observed from contact grid to contact grid
     std::optional<double>  extrapolated; // leak rate at a grid spacing of zero
 
+    /** The first that is known. There must be some. */
+    const ErrorItem &
+    largest_known() const
+    {
+      for (const ErrorItem &item : items)
+        if (!std::isnan(item.relative))
+          return item;
+      return items.front();
+    }
+
     /** All of them together; not a number if one is not known or the leak rate is 0. */
     double
     sum() const

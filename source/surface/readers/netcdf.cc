@@ -20,9 +20,17 @@ namespace strait
     double
     decode(const char *bytes, const std::uint64_t type)
     {
-      return type == type_double ? load<double, big>(bytes)
-             : type == type_int  ? load<std::int32_t, big>(bytes)
-                                 : load<float, big>(bytes);
+      return type == type_double  ? load<double, big>(bytes)
+             : type == type_int   ? load<std::int32_t, big>(bytes)
+             : type == type_short ? load<std::int16_t, big>(bytes)
+             : type == type_byte  ? load<std::int8_t, big>(bytes)
+                                  : load<float, big>(bytes);
+    }
+
+    bool
+    is_number(const std::uint64_t type)
+    {
+      return type >= type_byte && type <= type_double && type != type_char;
     }
 
     std::uint64_t
@@ -58,6 +66,15 @@ namespace strait
         static const Attribute none;
         const auto             found = attributes.find(name);
         return found == attributes.end() ? none : found->second;
+      }
+
+      /** Whether the attribute of a name says yes, by a number or a word. */
+      bool
+      says(const std::string &name) const
+      {
+        const Attribute &attribute = (*this)[name];
+        const auto      &word      = attribute.text;
+        return attribute.number == 1. || word == "true" || word == "yes" || word == "1";
       }
 
       /** Empty if none is stated. */
@@ -163,7 +180,7 @@ namespace strait
             Attribute          &found = result[name];
             if (type == type_char)
               found.text = bytes.substr(0, bytes.find('\0'));
-            else if (length == 1 && type >= type_int && type <= type_double)
+            else if (length == 1 && is_number(type))
               found.number = decode(bytes.data(), type);
           }
         return result;
@@ -187,10 +204,10 @@ namespace strait
     }
 
     /**
-     * The side along the dimension @p name, by its coordinates: what they state as their
-     * length, if it is that of n of their steps; n steps, if it is the span of n − 1, or
-     * they state none but a unit. Nothing if there is none of that. Throws where they
-     * fall, or do not rise, to a hundredth, in steps of either.
+     * The side along the dimension @p name. It is the length that its coordinates state,
+     * but n of their steps where that is the span from the first to the last, or where
+     * they state no length and a unit all the same; nothing if they tell neither. Throws
+     * where they do not rise, to a hundredth, by n or by n − 1 steps in that length.
      */
     std::optional<double>
     side_along(const std::string   &file,
@@ -206,8 +223,7 @@ namespace strait
           variable.dimensions[0] >= header.dimensions.size())
         return stated;
       const Dimension &along = header.dimensions[variable.dimensions[0]];
-      if (along.name != name || along.n < 2 || variable.type < type_int ||
-          variable.type > type_double)
+      if (along.name != name || along.n < 2 || !is_number(variable.type))
         return stated;
       const double rise =
         value_at(file, variable, along.n - 1) - value_at(file, variable, 0);
@@ -222,11 +238,11 @@ namespace strait
         reject_for_import(file,
                           "has coordinates '" + name +
                             "' that do not rise in steps of its length");
-      const bool is_span = std::abs(length - rise) < .01 * step;
+      const bool is_span = std::abs(length - rise) <= .01 * step;
       return is_span || (!stated && !variable.unit().empty()) ? n * step : stated;
     }
 
-    /** What the coordinate variables say of the sides; nothing if one states no length.
+    /** What the coordinate variables say of the sides; nothing if one of them does not.
      */
     void
     read_sides(HeightMap           &map,
@@ -244,8 +260,7 @@ namespace strait
         reject_for_import(file, "states different units for its sides");
       map.size         = {{*lx, *ly}};
       map.lateral_unit = parse_length_unit(x.unit());
-      map.is_periodic  = x["periodic"].number.value_or(0.) != 0. &&
-                        y["periodic"].number.value_or(0.) != 0.;
+      map.is_periodic  = x.says("periodic") && y.says("periodic");
     }
 
     /** The variable of the heights; throws where the layout is another. */

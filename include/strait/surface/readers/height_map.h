@@ -54,7 +54,9 @@ namespace strait
   /** What the classic format of NetCDF calls its types of numbers. */
   enum NetcdfType : std::uint64_t
   {
+    type_byte   = 1,
     type_char   = 2,
+    type_short  = 3,
     type_int    = 4,
     type_float  = 5,
     type_double = 6
