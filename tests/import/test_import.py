@@ -521,6 +521,13 @@ class Program(Case):
                                              f"set File = {path}\nend\n"), "--dry-run"],
                         text=True, capture_output=True, check=False, cwd=self.folder).stdout
                     self.assertIn("on a box of 2.4e-05 × 1e-05,", said)
+        # Numbers that are not what they are, which the program leaves to the import.
+        with netcdf_file(path, "a") as file:
+            file.variables["x"].scale_factor = .5
+        refused = subprocess.run([PROGRAM, os.path.join(self.folder, "scene.prm"), "--dry-run"],
+                                 text=True, capture_output=True, check=False)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("has the attribute scale_factor: type", refused.stderr)
 
     def test_names_the_command_of_the_import(self):
         path = self.write("map.x3p", files.x3p())

@@ -74,6 +74,14 @@ TEST(Scene, ParametersWithoutEffectAreNamed)
   EXPECT_TRUE(
     warnings_of({dry[0], dry[1], "Contact/Enabled=false", "Theory/Enabled=true"})
       .empty());
+  EXPECT_EQ(warnings_of({dry[0],
+                         "Contact/Enabled=false",
+                         "Theory/Enabled=true",
+                         "Fluid/Bounds=rigorous",
+                         "Surface/Seed=7"}),
+            (std::vector<std::string>{
+              "without Fluid/Enabled = true these have no effect: Bounds",
+              "without Theory/Spectrum = surface these have no effect: Seed"}));
   expect_in("Surface/Kind is no file", error_of("", {"Surface/File=/a/map.nc"}));
 }
 

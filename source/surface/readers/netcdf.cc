@@ -191,6 +191,17 @@ namespace strait
       std::size_t position = 0;
     };
 
+    /** Refuse attributes that say that numbers are not what they are. */
+    void
+    require_plain(const std::string                        &file,
+                  const Variable                           &variable,
+                  const std::initializer_list<const char *> names)
+    {
+      for (const char *name : names)
+        if (variable.attributes.count(name) > 0)
+          reject_for_import(file, std::string("has the attribute ") + name);
+    }
+
     double
     value_at(const std::string &file, const Variable &variable, const std::uint64_t i)
     {
@@ -225,6 +236,7 @@ namespace strait
       const Dimension &along = header.dimensions[variable.dimensions[0]];
       if (along.name != name || along.n < 2 || !is_number(variable.type))
         return stated;
+      require_plain(file, variable, {"scale_factor", "add_offset"});
       const double rise =
         value_at(file, variable, along.n - 1) - value_at(file, variable, 0);
       const auto   n      = static_cast<double>(along.n);
@@ -271,14 +283,14 @@ namespace strait
       if (found == header.variables.end() || found->second.dimensions.size() != 2 ||
           (found->second.type != type_double && found->second.type != type_float))
         reject_for_import(file, "has no two-dimensional variable 'heights'");
-      for (const char *name : {"scale_factor",
-                               "add_offset",
-                               "missing_value",
-                               "valid_min",
-                               "valid_max",
-                               "valid_range"})
-        if (found->second.attributes.count(name) > 0)
-          reject_for_import(file, std::string("has the attribute ") + name);
+      require_plain(file,
+                    found->second,
+                    {"scale_factor",
+                     "add_offset",
+                     "missing_value",
+                     "valid_min",
+                     "valid_max",
+                     "valid_range"});
       for (const std::uint64_t dimension : found->second.dimensions)
         if (dimension >= header.dimensions.size())
           reject_height_map(file, "has a damaged header: copy or import it again.");
