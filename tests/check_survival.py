@@ -108,6 +108,8 @@ subsection Load programme
   set Pressures = 0.05, 0.053, 0.056
 end
 """
+SLOWLY_COUPLED = COUPLED.replace("= 0.05, 0.053, 0.056", "= 0.03, 0.035, 0.04, 0.045, 0.05"
+                                 ).replace("0.02", "0.01")
 ZOOMED = ROUGH + """
 subsection Contact
   subsection Zoom
@@ -327,14 +329,13 @@ class Survival(unittest.TestCase):
     def test_stopped_with_zoom_and_feedback(self):
         zoom = ZOOMED[ZOOMED.index("subsection Contact\n  subsection Zoom"):]
         zoom = zoom[:zoom.index("subsection Load programme")]
-        self.stopped_and_resumed(COUPLED.replace("0.02", "0.01") + zoom, [1, 2])
+        self.stopped_and_resumed(SLOWLY_COUPLED + zoom, [1, 2])
 
     def test_stopped_with_zoom_and_threshold(self):
         self.stopped_and_resumed(COUNTED, [1])
 
     def test_stopped_with_feedback(self):
-        more = COUPLED.replace("= 0.05, 0.053, 0.056", "= 0.03, 0.035, 0.04, 0.045, 0.05")
-        self.stopped_and_resumed(more.replace("0.02", "0.01"), [1, 2], signal.SIGINT)
+        self.stopped_and_resumed(SLOWLY_COUPLED, [1, 2], signal.SIGINT)
 
     def test_stopped_with_trapped_fluid(self):
         # Every row owes its fluid to those before; between the second and the last some
