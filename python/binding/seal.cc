@@ -142,10 +142,9 @@ namespace strait::python
     const auto *const target = std::get_if<double>(&at);
     const Control     asked =
       target != nullptr ? control(*target, {}, {}) : std::get<Control>(at);
-    Scene of_load                = scene;
-    of_load.programme.pressures  = {asked.target};
-    of_load.fluid.inlet_pressure = asked.inlet_pressure;
-    check_numbers(of_load, log);
+    FluidParameters fluid = scene.fluid;
+    fluid.inlet_pressure  = asked.inlet_pressure;
+    require_bearable(scene, asked.target, fluid);
     return asked;
   }
 

@@ -11,7 +11,7 @@ namespace strait
     section.add("Enabled", enabled).meaning =
       "Let the surfaces attract each other, in addition to the hard wall. States then "
       "depend on the path of the load.";
-    ParameterSection effect = section.when("Enabled", {"true"});
+    ParameterSection effect = section.when("Enabled = true");
     effect.add("Law", shape, Names{"exponential", "van der Waals"}).meaning =
       "Energy per area at the gap g: exponential: -gamma0 exp(-g/z0); van der Waals: "
       "-gamma0/(1 + g/z0)^2, of longer reach.";
@@ -60,7 +60,7 @@ namespace strait
     section.add("Enabled", enabled).meaning =
       "Solve the contact on finer points around the throats that matter, in windows "
       "refined threefold a level, and tell the error of the whole leak rate.";
-    ParameterSection effect = section.when("Enabled", {"true"});
+    ParameterSection effect = section.when("Enabled = true");
     effect.add("Points along throat", points_along_throat, any_number.at_least(4.))
       .meaning =
       "Levels are added until a throat has so many points along the flow, from its "
@@ -91,8 +91,10 @@ namespace strait
       "E1, E2 of the two bodies, or E1 if the other one is rigid, in place of Effective "
       "modulus [pressure].";
     section.add("Poisson ratios", poisson_ratios, any_number.above(-1.).at_most(0.5))
-      .meaning = "nu1, nu2 of the same bodies [1].";
-    section.add("Hardness", hardness, not_negative).meaning =
+      .meaning                  = "nu1, nu2 of the same bodies [1].";
+    ParameterSection theory_too = section.when("Enabled = true | Theory/Enabled = true");
+    ParameterSection effect     = section.when("Enabled = true");
+    theory_too.add("Hardness", hardness, not_negative).meaning =
       "H: pressure at which the softer body flows, about three times its yield stress; "
       "the column validity compares the pressure of an elastic contact with it, and with "
       "a tenth of the effective modulus if it is 0 [pressure].";
@@ -100,18 +102,17 @@ namespace strait
       "none: the contact is elastic at any pressure; cut-off: no pressure exceeds the "
       "Hardness, and where it is reached the surface keeps the indentation that remains. "
       "States then depend on the path of the load.";
-    section.add("Control", control, Names{"load", "mean gap"}).meaning =
+    theory_too.add("Control", control, Names{"load", "mean gap"}).meaning =
       "What Load programme/Pressures lists: nominal pressures (load) or mean gaps (mean "
       "gap).";
-    section.add("Solver", method, Names{"dual CG", "polonsky-keer"}).meaning =
+    effect.add("Solver", method, Names{"dual CG", "polonsky-keer"}).meaning =
       "dual CG: preconditioned conjugate gradients on the pressure; polonsky-keer: the "
       "textbook method, slower, for reference. Adhesion has a Solver of its own, which "
       "this one only finds a start for.";
-    section.add("Tolerance", tolerance, positive.below(1.)).meaning =
+    effect.add("Tolerance", tolerance, positive.below(1.)).meaning =
       "Largest gap under pressure and largest penetration elsewhere, in units of the rms "
       "height [1].";
-    section.add("Maximum iterations", maximum_iterations, any_number.at_least(1))
-      .meaning =
+    effect.add("Maximum iterations", maximum_iterations, any_number.at_least(1)).meaning =
       "Iterations on the fine grid after which a step counts as not converged [1].";
     adhesion.bind(section.subsection("Adhesion"));
     zoom.bind(section.subsection("Zoom"));

@@ -53,7 +53,7 @@ namespace strait
       "Let the fluid press the walls apart: contact and flow are solved in turn until "
       "they agree. The pressures of the fluid then count from that outside the seal, "
       "which the load is measured against.";
-    ParameterSection effect = section.when("Enabled", {"true"});
+    ParameterSection effect = section.when("Enabled = true");
     effect.add("Tolerance", tolerance, positive.below(1.)).meaning =
       "Change of the fluid pressure (rms, over that of a reservoir, of the load where "
       "reservoirs have none, or its own if that is more) below which contact and flow agree; the leak rate then changes by less "
@@ -78,12 +78,12 @@ namespace strait
       "pressure, as in a seal that was assembled dry; otherwise it keeps its mass along "
       "the load path. incompressible: it keeps its volume; compressible: a liquid of "
       "Bulk modulus; gas: pressure times volume stays.";
-    ParameterSection elastic = section.when("Trapped fluid", {"compressible"});
+    ParameterSection elastic = effect.when("Trapped fluid = compressible");
     elastic.add("Bulk modulus", bulk_modulus, not_negative).meaning =
       "Of trapped fluid that is compressible, at pressure 0 [pressure].";
     elastic.add("Bulk modulus slope", bulk_modulus_slope, not_negative).meaning =
       "Derivative of the bulk modulus by the pressure [1].";
-    section.when("Trapped fluid", {"incompressible", "compressible"})
+    effect.when("Trapped fluid = incompressible, compressible")
       .add("Vapour pressure", vapour_pressure, any_number)
       .meaning =
       "Trapped liquid that has too much room forms a cavity of this pressure; it counts "
@@ -121,11 +121,13 @@ namespace strait
   {
     section.add("Enabled", enabled).meaning =
       "Let a fluid leak through the gap. false: contact only.";
-    section.add("State", is_gas, Names{"liquid", "gas"}).meaning =
+    ParameterSection theory_too = section.when("Enabled = true | Theory/Enabled = true");
+    ParameterSection effect     = section.when("Enabled = true");
+    theory_too.add("State", is_gas, Names{"liquid", "gas"}).meaning =
       "gas: pressures are absolute, leak_rate is the volume flow at their mean, and "
       "throughputs may be asked for with Output/Leak rate units. The flow is viscous in "
       "either case unless Rarefaction says otherwise.";
-    section
+    theory_too
       .add("Gas",
            gas,
            Text{names_in(gases) + ", or empty",
@@ -136,60 +138,62 @@ namespace strait
       "Gives a gas its molar mass, and its viscosity at 293.15 K unless Viscosity is "
       "given and not 1; needs the section Units. The column validity then tells where it "
       "is rarefied.";
-    section.add("Molar mass", molar_mass, not_negative).meaning =
+    theory_too.add("Molar mass", molar_mass, not_negative).meaning =
       "M: of a gas that Gas does not know, needs the section Units; 0: not known [kg/mol].";
-    section.when("State", {"gas"}).add("Temperature", temperature, positive).meaning =
-      "T, for its mean free path [K].";
-    section.add("Rarefaction", rarefaction, Names{"none", "slip", "transitional"})
+    theory_too.when("State = gas")
+      .when("Gas | Molar mass")
+      .add("Temperature", temperature, positive)
+      .meaning = "T, for its mean free path [K].";
+    theory_too.add("Rarefaction", rarefaction, Names{"none", "slip", "transitional"})
       .meaning =
       "Of a gas. none: it is viscous in any gap; slip: it slips along the walls, to "
       "first order in the mean free path over the gap; transitional: from viscous to "
       "molecular flow, by the linearised BGK equation between walls that reflect "
       "diffusely. Needs Gas or Molar mass.";
-    section.when("Rarefaction", {"slip", "transitional"})
+    theory_too.when("Rarefaction = slip, transitional")
       .add("Accommodation", accommodation, positive.at_most(1.))
       .meaning =
       "alpha: fraction of the molecules that the walls reflect diffusely, which makes "
       "the coefficient of slip 1.1466 (2 - alpha)/alpha; for Rarefaction = slip [1].";
-    section.when("State", {"liquid"})
+    effect.when("State = liquid")
       .add("Surface tension", surface_tension, not_negative)
       .meaning =
       "gamma, which the column validity needs to compare the pressure across a meniscus "
       "in the throat with the one that drives the flow; 0: not known [energy/area].";
-    section.add("Viscosity", viscosity, positive).meaning =
+    theory_too.add("Viscosity", viscosity, positive).meaning =
       "eta: dynamic viscosity of the fluid; at its default that of a named Gas is taken "
       "[pressure * time].";
-    section.add("Inlet pressure", inlet_pressure, any_number).meaning =
+    theory_too.add("Inlet pressure", inlet_pressure, any_number).meaning =
       "Fluid pressure at the inlet, x = 0 or y = 0 [pressure].";
-    section.add("Outlet pressure", outlet_pressure, any_number).meaning =
+    theory_too.add("Outlet pressure", outlet_pressure, any_number).meaning =
       "Fluid pressure at the outlet, x = Lx or y = Ly [pressure].";
-    section.add("Slip length", slip_lengths, any_number.at_most(0.)).meaning =
+    theory_too.add("Slip length", slip_lengths, any_number.at_most(0.)).meaning =
       "d0, zero or negative: the conductivity is (g - 2|d0|)^3 / (12 eta), zero where "
       "the gap g is below 2|d0| [length]. Of several values each gets its own row at "
       "each load; the contact is solved once.";
-    section.add("Direction", direction, Names{"x", "y"}).meaning =
+    theory_too.add("Direction", direction, Names{"x", "y"}).meaning =
       "The direction of the mean flow; the box is periodic across it.";
-    section.add_path("Mesh", mesh_file).meaning =
+    theory_too.add_path("Mesh", mesh_file).meaning =
       "Gmsh file (MSH 4.1, ASCII, quadrilaterals) of the part of the box where the fluid "
       "flows, with boundary ids 0 inlet, 1 outlet; all else is impermeable. Empty: the "
       "whole box, periodic across Direction.";
-    section.add("Element degree", element_degree, any_number.at_least(1).at_most(2))
+    effect.add("Element degree", element_degree, any_number.at_least(1).at_most(2))
       .meaning =
       "Polynomial degree of the fluid pressure [1]; 1 is the robust choice on rough "
       "gaps.";
-    section.add("Preconditioner", preconditioner, Names{"boomeramg", "ml"}).meaning =
+    effect.add("Preconditioner", preconditioner, Names{"boomeramg", "ml"}).meaning =
       "Algebraic multigrid of the flow equations: hypre's BoomerAMG or Trilinos' ML.";
-    section.add("Gap interpolation", interpolation, Names{"monotone cubic", "bilinear"})
+    effect.add("Gap interpolation", interpolation, Names{"monotone cubic", "bilinear"})
       .meaning = "The gap between the grid points.";
-    section.add("Refinement", uniform_refinement, Names{"adaptive", "uniform"}).meaning =
+    effect.add("Refinement", uniform_refinement, Names{"adaptive", "uniform"}).meaning =
       "adaptive: refine where the leak rate is decided; uniform: refine all cells.";
-    section.add("Target accuracy", target_accuracy, positive.below(1.)).meaning =
+    effect.add("Target accuracy", target_accuracy, positive.below(1.)).meaning =
       "Relative accuracy of the leak rate at which refinement stops [1]; with Zoom that "
       "of the whole number, of which the mesh takes half.";
-    section.add("Maximum unknowns", maximum_unknowns, any_number.at_least(1)).meaning =
+    effect.add("Maximum unknowns", maximum_unknowns, any_number.at_least(1)).meaning =
       "Refinement stops before the flow has more unknowns than about this, the first "
       "mesh apart [1].";
-    section.add("Bounds", rigorous_bounds, Names{"asymptotic", "rigorous"}).meaning =
+    effect.add("Bounds", rigorous_bounds, Names{"asymptotic", "rigorous"}).meaning =
       "The leak rate's bounds, by integrals of the conductivity and its reciprocal from "
       "above. asymptotic: by Gauss quadrature where the gap is known to vary little, "
       "which is close but proves nothing; rigorous: their largest values in parts of "

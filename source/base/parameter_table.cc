@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <regex>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace strait
@@ -84,14 +85,18 @@ namespace strait
       out << line << "\n";
     }
 
-    /** With what it counts for, if that is more than the effect of its section. */
+    /** With what it counts for in its section, if that is more than its effect. */
     std::string
     meaning_of(const Parameter &parameter)
     {
-      return parameter.decider.empty() || parameter.decider == "Enabled"
-               ? parameter.meaning
-               : parameter.decider + " = " + join(parameter.needed, ", ") + ": " +
-                   parameter.meaning;
+      const std::string        own = parameter.section + "/";
+      std::vector<std::string> conditions;
+      for (const std::string &condition : parameter.conditions)
+        if (condition.find('|') == std::string::npos && condition.rfind(own, 0) == 0 &&
+            condition != own + "Enabled = true")
+          conditions.push_back(condition.substr(own.size()));
+      return join(conditions, " and ") + (conditions.empty() ? "" : ": ") +
+             parameter.meaning;
     }
 
     /** Text in which nothing marks up. */
@@ -192,45 +197,55 @@ namespace strait
   }
 
   bool
-  ParameterTable::counts(const Parameter &parameter) const
+  ParameterTable::holds(const std::string &condition) const
   {
-    for (const Parameter &other : parameters)
-      if (other.section == parameter.section && other.name == parameter.decider)
-        return std::find(parameter.needed.begin(), parameter.needed.end(), other.value) !=
-               parameter.needed.end();
-    return true;
+    for (const std::string &alternative : split(condition, '|'))
+      {
+        const std::vector<std::string> sides = split(alternative, '=');
+        const auto                     decider =
+          std::find_if(parameters.begin(),
+                       parameters.end(),
+                       [&](const Parameter &parameter) {
+                         return parameter.section + "/" + parameter.name == sides.front();
+                       });
+        if (decider == parameters.end())
+          throw std::logic_error("No parameter " + sides.front() + " to depend on.");
+        const auto values = split(sides.back(), ',');
+        if (sides.size() == 1
+              ? decider->value != decider->usual
+              : std::find(values.begin(), values.end(), decider->value) != values.end())
+          return true;
+      }
+    return false;
   }
 
   std::vector<std::string>
   ParameterTable::without_effect() const
   {
-    std::vector<std::pair<std::string, std::vector<std::string>>> idle; // by what is off
+    std::vector<std::pair<std::string, std::vector<std::string>>> idle; // by condition
     for (const Parameter &parameter : parameters)
       {
-        if (parameter.value == parameter.usual || counts(parameter))
+        const auto &conditions = parameter.conditions;
+        const auto  missed =
+          std::find_if_not(conditions.begin(),
+                           conditions.end(),
+                           [this](const std::string &each) { return holds(each); });
+        if (missed == conditions.end() || parameter.value == parameter.usual)
           continue;
-        const std::string off = parameter.section + "/" + parameter.decider + " = " +
-                                join(parameter.needed, " or ");
-        if (idle.empty() || idle.back().first != off)
-          idle.push_back({off, {}});
-        idle.back().second.push_back(parameter.name);
+        auto with = std::find_if(idle.begin(), idle.end(), [&](const auto &group) {
+          return group.first == *missed;
+        });
+        if (with == idle.end())
+          with = idle.insert(with, {*missed, {}});
+        with->second.push_back(parameter.name);
       }
     std::vector<std::string> sentences;
     sentences.reserve(idle.size());
-    for (const auto &[off, names] : idle)
-      sentences.push_back("without " + off +
+    for (const auto &[condition, names] : idle)
+      sentences.push_back("without " +
+                          std::regex_replace(condition, std::regex(" [|]|,"), " or") +
                           " these have no effect: " + join(names, ", "));
     return sentences;
-  }
-
-  std::set<std::string>
-  ParameterTable::changed() const
-  {
-    std::set<std::string> paths;
-    for (const Parameter &parameter : parameters)
-      if (parameter.value != parameter.usual)
-        paths.insert(parameter.section + "/" + parameter.name);
-    return paths;
   }
 
   std::string
@@ -279,11 +294,22 @@ namespace strait
     return out.str() + "\n";
   }
 
+  ParameterSection
+  ParameterSection::when(const std::string &condition) const
+  {
+    std::vector<std::string> alternatives = split(condition, '|');
+    for (std::string &each : alternatives)
+      if (each.find('/') == std::string::npos)
+        each = path + "/" + each;
+    ParameterSection result = *this;
+    result.conditions.push_back(join(alternatives, " | "));
+    return result;
+  }
+
   Parameter &
   ParameterSection::append(Parameter parameter)
   {
-    parameter.decider = decider;
-    parameter.needed  = needed;
+    parameter.conditions = conditions;
     return table.add(std::move(parameter));
   }
 

@@ -28,7 +28,7 @@ namespace strait
     section.add("Find re-sealing", find_resealing).meaning =
       "With Find blow-out: find the inlet pressure, too, at which the seal that has "
       "blown out closes again when it is lowered; about as many solves more.";
-    section
+    section.when("Find threshold = true | Find blow-out = true")
       .add("Threshold tolerance",
            threshold_tolerance,
            any_number.at_least(1e-9).at_most(0.1))
@@ -36,7 +36,7 @@ namespace strait
     section.add("Reduced loads", reduced_loads, positive.below(1.)).meaning =
       "Further steps at these values of 1 - L/L_c, once L_c is known, on a path of their "
       "own that begins anew [1].";
-    section.when("Find threshold", {"true"})
+    section.when("Find threshold = true")
       .add("Largest reduced load of fits", largest_fitted, not_negative.at_most(1.))
       .meaning = "Exponents are fitted to the steps up to this value of 1 - L/L_c [1].";
     section.add("Path", path, Names{"loading", "unloading", "cycle"}).meaning =
@@ -44,7 +44,9 @@ namespace strait
       "Reduced loads: loading (towards larger loads) or unloading; with adhesion it also "
       "says whether the first state is that of no adhesion (loading) or of full contact "
       "(unloading). cycle: loading, and the Pressures then back in the reverse order.";
-    section.add("Jump tolerance", jump_tolerance, not_negative.at_most(1.)).meaning =
+    section.when("Contact/Adhesion/Enabled = true")
+      .add("Jump tolerance", jump_tolerance, not_negative.at_most(1.))
+      .meaning =
       "With adhesion: width to which the load of a jump is enclosed, in units of the "
       "largest of Pressures; 0: jumps are not looked for [1].";
   }
@@ -80,7 +82,9 @@ namespace strait
       "folder of results; compare them in ensemble.csv.";
     section.add("Orientations", orientations, orientation_names).meaning =
       "Run each seed in these orientations; Surface/Invert and Rotate turn a single run.";
-    section.add("Ranks each", ranks_each, any_number.at_least(1)).meaning =
+    section.when("Seeds | Orientations")
+      .add("Ranks each", ranks_each, any_number.at_least(1))
+      .meaning =
       "How many ranks run a realisation together, one number that divides the number of "
       "ranks: groups of so many run realisations at the same time. Empty: all ranks run "
       "one after the other.";
@@ -103,7 +107,7 @@ namespace strait
     section.add("Enabled", enabled).meaning =
       "Leak rate of a whole seal, with its uncertainty, from the realisations as patches "
       "of it; see seal.csv.";
-    ParameterSection effect = section.when("Enabled", {"true"});
+    ParameterSection effect = section.when("Enabled = true");
     effect.add("Circumference", circumference, not_negative).meaning =
       "Length of the seal across the flow [length].";
     effect.add("Contact width", contact_width, not_negative).meaning =
@@ -140,7 +144,7 @@ namespace strait
       "Persson's contact theory and an effective medium beside each step. With Contact "
       "and Fluid off they are evaluated alone, for every load of Load "
       "programme/Pressures and without a grid.";
-    ParameterSection effect = section.when("Enabled", {"true"});
+    ParameterSection effect = section.when("Enabled = true");
     effect.add("Spectrum", spectrum_of_surface, Names{"model", "surface"}).meaning =
       "model: what a self-affine surface has on average, in closed form; surface: that "
       "of the heights on the grid.";
@@ -157,7 +161,7 @@ namespace strait
       "bruggeman: n = 2; critical fraction: from the fraction given below; from "
       "threshold: such that it seals at the critical load of this run (Load "
       "programme/Find threshold).";
-    section.when("Dimension parameter", {"critical fraction"})
+    section.when("Dimension parameter = critical fraction")
       .add("Critical contact fraction", critical_fraction, positive.below(1.))
       .meaning =
       "Contact fraction at which the effective medium seals, for Dimension parameter = "

@@ -74,7 +74,6 @@ namespace strait
     scene.entries                      = entries;
     scene.resolved                     = table.scene(false);
     scene.oversights                   = table.without_effect();
-    scene.changed                      = table.changed();
     scene.surface.map.length_in_metres = metres_in(scene.units.length).value_or(1.);
     return scene;
   }

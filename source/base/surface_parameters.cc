@@ -63,7 +63,7 @@ namespace strait
     section.add("Make periodic", make_periodic, Names{"no", "window", "mirror"}).meaning =
       "no: the map is one period as it is; window: heights fade to their "
       "mean at the edges; mirror: the map and its mirror images, twice as long and wide.";
-    section.when("Make periodic", {"window"})
+    section.when("Make periodic = window")
       .add("Window width", window_width, positive.at_most(0.5))
       .meaning = "fraction of the sides over which heights fade, at each edge [1].";
     section.add("Resample", resample).meaning =
@@ -116,12 +116,15 @@ namespace strait
     section.add("Size", size, positive).meaning =
       "Lx, Ly: sides of the periodic box [length]; one number: a square. Kind = file: if "
       "empty, the map's own.";
-    section.when("Kind", {"self-affine", "file"})
+    // The theory alone needs a surface only for its spectrum.
+    ParameterSection heights = section.when(
+      "Contact/Enabled = true | Fluid/Enabled = true | Theory/Spectrum = surface");
+    heights.when("Kind = self-affine, file")
       .add("Seed", seed, not_negative.at_most(largest_seed))
       .meaning =
       "number of the realisation, which gives the same surface on every grid and number of "
       "ranks, or of the window of a map.";
-    ParameterSection of_law = section.when("Kind", {"self-affine"});
+    ParameterSection of_law = section.when("Kind = self-affine");
     of_law.add("Hurst exponent", hurst_exponent, positive.at_most(1.)).meaning =
       "H; the spectrum falls as q^(-2(1+H)) [1].";
     of_law.add("Roll-off wavelength", roll_off_wavelength, positive).meaning =
@@ -129,7 +132,9 @@ namespace strait
       "constant above it [length].";
     of_law.add("Short cut-off wavelength", short_cut_off_wavelength, positive).meaning =
       "no roughness below this wavelength [length].";
-    of_law.add("Amplitudes", amplitudes, Names{"gaussian", "fixed"}).meaning =
+    heights.when("Kind = self-affine")
+      .add("Amplitudes", amplitudes, Names{"gaussian", "fixed"})
+      .meaning =
       "amplitudes of the waves drawn at random (gaussian), or equal "
       "to the spectrum with random phases only (fixed).";
     of_law.add("Normalisation", rms_is_of_height, Names{"rms slope", "rms height"})
@@ -137,21 +142,19 @@ namespace strait
     of_law.add("RMS value", rms_value, not_negative).meaning =
       "rms slope [1] or rms height [length]; with gaussian amplitudes the root of the mean "
       "square over all seeds, around which single surfaces scatter.";
-    section
-      .when("Kind",
-            {"square saddle", "triangular peaks", "honeycomb peaks", "sine", "sphere"})
+    section.when("Kind = square saddle, triangular peaks, honeycomb peaks, sine, sphere")
       .add("Amplitude", amplitude, not_negative)
       .meaning = "the amplitude Delta [length], of a sphere its radius [length].";
-    section.when("Kind", {"expression"})
+    section.when("Kind = expression")
       .add("Expression",
            expression,
            Text{"text", [](const std::string &) { return true; }})
       .meaning =
       "h [length] as a formula of x and y [length], in muParser's syntax, that repeats "
       "with the box; pi and its sides lx and ly are known.";
-    map.bind(section.when("Kind", {"file"}));
-    section.add("Invert", invert).meaning = "Use -h instead of h.";
-    section.add("Rotate", rotate).meaning = "Rotate the surface by 90 degrees.";
+    map.bind(section.when("Kind = file"));
+    heights.add("Invert", invert).meaning = "Use -h instead of h.";
+    heights.add("Rotate", rotate).meaning = "Rotate the surface by 90 degrees.";
   }
 
   void

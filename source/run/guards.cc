@@ -40,40 +40,6 @@ namespace strait
           return 1024. * kilobytes;
       return unlimited;
     }
-
-    /** Throws where pressures leave the solid no shape, or the seal no load. */
-    void
-    refuse_meaningless_pressures(const Scene &scene)
-    {
-      if (scene.units.pressure.empty() || !scene.contact.enabled ||
-          !scene.contact.loads())
-        return;
-      const bool is_pressed = scene.fluid.enabled && !scene.fluid.feedback.enabled &&
-                              !scene.contact.adhesion.enabled;
-      const char *unit = scene.units.pressure.c_str();
-      for (const double pressure : scene.programme.pressures)
-        {
-          if (pressure > scene.contact.effective_modulus)
-            throw InputError(
-              format("Load programme/Pressures contains %.6g %s, more than the effective "
-                     "modulus of %.6g %s, and no solid bears that elastically; check the "
-                     "units of both.",
-                     pressure,
-                     unit,
-                     scene.contact.effective_modulus,
-                     unit));
-          if (is_pressed && scene.fluid.excess_pressure() > pressure)
-            throw InputError(
-              format("The fluid's pressure of %.6g %s exceeds the nominal pressure of "
-                     "%.6g %s and would lift the walls off, so that a leak rate without "
-                     "that means nothing; set Fluid/Wall feedback/Enabled = true, or "
-                     "raise Load programme/Pressures.",
-                     scene.fluid.excess_pressure(),
-                     unit,
-                     pressure,
-                     unit));
-        }
-    }
   } // namespace
 
   double
@@ -156,9 +122,38 @@ namespace strait
   }
 
   void
+  require_bearable(const Scene &scene, const double load, const FluidParameters &fluid)
+  {
+    if (scene.units.pressure.empty() || !scene.contact.enabled || !scene.contact.loads())
+      return;
+    const char *unit = scene.units.pressure.c_str();
+    if (load > scene.contact.effective_modulus)
+      throw InputError(
+        format("The nominal pressure of %.6g %s is more than the effective "
+               "modulus of %.6g %s, and no solid bears that elastically; "
+               "check the units of both.",
+               load,
+               unit,
+               scene.contact.effective_modulus,
+               unit));
+    if (fluid.enabled && !fluid.feedback.enabled && !scene.contact.adhesion.enabled &&
+        fluid.excess_pressure() > load)
+      throw InputError(
+        format("The fluid's pressure of %.6g %s exceeds the nominal pressure of "
+               "%.6g %s and would lift the walls off, so that a leak rate without "
+               "that means nothing; set Fluid/Wall feedback/Enabled = true, or "
+               "raise the load.",
+               fluid.excess_pressure(),
+               unit,
+               load,
+               unit));
+  }
+
+  void
   check_numbers(const Scene &scene, Log &log)
   {
-    refuse_meaningless_pressures(scene);
+    for (const double load : scene.programme.pressures)
+      require_bearable(scene, load, scene.fluid);
     // The value is in SI; the limits are the smallest and the largest of any seal.
     const auto check = [&log](const char  *name,
                               const double value,

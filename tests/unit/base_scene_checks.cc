@@ -54,8 +54,8 @@ TEST(Scene, ParametersWithoutEffectAreNamed)
   const std::string loose = "Load programme/Threshold tolerance=1e-3";
   EXPECT_EQ(warnings_of({loose}),
             std::vector<std::string>{
-              "without Load programme/Find threshold or Find blow-out these have no "
-              "effect: Threshold tolerance"});
+              "without Load programme/Find threshold = true or Load programme/Find "
+              "blow-out = true these have no effect: Threshold tolerance"});
   EXPECT_TRUE(warnings_of({loose, "Load programme/Find threshold=true"}).empty());
   EXPECT_TRUE(
     warnings_of(
@@ -63,25 +63,32 @@ TEST(Scene, ParametersWithoutEffectAreNamed)
       .empty());
   for (const auto &[given, needed] :
        {std::pair{"Load programme/Jump tolerance=.1", "Contact/Adhesion/Enabled = true"},
-        std::pair{"Realisations/Ranks each=2", "Realisations/Seeds or Orientations"}})
+        std::pair{"Fluid/Wall feedback/Bulk modulus=2",
+                  "Fluid/Wall feedback/Enabled = true"},
+        std::pair{"Surface/Window width=.2", "Surface/Kind = file"},
+        std::pair{"Realisations/Ranks each=2",
+                  "Realisations/Seeds or Realisations/Orientations"}})
     EXPECT_EQ(warnings_of({given}).at(0).find(std::string("without ") + needed), 0U);
   // What a run writes as its scene states every default, and is no cause for warnings.
   const Overrides dry = {"Fluid/Enabled=false", "Fluid/Viscosity=2"};
   EXPECT_EQ(warnings_of(dry),
             std::vector<std::string>{
-              "without Fluid/Enabled = true these have no effect: Viscosity"});
+              "without Fluid/Enabled = true or Theory/Enabled = true these have no "
+              "effect: Viscosity"});
   EXPECT_TRUE(scene_of(scene_of("", {dry[0]}).resolved, {}).warnings().empty());
   EXPECT_TRUE(
     warnings_of({dry[0], dry[1], "Contact/Enabled=false", "Theory/Enabled=true"})
       .empty());
-  EXPECT_EQ(warnings_of({dry[0],
-                         "Contact/Enabled=false",
-                         "Theory/Enabled=true",
-                         "Fluid/Bounds=rigorous",
-                         "Surface/Seed=7"}),
-            (std::vector<std::string>{
-              "without Fluid/Enabled = true these have no effect: Bounds",
-              "without Theory/Spectrum = surface these have no effect: Seed"}));
+  EXPECT_EQ(
+    warnings_of({dry[0],
+                 "Contact/Enabled=false",
+                 "Theory/Enabled=true",
+                 "Fluid/Bounds=rigorous",
+                 "Surface/Seed=7"}),
+    (std::vector<std::string>{
+      "without Contact/Enabled = true or Fluid/Enabled = true or Theory/Spectrum = "
+      "surface these have no effect: Seed",
+      "without Fluid/Enabled = true these have no effect: Bounds"}));
   expect_in("Surface/Kind is no file", error_of("", {"Surface/File=/a/map.nc"}));
 }
 

@@ -57,7 +57,7 @@ namespace
     expect_in("Surface/Size is 1 m", finding({"Surface/Size=1000, 50"}));
     expect_in("Surface/Size is 1e-09 m", finding({"Surface/Size=1e-6, 50"}));
     // 8 for 8 GPa where the unit is Pa.
-    expect_in("error: Load programme/Pressures contains 1e+06 Pa, more than",
+    expect_in("error: The nominal pressure of 1e+06 Pa is more than",
               finding({"Units/Pressure=Pa",
                        "Contact/Effective modulus=8",
                        "Fluid/Viscosity=1e-3",

@@ -63,6 +63,23 @@ namespace
     EXPECT_TRUE(read_map(canonical_map("")).height_unit.name.empty());
   }
 
+  TEST(NetcdfReader, PeriodicByAWord)
+  {
+    // The attribute's value as an integer, 1, or as four letters.
+    const auto periodic =
+      [](const char type, const char count, const std::string &value) {
+        return std::string("periodic\0\0\0", 11) + type + std::string(3, '\0') + count +
+               value;
+      };
+    const std::string one = periodic(4, 1, std::string("\0\0\0\1", 4));
+    for (const auto &[word, says_yes] :
+         {std::pair{"true", true}, {"True", true}, {"TRUE", true}, {"none", false}})
+      EXPECT_EQ(
+        read_map(replaced(canonical_map(), one, periodic(2, 4, word))).is_periodic,
+        says_yes)
+        << word;
+  }
+
   TEST(NetcdfReader, UnitOfAllLengths)
   {
     // The attribute of a name that is eight bytes longer, with as much shorter a text.

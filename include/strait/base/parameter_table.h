@@ -191,11 +191,8 @@ namespace strait
     std::string keyword = {}; // in place of a path
     std::string meaning = {}; // with the unit
 
-    // It counts only if the parameter of this name in its section has one of these
-    // values; always if there is no name.
-    std::string              decider = {};
-    std::vector<std::string> needed  = {};
-    std::string              usual   = {}; // the default
+    std::vector<std::string> conditions = {}; // for it to count, see when()
+    std::string              usual      = {}; // the default
   };
 
   /** All parameters of a scene, in the order of the documentation. */
@@ -217,12 +214,9 @@ namespace strait
      *  allowed. */
     void assign(const SceneEntry &entry);
 
-    /** One sentence for each effect that is off but has parameters that are written other
-     *  than their defaults. */
+    /** One sentence for each condition that does not hold although parameters that count
+     *  only with it have other values than their defaults. */
     std::vector<std::string> without_effect() const;
-
-    /** "Section/Parameter" of all whose value is not the default. */
-    std::set<std::string> changed() const;
 
     /** A scene file with all values; with the documentation if @p explained. */
     std::string scene(bool explained) const;
@@ -232,7 +226,7 @@ namespace strait
 
   private:
     Parameter &find(const SceneEntry &entry);
-    bool       counts(const Parameter &parameter) const;
+    bool       holds(const std::string &condition) const;
 
     std::vector<Parameter> parameters;
   };
@@ -244,8 +238,7 @@ namespace strait
   {
     ParameterTable          &table;
     std::string              path;
-    std::string              decider = {};
-    std::vector<std::string> needed  = {};
+    std::vector<std::string> conditions = {};
 
     /** A section within this one. */
     ParameterSection
@@ -254,13 +247,11 @@ namespace strait
       return {table, path + "/" + name};
     }
 
-    /** The same section for parameters that count only if its parameter @p name has one
-     *  of the @p values. */
-    ParameterSection
-    when(const std::string &name, const std::vector<std::string> &values) const
-    {
-      return {table, path, name, values};
-    }
+    /** The same section for parameters that count only if @p condition holds as well:
+     *  "Kind = sine, file", that a parameter of this section has one of these values;
+     *  "Seeds", that it has not its default; alternatives are separated by " | ", and
+     *  parameters of other sections have their whole path, as Theory/Enabled. */
+    ParameterSection when(const std::string &condition) const;
 
     /** Whether or not. */
     [[nodiscard]] Parameter &add(const std::string &name, bool &variable);

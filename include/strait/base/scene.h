@@ -10,7 +10,6 @@
 #include <strait/base/units.h>
 
 #include <iosfwd>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -79,9 +78,6 @@ namespace strait
 
     /** What it was made of. */
     std::vector<SceneEntry> entries;
-
-    /** "Section/Parameter" of all that have other values than their defaults. */
-    std::set<std::string> changed;
 
     /** The scene file, with every default filled in. */
     std::string resolved;

@@ -27,8 +27,12 @@ namespace strait
    * machines that share them. Collective. */
   void require_memory(const Scene &scene, MPI_Comm comm, int n_grids = 1);
 
+  /** Throws InputError if no result under a load would have a meaning, in stated units:
+   *  no solid bears it, or @p fluid would lift the walls off. */
+  void require_bearable(const Scene &scene, double load, const FluidParameters &fluid);
+
   /** Warn of numbers of a scene in stated units that are off by powers of ten from what
-   *  seals are made of. Throws InputError where no result would have a meaning. */
+   *  seals are made of. Throws InputError as require_bearable() does. */
   void check_numbers(const Scene &scene, Log &log);
 
   /** The same of the rms slope of the surface. */

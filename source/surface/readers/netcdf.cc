@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/surface/readers/height_map.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -72,8 +74,8 @@ namespace strait
       bool
       says(const std::string &name) const
       {
-        const Attribute &attribute = (*this)[name];
-        const auto      &word      = attribute.text;
+        const Attribute  &attribute = (*this)[name];
+        const std::string word      = boost::to_lower_copy(attribute.text);
         return attribute.number == 1. || word == "true" || word == "yes" || word == "1";
       }
 
