@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
+#include <strait/base/rounding.h>
 #include <strait/base/text.h>
 #include <strait/contact/adhesive_contact_solver.h>
 #include <strait/contact/contact_solver.h>
@@ -169,7 +170,7 @@ namespace strait
       largest = std::max(largest, std::abs(value));
     largest = maximum(problem.communicator, largest);
     // A mean of zero but for rounding must give the same sign everywhere.
-    const bool   inwards = mean > 1e-9 * std::sqrt(square);
+    const bool   inwards = mean > rounding * std::sqrt(square);
     const double factor  = (inwards ? -push : push) * problem.adhesion.range / largest;
     for (std::size_t i = 0; i < gap.size(); ++i)
       gap[i] += factor * v[i];

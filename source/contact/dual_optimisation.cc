@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace strait
 {
@@ -19,9 +20,6 @@ namespace strait
         });
         return {0., constraint.rescale(mean), constraint.limit, false};
       }
-
-    // To rounding: the shift is known no better, and Newton's method doubles the digits.
-    constexpr double rounding = 1e-14;
 
     const double limit = constraint.limit, goal = constraint.value;
     const auto [moving, held] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
@@ -50,7 +48,8 @@ namespace strait
             sums[1] += (all_move || may_move[i]) && value > 0 && value < limit ? 1. : 0.;
           });
         const double excess = mean - goal;
-        if (std::abs(excess) <= rounding * goal)
+        // The shift is known no better, and Newton's method doubles the digits.
+        if (std::abs(excess) <= 64 * std::numeric_limits<double>::epsilon() * goal)
           break;
         (excess > 0 ? upper : lower) = shifted.shift;
         const double newton          = shifted.shift - excess / free;

@@ -10,7 +10,7 @@ namespace strait
   {
     // What rounding may do to bounds of the same quantity, relative. Both ends would be
     // wrong by far more if the solver failed, so that half and double find the same.
-    constexpr double rounding = 1e-6;
+    constexpr double noise_of_bounds = 1e-6;
 
     // While a barrier or a channel is being resolved the bracket may rest for a mesh or
     // two before it narrows again. Half of the patience gives up while it rests; double
@@ -47,7 +47,7 @@ namespace strait
         if (observer)
           observer(leakage);
         if (!(leakage.mesh_lower > 0 &&
-              leakage.mesh_lower <= leakage.mesh_upper * (1 + rounding)))
+              leakage.mesh_lower <= leakage.mesh_upper * (1 + noise_of_bounds)))
           {
             leakage.status = "flow-bracket";
             break;
@@ -89,7 +89,8 @@ namespace strait
   {
     // The error of an energy is the square of that of its potential. Double of it saves a
     // fraction of an iteration, as half of it costs one; the bounds feel neither.
-    return {parameters.preconditioner, rounding * rounding * parameters.target_accuracy};
+    return {parameters.preconditioner,
+            noise_of_bounds * noise_of_bounds * parameters.target_accuracy};
   }
 
   LinearSolve
@@ -175,8 +176,8 @@ namespace strait
     // A bound of an earlier mesh still holds, should the solver fail on this one,
     // unless its cells were so coarse that it contradicts this one.
     const bool first = leakage.upper == 0;
-    const bool fit   = leakage.mesh_lower <= leakage.upper * (1 + rounding) &&
-                     leakage.mesh_upper * (1 + rounding) >= leakage.lower;
+    const bool fit   = leakage.mesh_lower <= leakage.upper * (1 + noise_of_bounds) &&
+                     leakage.mesh_upper * (1 + noise_of_bounds) >= leakage.lower;
     // Those of a rarefied gas are for the weights of its mesh.
     if (first || !fit || gap_field.gas() != nullptr)
       {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
+#include <strait/base/rounding.h>
 #include <strait/base/text.h>
 #include <strait/flow/seal_mesh.h>
 
@@ -163,7 +164,7 @@ namespace strait
       text.assign(std::istreambuf_iterator<char>(in), {});
     });
     SealMesh mesh = make_seal_mesh(parse_mesh_file(broadcast(comm, text), path), path);
-    const double slack = 1e-9 * std::max(grid.lx, grid.ly);
+    const double slack = rounding * std::max(grid.lx, grid.ly);
     for (const OutlineEdge &e : mesh.outline(.25 * std::min(grid.dx(), grid.dy())))
       if (!(e.x0 >= -slack && e.x0 <= grid.lx + slack && e.y0 >= -slack &&
             e.y0 <= grid.ly + slack))

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/rounding.h>
 #include <strait/interface/cell_quadrature.h>
 
 #include <algorithm>
@@ -85,9 +86,7 @@ namespace strait
       const double trusted = range.bends ? trusted_ratio_with_bend : trusted_ratio;
       // Next to contact 1/K has no end, though hardly anything flows there: its largest
       // value would block channels a few spacings wide until the cells are small.
-      // What rounding leaves of a gap of zero: half and double of it decide alike.
-      constexpr double rounding = 1e-9;
-      const bool       has_no_end =
+      const bool has_no_end =
         square.edge >= small_cell && range.lowest <= rounding * range.highest;
       if (!quadrature.rigorous && !range.bends &&
           range.highest <= trusted_ratio_with_bend * range.lowest)
@@ -212,9 +211,8 @@ namespace strait
       const double along_y = std::max(ratio(g[0], g[2]), ratio(g[1], g[3]));
       // Both are equal where the gap is open at one corner only: rounding is not to
       // decide.
-      const double rounding = 1e-6 * along_y;
-      return along_x > along_y + rounding ||
-             (along_x >= along_y - rounding && part.width > part.height);
+      return along_x > (1 + rounding) * along_y ||
+             (along_x >= (1 - rounding) * along_y && part.width > part.height);
     }
   };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
+#include <strait/base/rounding.h>
 #include <strait/percolation/bottleneck.h>
 #include <strait/percolation/lattice_search.h>
 
@@ -77,7 +78,6 @@ namespace strait
     // Windows may cross the seams of the box; a point on one counts as that at the far
     // end of the period, where the outlet is.
     const auto within = [](const double at, const double period) {
-      constexpr double rounding = 1e-9;
       return at - period * (std::ceil(at / period - rounding) - 1.);
     };
     return point.window < 0

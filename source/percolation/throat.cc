@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/rounding.h>
 #include <strait/percolation/channel.h>
 
 #include <algorithm>
@@ -121,7 +122,7 @@ namespace strait
             result[1] -= std::floor((y - y0) / grid.ly) * grid.ly / dy;
           }
         for (double &index : result)
-          if (std::abs(index - std::round(index)) < 1e-6)
+          if (std::abs(index - std::round(index)) < rounding)
             index = std::round(index);
         return result;
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
+#include <strait/base/rounding.h>
 #include <strait/base/text.h>
 #include <strait/run/field_output.h>
 #include <strait/run/guards.h>
@@ -49,7 +50,7 @@ namespace strait
       for (const SpectrumBin &bin : spectrum)
         {
           double law = std::nan("");
-          if (fit && bin.q <= fit->q_to * (1 + 1e-9))
+          if (fit && bin.q <= fit->q_to * (1 + rounding))
             law = fit->plateau * std::pow(std::max(bin.q / fit->roll_off, 1.),
                                           -2 * (1 + fit->hurst_exponent));
           rows.push_back({{bin}, law});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/rounding.h>
 #include <strait/base/text.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/map_processing.h>
@@ -104,9 +105,7 @@ namespace strait
                    const double               shortest,
                    const double               longest)
   {
-    // So that a wave of the very length that was asked for is kept. Half and double of it
-    // keep the same waves.
-    constexpr double rounding = 1e-9;
+    // A wave of the very length that was asked for is kept.
     const double q_most  = shortest > 0 ? 2 * M_PI / shortest * (1 + rounding) : HUGE_VAL;
     const double q_least = longest > 0 ? 2 * M_PI / longest * (1 - rounding) : 0.;
 

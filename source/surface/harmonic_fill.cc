@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/rounding.h>
 #include <strait/base/text.h>
 #include <strait/surface/map_processing.h>
 
@@ -64,15 +65,13 @@ namespace strait
       for (double &value : map.values)
         value = std::isnan(value) ? 0. : value - mean;
 
-      // Of the residual of zero. Half of it takes less than an iteration more, and double
-      // of it saves as much: either is far below the digits of a measured height.
-      constexpr double tolerance = 1e-10;
-      // Conjugate gradients. The residual has the sign of the differences, and so has the
-      // direction, which is zero where nothing is missing.
+      // Conjugate gradients, to far below the digits of a measured height. The residual
+      // has the sign of the differences, and so has the direction, which is zero where
+      // nothing is missing.
       Vector       residual = differences(map, points, map.values);
       Vector       direction(map.values.size(), 0.);
       double       square = dot(residual, residual), last = square;
-      const double enough = tolerance * tolerance * square;
+      const double enough = rounding * rounding * square;
       for (std::size_t n = 0; n < 10 * points.size() + 100 && square > enough; ++n)
         {
           for (std::size_t i = 0; i < points.size(); ++i)

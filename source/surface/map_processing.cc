@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/contact_parameters.h>
+#include <strait/base/rounding.h>
 #include <strait/base/text.h>
 #include <strait/surface/map_processing.h>
 
@@ -174,7 +175,7 @@ namespace strait
     // points do not determine is zero.
     std::array<double, 6> coefficients{};
     for (int i = 0; i < n_terms; ++i)
-      if (rows[i][i] > 1e-12 * rows[0][0])
+      if (rows[i][i] > rounding * rows[0][0])
         for (int row = 0; row < n_terms; ++row)
           {
             const double factor = row == i ? 0. : rows[row][i] / rows[i][i];

@@ -2,6 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/base/contact_parameters.h>
 #include <strait/base/exceptions.h>
+#include <strait/base/rounding.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/self_affine_surface.h>
 
@@ -52,7 +53,7 @@ namespace strait
     : parameters(parameters_)
     , roll_off(1 / parameters.roll_off_wavelength)
     // The cut-off excludes waves on it; the margin makes that safe from rounding.
-    , cut_off((1 - 1e-12) / parameters.short_cut_off_wavelength)
+    , cut_off((1 - rounding) / parameters.short_cut_off_wavelength)
   {
     if (std::max(parameters.size[0], parameters.size[1]) * cut_off > most_waves_in_a_box)
       throw InputError("Surface/Short cut-off wavelength is less than 1/" +
@@ -148,15 +149,17 @@ namespace strait
     const double wavelength = parameters.short_cut_off_wavelength;
     const double n_points   = wavelength / std::max(grid.dx(), grid.dy());
     // Four points are four points, however Size was rounded.
-    const auto fewer_than = [n_points](const int n) { return n_points < n * (1 - 1e-9); };
+    const auto fewer_than = [n_points](const int n) {
+      return n_points < n * (1 - rounding);
+    };
 
     const std::string finding =
       "Surface/Short cut-off wavelength = " + scene_number(wavelength) + " spans only " +
       scene_number(std::round(100 * n_points) / 100) + " grid points";
     const auto remedy = [&](const int n) {
       return "set Contact/Grid points = " +
-             scene_number(std::ceil(n * grid.lx / wavelength - 1e-9)) + ", " +
-             scene_number(std::ceil(n * grid.ly / wavelength - 1e-9)) +
+             scene_number(std::ceil(n * grid.lx / wavelength - rounding)) + ", " +
+             scene_number(std::ceil(n * grid.ly / wavelength - rounding)) +
              " or more, or a longer wavelength.";
     };
     if (fewer_than(2))

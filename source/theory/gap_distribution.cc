@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/rounding.h>
 #include <strait/theory/gap_distribution.h>
 
 #include <boost/math/tools/roots.hpp>
@@ -15,7 +16,7 @@ namespace strait
   gap_bins(const double smallest, const double largest, const int per_decade)
   {
     const auto n =
-      static_cast<int>(std::ceil(per_decade * std::log10(largest / smallest) - 1e-9));
+      static_cast<int>(std::ceil(per_decade * std::log10(largest / smallest) - rounding));
     std::vector<double> edges = {0.};
     for (int k = 0; k <= n; ++k)
       edges.push_back(smallest * std::pow(10., static_cast<double>(k) / per_decade));
