@@ -2,158 +2,171 @@
 #include <strait/base/rounding.h>
 #include <strait/interface/cell_quadrature.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace strait
 {
   namespace
   {
-    // Largest over smallest gap of a part on which quadrature is trusted, and of one in
-    // which the gap bends. With 1.6 for the first a gap takes half as long again to
-    // prepare and the bounds are the same; with 4 points might pass by a peak of 1/K that
-    // is 60 times as high as what they see. With the second
-    // no integral over a random cell is too small by more than 2e-4; with an excess of
-    // 0.2 it is 8e-4. Where it does not bend p + 1 points integrate a gap as even as that
-    // to 10⁻⁶ (1/K, at p = 1), which need not be asked of more.
-    constexpr double trusted_ratio = 2.5, trusted_ratio_with_bend = 1.05;
+    // Largest over smallest gap of a part on which quadrature is trusted, and of one that
+    // is all but even. With 1.6 for the first a gap takes longer to prepare and the
+    // bounds are the same; with 4 points might pass by a peak of 1/K that is 60 times as
+    // high as what they see. In an even part bends count for nothing, and where there is
+    // none p + 1 points are enough: no integral over a random cell is too small by more
+    // than 3·10⁻⁴, nor is it with half the excess over 1; with double of it it is 6·10⁻⁴.
+    constexpr double trusted_ratio = 2.5, even_ratio = 1.1;
 
-    // What a part may add to the integral over the cell without being halved, relative.
+    // What a part may add to the integral over the cell without being divided, relative.
     // It limits what quadrature adds to the width of the bracket where cells are larger
     // than the spacing; a third of it takes no longer and changes bounds by a few 1e-5.
     constexpr double tolerance = 1e-3;
 
-    // How often a cell is halved, and a small one, which is what is left around throats
-    // and whose edge is less than this, in spacings. What is still not resolved widens
-    // the bracket: fewer halvings trade the time to prepare a gap for finer meshes. The
-    // larger a small one may be, the more cells beside contact are taken for closed.
-    constexpr int    most_halvings = 6, most_halvings_of_small_cells = 8;
+    // How often a part is divided. What is still not resolved widens the bracket: half of
+    // it takes one cell in a hundred more, double of it changes nothing.
+    constexpr int most_divisions = 6;
+
+    // The edge, in spacings, of cells that are left around throats. The larger they may
+    // be, the more cells beside contact are taken for closed.
     constexpr double small_cell = .25;
 
     /** A rectangle of the unit cell. */
     struct Part
     {
-      double x0, y0, width, height;
+      std::array<double, 2> start, size; // along x and y
+
+      double
+      area() const
+      {
+        return size[0] * size[1];
+      }
     };
   } // namespace
 
-  /** The integral over one square, as it grows part by part. */
-  struct CellQuadrature::Sum
+  /** What one square has of a cell, as it is added up part by part. */
+  struct CellQuadrature::Sums
   {
     using Values     = std::array<double, max_points * max_points>;
     using Quadrature = dealii::Quadrature<2>;
 
+    /** The integral of one coefficient. */
+    struct Sum
+    {
+      CoefficientLaw law;
+      double        *moments;
+      double         scale = 0.; // of the integral
+    };
+
     const CellQuadrature &quadrature;
     const CellGap        &gap;
     const Square         &square;
-    const CoefficientLaw &law;
-    double               *moments;
-    double                scale = 0.; // of the integral
 
-    /** Add a part on which the coefficient is taken to be constant. */
-    void
-    add_constant(const Part &part, const double value)
-    {
-      Values values;
-      values.fill(value);
-      add_values(part, quadrature.coarse, values, 0.);
-    }
-
-    /** What is to be known of the gap on a part first; for rigorous bounds its range is
-     *  all that counts. */
+    /** What is to be known of the gap on a part, for all coefficients; for rigorous
+     * bounds its range is all that counts. */
     struct Look
     {
-      CellGap::Range range;
-      Values         at_coarse; // points
+      CellGap::Range        range;
+      Values                at_coarse = {}; // points
+      std::optional<Values> at_fine   = {}; // once they are asked for
     };
 
-    static Look
-    look_at(const CellQuadrature &quadrature, const CellGap &gap, const Part &part)
+    Look
+    look_at(const Part &part) const
     {
-      Look look{gap.range(part.x0, part.y0, part.width, part.height), {}};
+      Look look{gap.range(part.start[0], part.start[1], part.size[0], part.size[1])};
       if (!quadrature.rigorous)
-        evaluate(gap, part, quadrature.coarse, look.at_coarse);
+        evaluate(part, quadrature.coarse, look.at_coarse);
       return look;
     }
 
-    /** Add a part, which may be halved @p n_halvings times. */
+    /** Add a part, which may be divided @p n_divisions times, to the sums from @p begin
+     * to
+     *  @p end, which are put into another order. */
     void
-    add(const Part &part, const Look &look, const int n_halvings)
+    add(const Part &part, Look look, const int n_divisions, Sum *begin, Sum *end) const
     {
-      const CellGap::Range &range  = look.range;
-      const double          area   = part.width * part.height;
-      Values                values = look.at_coarse;
-      const double trusted = range.bends ? trusted_ratio_with_bend : trusted_ratio;
+      end = std::partition(begin, end, [&](Sum &sum) {
+        return !take(part, look, n_divisions > 0, sum);
+      });
+      if (begin != end)
+        for (const Part &piece : divide(part, look.range))
+          add(piece, look_at(piece), n_divisions - 1, begin, end);
+    }
+
+    /** Add a part on which the coefficient is taken to be constant. */
+    void
+    add_constant(const Part &part, const double value, double *moments) const
+    {
+      Values values;
+      values.fill(value);
+      add_values(part, quadrature.coarse, values, 0., moments);
+    }
+
+  private:
+    /** Add a part to @p sum, unless it has to be divided for that and may be. */
+    bool
+    take(const Part &part, Look &look, const bool may_divide, Sum &sum) const
+    {
+      const CellGap::Range &range   = look.range;
+      const double          trusted = range.bends ? even_ratio : trusted_ratio;
       // Next to contact 1/K has no end, though hardly anything flows there: its largest
       // value would block channels a few spacings wide until the cells are small.
       const bool has_no_end =
         square.edge >= small_cell && range.lowest <= rounding * range.highest;
       if (!quadrature.rigorous && !range.bends &&
-          range.highest <= trusted_ratio_with_bend * range.lowest)
+          range.highest <= even_ratio * range.lowest)
         {
-          apply_law(quadrature.coarse, values);
-          add_values(part, quadrature.coarse, values, 0.);
-          return;
+          Values values = look.at_coarse;
+          apply_law(quadrature.coarse, sum.law, values);
+          add_values(part, quadrature.coarse, values, 0., sum.moments);
+          return true;
         }
       if (!quadrature.rigorous && (range.highest <= trusted * range.lowest || has_no_end))
         {
-          const double other = apply_law(quadrature.coarse, values);
-          const double mean  = sample(part, quadrature.fine, values);
-          const double error = std::abs(mean - other);
-          if (n_halvings == 0 || has_no_end ||
-              error * area <= tolerance * std::max(scale, mean * area))
-            {
-              add_values(part, quadrature.fine, values, error);
-              return;
-            }
+          Values       values = look.at_coarse;
+          const double other  = apply_law(quadrature.coarse, sum.law, values);
+          const double mean   = sample(part, sum.law, look, values);
+          const double error  = std::abs(mean - other);
+          if (may_divide && !has_no_end &&
+              error * part.area() > tolerance * std::max(sum.scale, mean * part.area()))
+            return false;
+          add_values(part, quadrature.fine, values, error, sum.moments);
+          return true;
         }
-      else
-        {
-          const double at_lowest = law(range.lowest), at_highest = law(range.highest);
-          if (n_halvings > 0 && scale == 0)
-            scale = sample(part, quadrature.fine, values) * area;
-          if (n_halvings == 0 ||
-              std::abs(at_highest - at_lowest) * area <= tolerance * scale)
-            {
-              add_constant(part, std::max(at_lowest, at_highest));
-              return;
-            }
-        }
-      Part first = part, second = part;
-      if (varies_more_along_x(part))
-        {
-          first.width = second.width = .5 * part.width;
-          second.x0 += first.width;
-        }
-      else
-        {
-          first.height = second.height = .5 * part.height;
-          second.y0 += first.height;
-        }
-      for (const Part &half : {first, second})
-        add(half, look_at(quadrature, gap, half), n_halvings - 1);
+      const double at_lowest = sum.law(range.lowest), at_highest = sum.law(range.highest);
+      Values       values;
+      if (may_divide && sum.scale == 0)
+        sum.scale = sample(part, sum.law, look, values) * part.area();
+      if (may_divide &&
+          std::abs(at_highest - at_lowest) * part.area() > tolerance * sum.scale)
+        return false;
+      add_constant(part, std::max(at_lowest, at_highest), sum.moments);
+      return true;
     }
 
-  private:
     /** The gap at the points of @p rule. */
-    static void
-    evaluate(const CellGap &gap, const Part &part, const Quadrature &rule, Values &values)
+    void
+    evaluate(const Part &part, const Quadrature &rule, Values &values) const
     {
       const auto &along         = rule.get_tensor_basis()[0];
       const int   n             = static_cast<int>(along.size());
       double      x[max_points] = {}, y[max_points] = {};
       for (int q = 0; q < n; ++q)
         {
-          x[q] = part.x0 + part.width * along.point(q)[0];
-          y[q] = part.y0 + part.height * along.point(q)[0];
+          x[q] = part.start[0] + part.size[0] * along.point(q)[0];
+          y[q] = part.start[1] + part.size[1] * along.point(q)[0];
         }
       gap.evaluate(n, x, y, values.data());
     }
 
     /** Turn gaps at the points of @p rule into the coefficient there. Returns its mean.
      */
-    double
-    apply_law(const Quadrature &rule, Values &values) const
+    static double
+    apply_law(const Quadrature &rule, const CoefficientLaw &law, Values &values)
     {
       double mean = 0.;
       for (unsigned int k = 0; k < rule.size(); ++k)
@@ -164,41 +177,60 @@ namespace strait
       return mean;
     }
 
-    /** The coefficient at the points of @p rule. Returns its mean. */
+    /** The coefficient at the fine points. Returns its mean. */
     double
-    sample(const Part &part, const Quadrature &rule, Values &values) const
+    sample(const Part &part, const CoefficientLaw &law, Look &look, Values &values) const
     {
-      evaluate(gap, part, rule, values);
-      return apply_law(rule, values);
+      if (!look.at_fine)
+        evaluate(part, quadrature.fine, look.at_fine.emplace());
+      values = *look.at_fine;
+      return apply_law(quadrature.fine, law, values);
     }
 
     void
     add_values(const Part       &part,
                const Quadrature &rule,
                const Values     &values,
-               const double      constant)
+               const double      constant,
+               double           *moments) const
     {
       const auto  &along = rule.get_tensor_basis()[0];
       const int    n     = static_cast<int>(along.size());
       const double size  = 1. / square.edge; // of the unit cell, in the square's units
-      const double area  = part.width * part.height * size * size;
+      const double area  = part.area() * size * size;
       double       x[max_points], y[max_points], weighted[max_points * max_points];
       for (int q = 0; q < n; ++q)
         {
-          x[q] = (part.x0 + part.width * along.point(q)[0] - square.x0) * size;
-          y[q] = (part.y0 + part.height * along.point(q)[0] - square.y0) * size;
+          x[q] = (part.start[0] + part.size[0] * along.point(q)[0] - square.x0) * size;
+          y[q] = (part.start[1] + part.size[1] * along.point(q)[0] - square.y0) * size;
         }
       for (int k = 0; k < n * n; ++k)
         weighted[k] = area * rule.weight(k) * (values[k] + constant);
       quadrature.set.add_points(moments, n, x, y, weighted);
     }
 
+    /** Both sides of a line on which the gap bends, or else two halves. */
+    std::array<Part, 2>
+    divide(const Part &part, const CellGap::Range &range) const
+    {
+      const bool   bends = range.bends && !quadrature.rigorous;
+      const int    axis  = bends ? quadrature.interpolant.direction == FlowDirection::y
+                                 : !varies_more_along_x(part);
+      const double start = part.start[axis], size = part.size[axis];
+      const double first = bends ? gap.bend(start, start + size) - start : .5 * size;
+      std::array<Part, 2> parts = {part, part};
+      parts[0].size[axis]       = first;
+      parts[1].start[axis]      = start + first;
+      parts[1].size[axis]       = size - first;
+      return parts;
+    }
+
     /** Whether halves beside each other are better than one above the other. */
     bool
     varies_more_along_x(const Part &part) const
     {
-      const double x[2] = {part.x0, part.x0 + part.width};
-      const double y[2] = {part.y0, part.y0 + part.height};
+      const double x[2] = {part.start[0], part.start[0] + part.size[0]};
+      const double y[2] = {part.start[1], part.start[1] + part.size[1]};
       double       g[4];
       gap.evaluate(2, x, y, g);
       // Ratios, with contact a thousandth of the largest gap: half and double of it only
@@ -212,7 +244,7 @@ namespace strait
       // Both are equal where the gap is open at one corner only: rounding is not to
       // decide.
       return along_x > (1 + rounding) * along_y ||
-             (along_x >= (1 - rounding) * along_y && part.width > part.height);
+             (along_x >= (1 - rounding) * along_y && part.size[0] > part.size[1]);
     }
   };
 
@@ -231,24 +263,22 @@ namespace strait
                             const std::vector<Integral> &integrals) const
   {
     const double  x0 = std::max(square.x0, 0.), y0 = std::max(square.y0, 0.);
-    const Part    part{x0,
-                    y0,
-                    std::min(square.x0 + square.edge, 1.) - x0,
-                    std::min(square.y0 + square.edge, 1.) - y0};
+    const Part    part{{{x0, y0}},
+                    {{std::min(square.x0 + square.edge, 1.) - x0,
+                         std::min(square.y0 + square.edge, 1.) - y0}}};
     const CellGap cell(interpolant, gap);
+    const Sums    sums{*this, cell, square};
     if (!GapInterpolant::may_be_open(gap))
       {
         for (const auto &[law, moments] : integrals)
           if (law.is_resistivity)
-            Sum{*this, cell, square, law, moments}.add_constant(part, law(0.));
+            sums.add_constant(part, law(0.), moments);
         return;
       }
-    const Sum::Look look = Sum::look_at(*this, cell, part);
+    boost::container::small_vector<Sums::Sum, 2> all;
     for (const auto &[law, moments] : integrals)
-      Sum{*this, cell, square, law, moments}.add(part,
-                                                 look,
-                                                 square.edge < small_cell
-                                                   ? most_halvings_of_small_cells
-                                                   : most_halvings);
+      all.push_back({law, moments});
+    sums.add(
+      part, sums.look_at(part), most_divisions, all.data(), all.data() + all.size());
   }
 } // namespace strait

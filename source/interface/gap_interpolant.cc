@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/interface/gap_interpolant.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace strait
 {
@@ -155,6 +159,31 @@ namespace strait
     range.highest =
       std::min(range.highest, *std::max_element(upper.begin(), upper.end()));
     return range;
+  }
+
+  double
+  CellGap::bend(const double from, const double to) const
+  {
+    // Where two lines meet, of those that cross most.
+    int        lower = 0;
+    double     least = 0.;
+    const auto apart = [this](const int k, const double t) {
+      return lines[k + 1](t) - lines[k](t);
+    };
+    for (int k = 0; k < 3; ++k)
+      if (const double product = apart(k, from) * apart(k, to); product < least)
+        {
+          lower = k;
+          least = product;
+        }
+    std::uintmax_t most_steps = std::numeric_limits<double>::digits;
+    const auto [first, second] =
+      boost::math::tools::toms748_solve([&](const double t) { return apart(lower, t); },
+                                        from,
+                                        to,
+                                        boost::math::tools::eps_tolerance<double>(),
+                                        most_steps);
+    return .5 * (first + second);
   }
 
   GapStencil

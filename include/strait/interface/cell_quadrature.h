@@ -70,9 +70,9 @@ namespace strait
    * A part is integrated by Gauss quadrature of p + 2 points along each axis, and what
    * p + 1 points find otherwise is added as a constant. That is trusted where the gap is
    * known to vary little in the part (CellGap::range()); where it hardly varies, p + 1
-   * points are enough. Other parts are halved,
-   * until the coefficient may be taken to be as large as it is anywhere in them.
-   * For rigorous bounds all parts are treated like that.
+   * points are enough. Other parts are divided, at a line on which the gap bends or else
+   * in halves, until the coefficient may be taken to be as large as it is anywhere in
+   * them. For rigorous bounds all parts are treated like that, and halved.
    */
   class CellQuadrature
   {
@@ -94,7 +94,7 @@ namespace strait
     }
 
   private:
-    struct Sum;
+    struct Sums;
 
     static constexpr int max_points = 4; // of a rule for degree 2
 

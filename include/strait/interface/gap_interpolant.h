@@ -86,6 +86,10 @@ namespace strait
      */
     Range range(double x0, double y0, double width, double height) const;
 
+    /** Where along the flow it bends between @p from and @p to, the ends of a rectangle
+     *  of which range() says that it does. */
+    double bend(double from, double to) const;
+
   private:
     const GapInterpolant                &interpolant;
     const bool                           along_x;
