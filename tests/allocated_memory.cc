@@ -26,6 +26,19 @@ operator new(const std::size_t size)
   return memory;
 }
 
+void *
+operator new(const std::size_t size, const std::nothrow_t &) noexcept
+{
+  try
+    {
+      return operator new(size);
+    }
+  catch (const std::bad_alloc &)
+    {
+      return nullptr;
+    }
+}
+
 void
 operator delete(void *memory) noexcept
 {

@@ -197,10 +197,17 @@ namespace strait
               "Seal/Enabled needs leak rates of boxes under loads: Contact/Enabled, "
               "Fluid/Enabled, Contact/Control = load, Load programme/Pressures, and no "
               "Fluid/Mesh.");
-      require(scene.realisations.enabled(),
-              "Seal/Enabled needs at least two patches to tell how they scatter; set "
-              "Realisations/Seeds, which of a measured map are its Surface/Windows, or "
-              "Orientations.");
+      const auto &orientations = scene.realisations.orientations;
+      const auto  n_along =
+        scene.seal.isotropic
+           ? orientations.size()
+           : orientations.size() -
+              std::count_if(orientations.begin(), orientations.end(), is_rotated);
+      require(
+        std::max<std::size_t>(scene.realisations.seeds.size(), 1) * n_along > 1,
+        "Seal/Enabled needs at least two patches along the flow to tell how they "
+        "scatter; set Realisations/Seeds, which of a measured map are its Surface/Windows, or "
+        "Orientations.");
     }
 
     /** What windows of finer points cannot be combined with, and why. */

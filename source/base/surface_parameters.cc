@@ -5,6 +5,7 @@
 #include <strait/base/units.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace strait
 {
@@ -173,6 +174,21 @@ namespace strait
     require(kind == SurfaceKind::file || map.file.empty(),
             "Surface/File is a map, but Surface/Kind is no file; set Kind = "
             "file, or remove File.");
+  }
+
+  bool
+  SurfaceParameters::has_crease_near(const std::array<double, 2> &place,
+                                     const double                 distance) const
+  {
+    const bool is_mirrored =
+      kind == SurfaceKind::file && map.make_periodic == MakePeriodic::mirror;
+    if (kind != SurfaceKind::sphere && !is_mirrored)
+      return false;
+    const auto is_near = [&](const int axis) {
+      const double period = size[axis] / (is_mirrored ? 2 : 1);
+      return std::abs(std::remainder(place[axis], period)) <= distance;
+    };
+    return is_near(0) || is_near(1);
   }
 
   std::string

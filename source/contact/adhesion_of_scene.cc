@@ -50,7 +50,7 @@ namespace strait
       const double       wanted  = 2 * without.contact_area;
       if (wanted >= 1)
         throw InputError("Contact/Adhesion/Match area at pressure is " +
-                         to_text(pressure) + ", where " + to_text(50 * wanted) +
+                         to_text(pressure) + ", where " + format("%.3g", 50 * wanted) +
                          " % are in contact without adhesion; twice that is more than "
                          "all, so give a smaller pressure.");
 

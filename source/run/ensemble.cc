@@ -180,11 +180,15 @@ namespace strait
                    std::min(groups.number, static_cast<int>(realisations.size())));
     const std::string folder = scene.output.directory;
     RunState          state(scene, MPI_COMM_WORLD, resume);
-    if (resume) // before anything is written
-      for (const RealisationRow &next : realisations)
-        if (const Scene alone = scene_of(next, scene);
-            has_checkpoint(alone, MPI_COMM_WORLD))
+    Log               silent(MPI_COMM_WORLD, true);
+    for (const RealisationRow &next : realisations) // before anything is written
+      {
+        const Scene alone = scene_of(next, scene);
+        if (!resume)
+          describe(alone, silent);
+        else if (has_checkpoint(alone, MPI_COMM_WORLD))
           const RunState of_this_scene(alone, MPI_COMM_WORLD, true);
+      }
     const auto lock = begin_results(scene, MPI_COMM_WORLD, log, resume);
     state.finished.reset();
     state.has_begun = true;

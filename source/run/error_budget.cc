@@ -52,9 +52,7 @@ namespace strait
         }
       // Not a number where no coarser grid tells.
       const double first = leaks.empty() ? std::nan("") : 1. - leaks[0];
-      double       error = std::abs(first);
-      if (n_compared_grids(scene) == 1)
-        error *= CoarserSeals::safety_factor;
+      double       error = CoarserSeals::safety_factor * std::abs(first);
       if (leaks.size() > 1 && leaks[0] != 0)
         {
           const double second = leaks[0] - leaks[1];
@@ -103,7 +101,9 @@ namespace strait
     if (counted_from != nullptr)
       errors.items.push_back(
         {"critical load",
-         leak_rate_exponent * .5 * counted_from->relative_width() / *step.reduced_load,
+         std::pow(1. + .5 * counted_from->relative_width() / *step.reduced_load,
+                  leak_rate_exponent) -
+           1.,
          "Load programme/Threshold tolerance"});
     if (n_compared_grids(scene) > 0)
       {
@@ -163,9 +163,11 @@ namespace strait
         doubts.emplace_back("uncertain-threshold");
         log.warn(
           format("the load is %.2g %% above the critical one, and finer points may "
-                 "have that %.2g %% higher: whether it seals is uncertain",
+                 "have that %s: whether it seals is uncertain",
                  -100. * reduced,
-                 100. * threshold.grid_error));
+                 std::isinf(threshold.grid_error)
+                   ? "anywhere above"
+                   : format("%.2g %% higher", 100. * threshold.grid_error).c_str()));
       }
     if (!leaks_below)
       return doubts;

@@ -3,6 +3,7 @@
 #include <strait/seal/seal_models.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace strait
@@ -15,12 +16,14 @@ namespace strait
 
     /** Of walls that the fluid has parted: nothing limits the leak. */
     StepFlow
-    unlimited_flow(const std::size_t n_points)
+    unlimited_flow(const std::size_t n_points, const FluidParameters &fluid)
     {
       StepFlow flow;
       flow.channel.clusters.percolates = true;
       flow.channel.clusters.states.assign(n_points, NodeState::percolating);
-      flow.leakage.rate = flow.leakage.upper = std::numeric_limits<double>::infinity();
+      flow.leakage.upper = std::numeric_limits<double>::infinity();
+      flow.leakage.rate =
+        std::copysign(flow.leakage.upper, fluid.inlet_pressure - fluid.outlet_pressure);
       return flow;
     }
 
@@ -57,7 +60,7 @@ namespace strait
     const double accuracy = scene.fluid.target_accuracy;
     StepFlow     result =
       state.fluid && state.fluid->lifted_off
-            ? unlimited_flow(state.gap().size())
+            ? unlimited_flow(state.gap().size(), scene.fluid)
             : flow.solve(state.gap(),
                      state.control.slip_length,
                      fraction_of_bracket(state, accuracy) *

@@ -50,6 +50,8 @@ namespace strait
     for (Transition &threshold : done.thresholds)
       {
         done.converged = done.converged && threshold.converged;
+        if (std::isinf(threshold.grid_error))
+          continue; // in a crease, as it has told
         if (scene.depends_on_path())
           threshold.grid_error = coarser.error_of(threshold);
         else if (scene.contact.zoom.enabled)

@@ -131,7 +131,8 @@ namespace strait
         "critical_load_error [1]: how far from there, relative, finer points may have it: "
         "1 − L/L_c at which half a spacing is left along the throat, and in windows what "
         "every second point changes as well, times three; where the past matters that "
-        "alone, with `Output/Error budget`, else `nan`")
+        "alone, with `Output/Error budget`, else `nan`; `inf` in a crease of the surface, "
+        "which only the points close")
       .add(&Transition::contact_area,
            "contact_area [1]: fraction in contact at the lower one")
       .add([](const Transition &t) { return t.bottleneck[0]; },

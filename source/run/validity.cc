@@ -189,13 +189,15 @@ namespace strait
     {
       if (!scene.contact.enabled)
         return;
-      const double points = step.flow->channel.throat.points;
+      // A number of points across that is none is no larger one.
+      const Throat &throat = step.flow->channel.throat;
+      const double  points = std::fmin(throat.points, throat.points_across);
       step.checks.push_back(
         {"coarse-throat",
          points,
          least_points_along_throat,
          (points > 0.
-            ? format("there are %.2g grid points along the throat", points)
+            ? format("there are %.2g grid points along or across the throat", points)
             : std::string(
                 "the grid points do not tell how the gap grows along the throat")) +
            ", so that the contact grid's error may exceed that of the bracket: raise "

@@ -248,7 +248,7 @@ namespace strait
   FlowStage::warn_of_width(const Leakage &leakage)
   {
     if (!leakage.reason.empty())
-      log.warn(format("the leak rate is known to %.2g %% only because %s",
+      log.warn(format("the leak rate is known to %.3g %% only because %s",
                       100. * leakage.relative_error(),
                       leakage.reason.c_str()));
   }

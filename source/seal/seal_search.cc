@@ -58,9 +58,19 @@ namespace strait
         double        unknown_within = std::nan("");
         if (!scene.depends_on_path())
           unknown_within = search->unresolved_distance(passage, -2. * slip_length);
-        Transition &found = result.emplace_back(between(*search, passage, begin));
-        found.slip_length = slip_length;
-        found.grid_error  = unknown_within;
+        Transition &found        = result.emplace_back(between(*search, passage, begin));
+        found.slip_length        = slip_length;
+        found.grid_error         = unknown_within;
+        const PeriodicGrid &grid = layout->grid();
+        if (scene.surface.has_crease_near(found.bottleneck,
+                                          2. * std::max(grid.dx(), grid.dy())))
+          {
+            found.grid_error = std::numeric_limits<double>::infinity();
+            log.warn(
+              "the throat that closes last is in a crease of the surface (at the edges of "
+              "the box, or of a mirrored map), which the load never closes but for the "
+              "points: the finer they are, the higher is the critical load, without end");
+          }
         log.line(
           format("threshold%s: critical load between %.10g and %.10g, contact "
                  "%.3f %% (%d contact solves, %ld FFT pairs)",

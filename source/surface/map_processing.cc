@@ -232,7 +232,9 @@ namespace strait
     if (is_window)
       text += "; its edges are a flat rim, which may seal where the surface would leak";
     else
-      text += "; only a quarter of it is independent";
+      text +=
+        "; only a quarter of it is independent, and the creases at its seams close "
+        "at a load that is higher the finer the points are";
     remarks.warnings.push_back(text);
   }
 

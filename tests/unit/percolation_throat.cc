@@ -37,11 +37,27 @@ namespace strait
       EXPECT_DOUBLE_EQ(throat.gap, g0);
       EXPECT_NEAR(throat.length, length, 1e-3);
       EXPECT_NEAR(throat.width, width, 1e-3);
+      EXPECT_NEAR(throat.points_across,
+                  2. * width * 256. / std::hypot(.5, std::sqrt(.75)),
+                  .1);
       const Throat valley =
         measure_throat(sample(64, [](double, const double y) { return 1 + y * (1 - y); }),
                        0.,
                        {5, 32});
       EXPECT_TRUE(std::isnan(valley.length));
+      // In a crease the second difference is that of two points, however close they are.
+      for (const int n : {64, 256})
+        {
+          const Throat crease =
+            measure_throat(sample(n,
+                                  [=](const double x, const double y) {
+                                    return g0 * (1 + std::pow((x - .5) / length, 2)) *
+                                           (1 - std::abs(y - .5) / width);
+                                  }),
+                           0.,
+                           {n / 2, n / 2});
+          EXPECT_NEAR(crease.points_across, 2. * std::sqrt(width * n), .01);
+        }
     }
 
     TEST(Throat, PointsAreCountedAlongIt)
@@ -59,7 +75,9 @@ namespace strait
               field(ix, row) =
                 g0 * (1 + s * s / (length * length)) * (1 - t * t / (width * width));
             }
-        return measure_throat(field, 0., {nx / 2, ny / 2}).points;
+        const Throat throat = measure_throat(field, 0., {nx / 2, ny / 2});
+        EXPECT_NEAR(throat.points_across / (2. * width * (along_x ? ny : nx)), 1., .01);
+        return throat.points;
       };
       EXPECT_NEAR(points_along(128, 64, true) / (128 * length), 1., .01);
       EXPECT_NEAR(points_along(128, 64, false) / (64 * length), 1., .01);

@@ -155,7 +155,13 @@ namespace strait
       EXPECT_FALSE(silent.loads.run([](const Step &step) {
         EXPECT_EQ(step.status(), "lifted-off");
         EXPECT_TRUE(step.flow->channel.percolates());
-        EXPECT_TRUE(std::isinf(step.flow->leakage.rate));
+        EXPECT_EQ(step.flow->leakage.rate, std::numeric_limits<double>::infinity());
+      }));
+      scene.fluid.inlet_pressure = .9 * scene.fluid.outlet_pressure;
+      SilentSweep backwards(scene);
+      EXPECT_FALSE(backwards.loads.run([&scene](const Step &step) {
+        EXPECT_EQ(step.flow->leakage.rate, -std::numeric_limits<double>::infinity());
+        EXPECT_GT(effective_gap(step.flow->leakage, scene.fluid), 0.);
       }));
     }
 

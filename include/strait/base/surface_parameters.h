@@ -99,6 +99,11 @@ namespace strait
     void bind(ParameterSection section);
     /** Throws InputError where the values contradict each other. */
     void check() const;
+
+    /** Whether a crease is within @p distance of @p place [length]: between spheres, at
+     * the edges of the box, and between a map and its mirror images. A gap in a crease
+     * closes only where the points end: the finer they are, the higher is the load. */
+    bool has_crease_near(const std::array<double, 2> &place, double distance) const;
   };
 
   /** @p value with nine significant digits, as one would write it in a scene. */

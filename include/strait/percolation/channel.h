@@ -39,6 +39,10 @@ namespace strait
     /** Such spacings from there to where the gap has doubled: 0 if the points do
      *  not tell, infinite if the gap does not grow along the channel. */
     double points = 0.;
+
+    /** Points across the channel from wall to wall, of a parabola; not a number if the
+     * gap does not fall towards both. */
+    double points_across = std::numeric_limits<double>::quiet_NaN();
   };
 
   /** The throat at @p point of the open gap of a contact's @p gap. Collective. */

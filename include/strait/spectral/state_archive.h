@@ -83,7 +83,8 @@ namespace strait
       if (bytes.size() % sizeof(Record) != 0)
         refuse();
       records.resize(bytes.size() / sizeof(Record));
-      std::memcpy(records.data(), bytes.data(), records.size() * sizeof(Record));
+      if (!records.empty()) // whose data may be nowhere
+        std::memcpy(records.data(), bytes.data(), records.size() * sizeof(Record));
     }
 
     /** A text, of any length. */
