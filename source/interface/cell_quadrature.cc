@@ -28,7 +28,7 @@ namespace strait
 
     // How often a part is divided. What is still not resolved widens the bracket: half of
     // it takes one cell in a hundred more, double of it changes nothing.
-    constexpr int most_divisions = 6;
+    constexpr int most_divisions = 8;
 
     // The edge, in spacings, of cells that are left around throats. The larger they may
     // be, the more cells beside contact are taken for closed.

@@ -192,14 +192,8 @@ namespace strait
         if (const Transition *own = threshold_of(seal.thresholds, stop.slip_length);
             own != nullptr && counted_from != nullptr && stop.is_reduced)
           control.target *= own->middle() / counted_from->middle();
-        const bool is_first = !seal.state || stop.begins_anew;
-        if (!is_first && holds_under(control, *seal.state))
-          seal.state->control = control; // another slip length
-        else
-          seal.state =
-            seal.path
-              .go_on(stop, control, is_first ? nullptr : &*seal.state, Aim::leak_rate)
-              .state;
+        seal.state =
+          seal.path.go_on(stop, control, std::move(seal.state), Aim::leak_rate).state;
       }
   }
 

@@ -82,7 +82,8 @@ namespace strait
         .add([](const Step &step) { return step.flow->leakage.knudsen; },
              "knudsen [1]: mean free path over gap at the worst constriction, at the "
              "pressure where the path of least resistance has as much of its viscous "
-             "resistance before it: an estimate, up to half off against vacuum")
+             "resistance before it: an estimate, up to half off against vacuum; `nan` if "
+             "nothing percolates")
         .add(
           [](const Step &step) { return step.flow->leakage.bound; },
           "bound: which bounds of the nonlinear problem `leak_rate_lower` and "
@@ -94,7 +95,7 @@ namespace strait
           [](const Step &step) { return step.flow->leakage.mesh_width; },
           "mesh_error [1]: relative width of the bracket that the mesh alone leaves, if "
           "the gas slips as it does in the solution; this is what `Target accuracy` is "
-          "for");
+          "for; `nan` if nothing percolates");
       table.when(with_flow)
         .add(
           [=](const Step &step) { return effective_gap(step.flow->leakage, fluid); },
@@ -249,8 +250,10 @@ namespace strait
            "trapped_pressure [pressure]: of the fluid in these, mean over their area")
       .when({"with `Theory/Enabled`, and not where the gap is given",
              scene.theory.enabled && (scene.contact.enabled || theory_alone)})
-      .add([](const Step &step) { return step.theory->contact_area; },
-           "theory_contact_area [1]: of Persson's theory")
+      .add(
+        [](const Step &step) { return step.theory->contact_area; },
+        "theory_contact_area [1]: of Persson's theory; `nan` under tension, as all of the "
+        "theory")
       .add([](const Step &step) { return step.theory->mean_gap; },
            "theory_mean_gap [length]: likewise")
       .when({"with `Theory/Enabled` and `Contact/Yielding`",

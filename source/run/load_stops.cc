@@ -79,16 +79,26 @@ namespace strait
   }
 
   Arrival
-  SealPath::go_on(const LoadStop  &stop,
-                  const Control   &control,
-                  const SealState *last,
-                  const Aim        aim)
+  SealPath::go_on(const LoadStop          &stop,
+                  const Control           &control,
+                  std::optional<SealState> last,
+                  const Aim                aim)
   {
+    if (stop.begins_anew)
+      last.reset();
+    if (last && holds_under(control, *last)) // another slip length
+      {
+        last->control               = control;
+        last->costs.contact_seconds = 0.;
+        return {std::move(last), {}};
+      }
     // Windows shift the critical load a little, and indentations a lot: steps that are
     // counted from it keep those that it was found with.
-    if (last == nullptr || (begins_where_search_ended() && stop.is_reduced))
-      last = start ? &*start : nullptr;
-    Arrival    arrival = follow(model, control, last, aim, step_rule(scene));
+    const bool begins_at_start =
+      !last || (begins_where_search_ended() && stop.is_reduced);
+    const std::optional<SealState> &from = begins_at_start ? start : last;
+    Arrival                         arrival =
+      follow(model, control, from ? &*from : nullptr, aim, step_rule(scene));
     const bool is_last_from_start =
       stop.is_reduced || scene.programme.reduced_loads.empty();
     if (arrival.state && !begins_where_search_ended() && is_last_from_start)

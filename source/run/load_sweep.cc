@@ -124,29 +124,19 @@ namespace strait
   LoadSweep::press(const LoadStop &stop)
   {
     const Control control{stop.target, scene.fluid.inlet_pressure, stop.slip_length};
-    const bool    is_first =
-      done.n_done == 0 || stop.begins_anew || step.state.gap().empty();
-    step.dissipated_energy = step.flow_seconds = 0.;
-    // Windows lie around the throats of one slip length.
-    const bool has_windows_for_it = !scene.contact.zoom.enabled ||
-                                    control.slip_length == step.state.control.slip_length;
-    if (!is_first && has_windows_for_it && holds_under(control, step.state))
-      {
-        step.state.control               = control; // another slip length
-        step.state.costs.contact_seconds = 0.;
-        return true;
-      }
-    const auto start_time = Timers::Clock::now();
+    step.dissipated_energy = 0.;
+    const auto start_time  = Timers::Clock::now();
     const auto scope =
       timers.scope(scene.fluid.feedback.enabled ? "coupling" : "contact");
     const StepRule rule = step_rule(scene);
     step.flow.reset(); // its mesh was made for another gap
     if (flow)
       flow->release();
-    Arrival arrival = path->go_on(stop,
-                                  control,
-                                  is_first ? nullptr : &step.state,
-                                  flow ? Aim::leak_rate : Aim::verdict);
+    std::optional<SealState> last;
+    if (done.n_done > 0 && !step.state.gap().empty())
+      last = std::move(step.state);
+    Arrival arrival =
+      path->go_on(stop, control, std::move(last), flow ? Aim::leak_rate : Aim::verdict);
     for (const Jump &jump : arrival.jumps)
       {
         log.line(describe(jump));

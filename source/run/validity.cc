@@ -154,12 +154,13 @@ namespace strait
         {"fluid-pressure",
          number,
          most_fluid_pressure,
-         format(
-           "the fluid's %s is %.3g of the nominal pressure and %s, so that %s leaks: ",
-           pulls ? "suction" : "pressure",
-           number,
-           pulls ? "pulls the walls together" : "presses the walls apart",
-           pulls ? "less" : "more") +
+         format("the fluid's %s is %s and %s, so that %s leaks: ",
+                pulls ? "suction" : "pressure",
+                (std::isinf(number) ? "without a load against it"
+                                    : format("%.3g of the nominal pressure", number))
+                  .c_str(),
+                pulls ? "pulls the walls together" : "presses the walls apart",
+                pulls ? "less" : "more") +
            advice_to("switch on Fluid/Wall feedback", scene, [](Scene &other) {
              other.fluid.feedback.enabled = true;
            })});

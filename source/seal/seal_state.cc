@@ -6,11 +6,11 @@ namespace strait
   bool
   holds_under(const Control &control, const SealState &state)
   {
-    const Control &own = state.control;
-    if (state.fluid && (own.inlet_pressure != control.inlet_pressure ||
-                        own.slip_length != control.slip_length))
-      return false;
-    return !state.contact || own.target == control.target;
+    const Control &own         = state.control;
+    const bool     has_windows = !state.gap().layout().windows().empty();
+    return (!state.contact || own.target == control.target) &&
+           (!state.fluid || own.inlet_pressure == control.inlet_pressure) &&
+           (!(state.fluid || has_windows) || own.slip_length == control.slip_length);
   }
 
   bool

@@ -223,8 +223,9 @@ namespace strait
                   .05);
     }
 
-    // To a tolerance of 0.001 it is 0.532. Rounds that took all of each change lost the
-    // open state at 0.599.
+    // To a tolerance of 0.001 it is 0.532, and so it is to 0.01 with Target accuracy from
+    // 0.045 to 0.055; to 0.02 the last step loses the open state or does not by chance.
+    // Rounds that took all of each change lost it at 0.599.
     TEST(Coupled, SmallStepsKeepTheOpenStateOfASealThatClosesAgain)
     {
       Scene scene                         = held_open();
@@ -234,7 +235,7 @@ namespace strait
       scene.programme.find_blow_out       = true;
       scene.programme.find_resealing      = true;
       scene.programme.pressures           = {.6};
-      scene.programme.threshold_tolerance = .02;
+      scene.programme.threshold_tolerance = .01;
       SilentSweep   silent(scene);
       const BlowOut found = silent.loads.find_blow_outs().at(0);
       EXPECT_NEAR(found.closing->middle() / .532, 1., .02);

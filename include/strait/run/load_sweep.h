@@ -51,10 +51,13 @@ namespace strait
     /** Take the state from @p search, which is over, if that is where the path begins. */
     void begin_after(SealSearch &search);
 
-    /** Follow the path to @p stop from @p last, the state at the stop before, or null.
-     *  Companions on fewer points have a @p control of their own there. Collective. */
-    Arrival
-    go_on(const LoadStop &stop, const Control &control, const SealState *last, Aim aim);
+    /** Follow the path to @p stop from @p last, the state at the stop before, if there is
+     *  one. Companions on fewer points have a @p control of their own there. Collective.
+     */
+    Arrival go_on(const LoadStop          &stop,
+                  const Control           &control,
+                  std::optional<SealState> last,
+                  Aim                      aim);
 
     /** Where it begins, if that is needed yet. Collective. */
     void transfer(StateArchive &archive, const SlabLayoutPtr &layout);

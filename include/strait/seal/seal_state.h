@@ -108,8 +108,8 @@ namespace strait
     std::function<SealState(const Control &control, const SealState *from, Aim aim)>;
 
   /** Whether @p state is that under @p control as well: the fluid has a part in it only
-   *  where it presses on the walls, and nothing changes a surface that is the gap itself.
-   */
+   *  where it presses on the walls or windows lie around its throats, and nothing changes
+   *  a surface that is the gap itself. */
   bool holds_under(const Control &control, const SealState &state);
 
   /** Whether a fluid that presses on the walls has opened or closed a channel between
