@@ -6,8 +6,9 @@ namespace strait
   bool
   holds_under(const Control &control, const SealState &state)
   {
-    const Control &own         = state.control;
-    const bool     has_windows = !state.gap().layout().windows().empty();
+    const Control &own = state.control;
+    const bool     has_windows =
+      !state.gap().empty() && !state.gap().layout().windows().empty();
     return (!state.contact || own.target == control.target) &&
            (!state.fluid || own.inlet_pressure == control.inlet_pressure) &&
            (!(state.fluid || has_windows) || own.slip_length == control.slip_length);

@@ -8,6 +8,8 @@
 #include <map>
 #include <optional>
 
+#include "window_tools.h"
+
 namespace
 {
   using namespace strait;
@@ -234,5 +236,14 @@ namespace
     EXPECT_TRUE(holds_under({1., 0., 0.}, wet));
     EXPECT_FALSE(holds_under({1., 0., -1e-3}, wet));
     EXPECT_FALSE(holds_under({1., 2., 0.}, wet));
+
+    // Windows lie around the throats of one slip length.
+    for (const auto &windows :
+         {std::vector<ZoomWindow>(), {window_tests::window_at(9, 9, 14, 14)}})
+      {
+        dry.contact->gap = SlabField(window_tests::layout_with(32, windows));
+        EXPECT_TRUE(holds_under({1., 2., 0.}, dry));
+        EXPECT_EQ(holds_under({1., 2., -1e-3}, dry), windows.empty());
+      }
   }
 } // namespace
