@@ -204,8 +204,8 @@ namespace strait
     std::size_t
     finest(const std::size_t k) const
     {
-      return is_covered.empty() || !is_covered[k] ? k
-                                                  : number_of(levels.finest(place_of(k)));
+      const bool is_finest = k == none || is_covered.empty() || !is_covered[k];
+      return is_finest ? k : number_of(levels.finest(place_of(k)));
     }
 
     template <class Action>
