@@ -137,7 +137,7 @@ namespace strait::python
 
   /** The control, whose pressures must have a meaning. */
   Control
-  Seal::control_of(const LoadOrControl &at)
+  Seal::control_of(const LoadOrControl &at) const
   {
     const auto *const target = std::get_if<double>(&at);
     const Control     asked =

@@ -80,7 +80,7 @@ namespace strait::python
       bool           &is_used;
     };
 
-    Control          control_of(const LoadOrControl &at);
+    Control          control_of(const LoadOrControl &at) const;
     Aim              aim() const;
     const SealModel &open() const;
     void             require_fluid();

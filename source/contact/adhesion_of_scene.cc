@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
+#include <strait/base/iteration.h>
 #include <strait/base/text.h>
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/contact/adhesive_contact_solver.h>
@@ -21,11 +22,6 @@ namespace strait
     // Of the contact area, relative. Half and double of it cost or save about one contact
     // problem of the search, and change the surface energy by as little as that.
     constexpr double area_tolerance = 1e-3;
-
-    // Contact problems. It ends a search that would go on for ever where the area does
-    // not follow the energy; half of it would still do for all that can be enclosed
-    // within a factor of a million, double of it only fails later.
-    constexpr int max_evaluations = 60;
 
     /** A surface energy, and how many times the contact area without adhesion it makes.
      */
@@ -65,7 +61,7 @@ namespace strait
       // follow the secant of the ends, in turns.
       double low = 0, high = 0, below = -.5, above = 0;
       double energy = pressure * without.mean_gap;
-      for (int k = 0; k < max_evaluations; ++k)
+      for (int k = 0; k < iteration_limit; ++k)
         {
           const double value = excess(energy);
           if (std::abs(value) < area_tolerance)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/iteration.h>
 #include <strait/contact/gap_optimisation.h>
 
 #include <algorithm>
@@ -140,10 +141,6 @@ namespace strait
   GapSolution
   GapOptimiser::solve(double *gap_values)
   {
-    // In iterations without a gain. Half of it risks giving up on a slow way to another
-    // state, double of it only reports a failure later.
-    constexpr int patience = 200;
-
     begin();
     gap = gap_values;
     make_admissible(gap);
@@ -167,7 +164,7 @@ namespace strait
           }
         if (solution.converged || solution.iterations >= tolerance.max_iterations ||
             !std::isfinite(solution.residual) || is_detached() ||
-            solution.iterations - last_gain > patience)
+            solution.iterations - last_gain > iteration_limit)
           break;
         if (!descend(solution.residual))
           break;

@@ -19,13 +19,13 @@ namespace strait
     // more of that to refinement, double of it costs time at every point.
     constexpr unsigned int degree_of_arcs = 4;
 
-    /** The exponent of the largest cells of the box of which there are at least @p fewest
-     *  along and across, unless those of one spacing are fewer. */
+    /** The exponent of the largest cells of the box. Of those, periodicity in deal.II
+     *  wants two across. */
     int
-    exponent_of_coarse_cells(const PeriodicGrid &grid, const int fewest)
+    exponent_of_roots(const PeriodicGrid &grid)
     {
       int e = grid.n_halvings();
-      while (e > 0 && std::min(grid.nx, grid.ny) >> e < fewest)
+      while (e > 0 && std::min(grid.nx, grid.ny) >> e < 2)
         --e;
       return e;
     }
@@ -37,8 +37,7 @@ namespace strait
     : periodic_grid(gap.layout().grid())
     , flow_direction(direction)
     , seal_mesh(seal)
-    // Periodicity in deal.II wants two coarse cells across.
-    , root_exponent(exponent_of_coarse_cells(periodic_grid, 2))
+    , root_exponent(exponent_of_roots(periodic_grid))
     , cell_mapping(seal != nullptr && !seal->circles.empty() ? degree_of_arcs : 1)
     , tria(gap.layout().communicator())
   {
@@ -118,23 +117,6 @@ namespace strait
     return longest;
   }
 
-  void
-  FlowMesh::refine_uniformly(const int exponent)
-  {
-    int n = root_exponent - exponent;
-    if (seal_mesh != nullptr)
-      {
-        double largest = 0.;
-        for (const auto &cell : tria.active_cell_iterators())
-          if (cell->is_locally_owned())
-            largest = std::max(largest, size_in_spacings(*cell));
-        largest = dealii::Utilities::MPI::max(largest, tria.get_communicator());
-        n       = static_cast<int>(std::ceil(std::log2(largest / std::exp2(exponent))));
-      }
-    if (n > 0)
-      tria.refine_global(n);
-  }
-
   bool
   FlowMesh::can_be_refined() const
   {
@@ -156,15 +138,5 @@ namespace strait
       dealii::DoFTools::make_periodicity_constraints(
         dofs, periodic_first, periodic_last, 1 - axis_along(), constraints);
     return constraints;
-  }
-
-  void
-  FlowMesh::refine_to_start()
-  {
-    // Coarser cells, or fewer across the box, cost a mesh more, which is a small one;
-    // finer ones and more of them are a burden where nothing flows.
-    constexpr int largest_exponent = 6, fewest_cells = 8;
-    refine_uniformly(
-      std::min(exponent_of_coarse_cells(periodic_grid, fewest_cells), largest_exponent));
   }
 } // namespace strait

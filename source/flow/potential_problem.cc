@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/iteration.h>
 #include <strait/flow/element_matrix.h>
 #include <strait/flow/potential_problem.h>
 
@@ -172,11 +173,8 @@ namespace strait
   LinearSolve
   PotentialProblem::solve(const LinearAccuracy &accuracy)
   {
-    // With half as many, systems pass for unsolvable on which the multigrid is merely
-    // slow; twice as many take longer to say that one cannot be solved.
-    constexpr unsigned int max_iterations = 500;
-    UnknownsMatrix         matrix         = empty_matrix();
-    Vector right_hand_side(dofs.locally_owned_dofs(), dofs.get_communicator());
+    UnknownsMatrix matrix = empty_matrix();
+    Vector         right_hand_side(dofs.locally_owned_dofs(), dofs.get_communicator());
     assemble(matrix, right_hand_side);
     if (is_free())
       pin_one_value(matrix);
@@ -197,7 +195,7 @@ namespace strait
         matrix.vmult(image, distributed);
         residual -= image;
         const LinearSolve solve = solve_by_conjugate_gradients(
-          matrix, distributed, residual, *multigrid, goal, max_iterations);
+          matrix, distributed, residual, *multigrid, goal, iteration_limit);
         total.iterations += solve.iterations;
         complete_solution();
         goal            = accuracy.energy * energy();

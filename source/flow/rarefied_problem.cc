@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/iteration.h>
 #include <strait/flow/reynolds_solver.h>
 
 #include <algorithm>
@@ -34,21 +35,15 @@ namespace strait
   LinearSolve
   ReynoldsSolver::solve_rarefied()
   {
-    // How much smaller than the target accuracy is what the last weights change of the
-    // leak rate, which is more than what they leave over. With a tenth of it a few more
-    // rounds change the leak rate by less than 10⁻⁵, ten times as much saves a round on
-    // the first mesh.
-    constexpr double tolerance_factor = 1e-1;
-    // Each round changes the weights several times less than the one before: two or three
-    // are usual, and this ends what does not converge.
-    constexpr unsigned int most_rounds = 50;
-    PotentialProblem      &pressure    = pressure_problem;
-    LinearSolve            outcome;
-    const bool             has_solution = pressure.solution().size() > 0;
+    PotentialProblem &pressure = pressure_problem;
+    LinearSolve       outcome;
+    const bool        has_solution = pressure.solution().size() > 0;
     pressure.take_coefficient(gap_field);
     if (has_solution)
       pressure.set_weights(weights_of_cells(pressure, gap_field));
-    for (unsigned int round = 1;; ++round)
+    // Each round changes the weights several times less than the one before, and the
+    // last one changes more than it leaves over: two or three are usual.
+    for (int round = 1;; ++round)
       {
         const LinearSolve solve = pressure.solve(accuracy());
         outcome.iterations += solve.iterations;
@@ -56,8 +51,8 @@ namespace strait
         pressure.set_weights(weights_of_cells(pressure, gap_field));
         const double change = std::abs(pressure.energy() / before - 1.);
         outcome.converged =
-          solve.converged && change <= tolerance_factor * parameters.target_accuracy;
-        if (outcome.converged || !solve.converged || round == most_rounds)
+          solve.converged && change <= looseness * parameters.target_accuracy;
+        if (outcome.converged || !solve.converged || round == iteration_limit)
           return outcome;
       }
   }

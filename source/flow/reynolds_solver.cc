@@ -13,8 +13,9 @@ namespace strait
     constexpr double noise_of_bounds = 1e-6;
 
     // While a barrier or a channel is being resolved the bracket may rest for a mesh or
-    // two before it narrows again. Half of the patience gives up while it rests; double
-    // of it makes more meshes in vain where the grid is too coarse.
+    // two before it narrows again, and before cells are as small as the spacing for more.
+    // Half of the patience gives up while it rests; double of it makes more meshes in
+    // vain where the grid is too coarse.
     constexpr std::size_t patience = 4;
   } // namespace
 
@@ -28,7 +29,6 @@ namespace strait
     , pressure_problem(flow_mesh, gap.moment_set(), GapField::Coefficient::conductivity)
     , stream_problem(flow_mesh, gap.moment_set(), GapField::Coefficient::resistivity)
   {
-    flow_mesh.refine_to_start();
   }
 
   Leakage
@@ -199,7 +199,8 @@ namespace strait
   std::string
   ReynoldsSolver::obstacle(const Leakage &leakage)
   {
-    widths.push_back(std::log(leakage.upper / leakage.lower));
+    if (flow_mesh.reaches_spacing())
+      widths.push_back(std::log(leakage.upper / leakage.lower));
     if (!flow_mesh.can_be_refined())
       return "the smallest cells cannot be divided any further";
     if (widths.size() > patience &&

@@ -84,8 +84,7 @@ namespace strait
     }
 
     /** Add a part, which may be divided @p n_divisions times, to the sums from @p begin
-     * to
-     *  @p end, which are put into another order. */
+     *  to @p end, which are put into another order. */
     void
     add(const Part &part, Look look, const int n_divisions, Sum *begin, Sum *end) const
     {
@@ -112,12 +111,12 @@ namespace strait
     take(const Part &part, Look &look, const bool may_divide, Sum &sum) const
     {
       const CellGap::Range &range   = look.range;
-      const double          trusted = range.bends ? even_ratio : trusted_ratio;
+      const double          trusted = range.bends() ? even_ratio : trusted_ratio;
       // Next to contact 1/K has no end, though hardly anything flows there: its largest
       // value would block channels a few spacings wide until the cells are small.
       const bool has_no_end =
         square.edge >= small_cell && range.lowest <= rounding * range.highest;
-      if (!quadrature.rigorous && !range.bends &&
+      if (!quadrature.rigorous && !range.bends() &&
           range.highest <= even_ratio * range.lowest)
         {
           Values values = look.at_coarse;
@@ -213,11 +212,12 @@ namespace strait
     std::array<Part, 2>
     divide(const Part &part, const CellGap::Range &range) const
     {
-      const bool   bends = range.bends && !quadrature.rigorous;
+      const bool   bends = range.bends() && !quadrature.rigorous;
       const int    axis  = bends ? quadrature.interpolant.direction == FlowDirection::y
                                  : !varies_more_along_x(part);
       const double start = part.start[axis], size = part.size[axis];
-      const double first = bends ? gap.bend(start, start + size) - start : .5 * size;
+      const double first =
+        bends ? gap.bend(range.crossing, start, start + size) - start : .5 * size;
       std::array<Part, 2> parts = {part, part};
       parts[0].size[axis]       = first;
       parts[1].start[axis]      = start + first;

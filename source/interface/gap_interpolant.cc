@@ -125,7 +125,7 @@ namespace strait
         double values[4];
         evaluate(2, x, y, values);
         const auto [lowest, highest] = std::minmax_element(values, values + 4);
-        return {*lowest, *highest, false};
+        return {*lowest, *highest};
       }
     const double *first = along_x ? x : y, *second = along_x ? y : x;
     const bool    is_whole = width == 1. && height == 1.;
@@ -141,10 +141,15 @@ namespace strait
                 std::max({line[1].high, line[2].high, 0.})};
     // Lines that are equal at an end, as in contact, differ there by rounding, which is
     // not to decide. Bends that are overlooked change the gap by a part of 1e-5.
-    const double rounding = 1e-10 * range.highest * range.highest;
+    double least = -1e-10 * range.highest * range.highest;
     for (int k = 0; k < 3; ++k)
-      range.bends |=
-        (ends[k + 1][0] - ends[k][0]) * (ends[k + 1][1] - ends[k][1]) < -rounding;
+      if (const double product =
+            (ends[k + 1][0] - ends[k][0]) * (ends[k + 1][1] - ends[k][1]);
+          product < least)
+        {
+          range.crossing = k;
+          least          = product;
+        }
     if (is_whole)
       return range;
     const Interval rise  = difference(line[2], line[1]),
@@ -162,27 +167,14 @@ namespace strait
   }
 
   double
-  CellGap::bend(const double from, const double to) const
+  CellGap::bend(const int crossing, const double from, const double to) const
   {
-    // Where two lines meet, of those that cross most.
-    int        lower = 0;
-    double     least = 0.;
-    const auto apart = [this](const int k, const double t) {
-      return lines[k + 1](t) - lines[k](t);
+    const auto apart = [this, crossing](const double t) {
+      return lines[crossing + 1](t) - lines[crossing](t);
     };
-    for (int k = 0; k < 3; ++k)
-      if (const double product = apart(k, from) * apart(k, to); product < least)
-        {
-          lower = k;
-          least = product;
-        }
-    std::uintmax_t most_steps = std::numeric_limits<double>::digits;
-    const auto [first, second] =
-      boost::math::tools::toms748_solve([&](const double t) { return apart(lower, t); },
-                                        from,
-                                        to,
-                                        boost::math::tools::eps_tolerance<double>(),
-                                        most_steps);
+    std::uintmax_t most_steps  = std::numeric_limits<double>::digits;
+    const auto [first, second] = boost::math::tools::toms748_solve(
+      apart, from, to, boost::math::tools::eps_tolerance<double>(), most_steps);
     return .5 * (first + second);
   }
 

@@ -18,12 +18,6 @@ namespace strait
     // much.
     constexpr int fewest_points = 256;
 
-    // How far the critical load of every second point is off, relative, where no two
-    // coarser grids tell: mostly less on sixteen random surfaces, 6e-3 on one of them.
-    // A smaller one takes more solves where the two are farther apart, a larger one
-    // begins with a wider bracket.
-    constexpr double first_step = 2e-4;
-
     /** Not a number where it is at zero, or nowhere. */
     double
     error_by(const Transition &coarse, const Transition &found)
@@ -139,12 +133,11 @@ namespace strait
                             load));
         if (scene.depends_on_path()) // on which each begins as the grid itself does
           continue;
-        // Nearer than to the grid before.
-        const double step = seal == seals.rbegin()
-                              ? first_step
-                              : std::max(std::abs(load / first.value - 1.),
-                                         2. * scene.programme.threshold_tolerance);
-        first             = {load, step};
+        // As far away as finer points may have it.
+        const double away = seal->thresholds.front().grid_error;
+        const double step = std::max(std::isfinite(away) ? away : 0.,
+                                     2. * scene.programme.threshold_tolerance);
+        first = {load, step};
       }
     return first;
   }

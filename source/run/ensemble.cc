@@ -185,7 +185,7 @@ namespace strait
       {
         const Scene alone = scene_of(next, scene);
         if (!resume)
-          describe(alone, silent);
+          check_input(alone, silent);
         else if (has_checkpoint(alone, MPI_COMM_WORLD))
           const RunState of_this_scene(alone, MPI_COMM_WORLD, true);
       }

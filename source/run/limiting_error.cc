@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/text.h>
 #include <strait/run/simulation.h>
+#include <strait/run/step.h>
 #include <strait/surface/read_scene.h>
 
 #include <algorithm>
@@ -11,12 +12,6 @@ namespace strait
 {
   namespace
   {
-    // Fewer points along the throat than this, and the contact grid's error exceeds a
-    // per cent: prm/quickstart.prm has 0.8 % at 4.6 points and 10 % at 2.3. Half of it
-    // would promise results that are off by more, double of it ask for grids four times
-    // as large as are needed.
-    constexpr double points_needed = 4.;
-
     /** What was found of throats on surfaces of one kind. */
     struct ThroatLaw
     {
@@ -91,10 +86,10 @@ namespace strait
                  scene.programme.reduced_loads.empty()
                ? " (if such a seal closes early)"
                : "");
-    if (points < points_needed)
+    if (points < least_points_along_throat)
       {
         const auto enough = [&](const int n) {
-          return std::ceil(n * points_needed / points);
+          return std::ceil(n * least_points_along_throat / points);
         };
         return throat +
                format(

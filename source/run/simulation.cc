@@ -25,9 +25,9 @@ namespace strait
 {
   namespace
   {
-    /** For a dry run; throws what the run would. */
+    /** Throws what the run would. */
     void
-    describe_mesh(const Scene &scene, Log &log)
+    check_mesh(const Scene &scene, Log &log)
     {
       if (!scene.fluid.enabled || scene.fluid.mesh_file.empty())
         return;
@@ -41,6 +41,21 @@ namespace strait
                       seal.is_ring ? "a ring" : "a strip",
                       seal.cells.size(),
                       region.n_inside()));
+    }
+
+    /** The heights of a scene that has passed all checks. Throws what the run would
+     * before it computes anything. */
+    SlabField
+    checked_heights(const Scene &scene, Log &log)
+    {
+      SlabField                 heights  = make_heights(scene, MPI_COMM_WORLD, log);
+      const AdhesionParameters &adhesion = scene.contact.adhesion;
+      if (scene.contact.enabled && adhesion.enabled && adhesion.matched_pressure > 0.)
+        log.line("adhesion: its surface energy is found in the run");
+      else
+        complete_contact(scene, heights, 0., log);
+      check_mesh(scene, log);
+      return heights;
     }
 
     /** What is simulated beside the surface. */
@@ -253,6 +268,15 @@ namespace strait
   }
 
   void
+  check_input(const Scene &scene, Log &log)
+  {
+    if (scene.is_theory_only())
+      make_theory(scene, log, MPI_COMM_WORLD);
+    else
+      checked_heights(scene, log);
+  }
+
+  void
   describe(const Scene &scene, Log &log)
   {
     if (scene.is_theory_only())
@@ -260,13 +284,7 @@ namespace strait
         describe_theory(scene, log);
         return;
       }
-    const SlabField           heights  = make_heights(scene, MPI_COMM_WORLD, log);
-    const AdhesionParameters &adhesion = scene.contact.adhesion;
-    if (scene.contact.enabled && adhesion.enabled && adhesion.matched_pressure > 0.)
-      log.line("adhesion: its surface energy is found in the run");
-    else
-      complete_contact(scene, heights, 0., log);
-    describe_mesh(scene, log);
+    const SlabField heights = checked_heights(scene, log);
     // Realisations that would run beside each other have a grid each.
     const std::vector<int> &each    = scene.realisations.ranks_each;
     const int               n_ranks = n_ranks_in(MPI_COMM_WORLD);

@@ -41,16 +41,9 @@ namespace strait
     // Knudsen number, by 1 % at half of it and 7 % at double.
     constexpr double most_knudsen_with_slip = .1;
 
-    // From there on a meniscus in the throat holds against the pressure.
-    constexpr double most_laplace_pressure = 1.;
-
     // The load that trapped fluid may carry is not known better than this; leak rates
     // change by several times as much.
     constexpr double most_trapped_load = .01;
-
-    // Contact grid and interpolation change the leak rate of prm/quickstart.prm by 2 %
-    // with 2.9 points along the throat; by 10 to 27 % with 1.4 to 2.3, by 0.5 % with 6.
-    constexpr double least_points_along_throat = 3.;
 
     /** What a pressure of the fluid is of the load; under tension any is too much. */
     double
@@ -178,7 +171,7 @@ namespace strait
       step.checks.push_back(
         {"capillary",
          number,
-         most_laplace_pressure,
+         1., // from there on a meniscus in the throat holds against the pressure
          format("the pressure across a meniscus in the throat is %.3g of the one that "
                 "drives the flow: a liquid that has to enter a dry throat, or to leave "
                 "it, may not leak at all",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/iteration.h>
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
 #include <strait/flow/reynolds_solver.h>
@@ -19,6 +20,11 @@ namespace strait
     // Of the change that a round makes, in rounds that are to keep a state. With three
     // times of it they lose more states that are there, half of it takes more rounds.
     constexpr double small_fraction = .1;
+
+    // Times that a state is given up for another one, or that regions meet in it. Half as
+    // many give long steps up on which they meet one after the other, twice as many go on
+    // where they meet and part, or the leak rate changes with the mesh, without end.
+    constexpr int most_tries = 4;
 
     struct LiftedOff
     {
@@ -103,15 +109,13 @@ namespace strait
       void
       find_mesh()
       {
+        // Of meshes for one state. Half as many may leave the leak rate to change with
+        // the mesh, which the bracket then says; twice as many cost more for gaps that no
+        // mesh settles.
+        constexpr int max_finer = 2;
         // If the leak rate changes by more than that, contact and flow went to another
-        // state, for which another mesh of this fraction is wanted. Half of it discards
-        // meshes that are merely coarse, double of it refines meshes that were made for
-        // another gap.
-        constexpr double another_state = .5;
-        // Of meshes for one state, and of states. Half as many may leave the leak rate to
-        // change with the mesh, which the bracket then says; twice as many cost more for
-        // gaps that no mesh settles.
-        constexpr int max_finer = 2, max_states = 4;
+        // state, for which another mesh of this fraction is wanted.
+        constexpr double another_state = 1. - 1. / FlowStage::another_gap;
 
         const double target_accuracy = flow.fluid().target_accuracy;
         const double tolerance       = scene.fluid.feedback.tolerance;
@@ -143,7 +147,7 @@ namespace strait
                 const double width =
                   std::max(now.relative_width(), mesh_fraction * target_accuracy);
                 const bool is_narrow = width + 2. * fluid.mesh_error <= target_accuracy;
-                if (is_narrow || (stays ? finer == max_finer : states == max_states))
+                if (is_narrow || (stays ? finer == max_finer : states == most_tries))
                   break;
               }
             if (stays)
@@ -168,9 +172,6 @@ namespace strait
       void
       agree(FeedbackGoal goal)
       {
-        // Half as many give long steps up on which regions meet one after the other,
-        // twice as many go on where regions meet and part without end.
-        constexpr int most_meetings = 4;
         if (on_wall.is_limited_by_load())
           goal.largest_mean = control.target;
         double largest_pressure = std::max(std::abs(flow.fluid().inlet_pressure),
@@ -184,7 +185,7 @@ namespace strait
         try
           {
             bool meet = true;
-            for (int meetings = 0; meet && meetings <= most_meetings; ++meetings)
+            for (int meetings = 0; meet && meetings <= most_tries; ++meetings)
               {
                 last_result = feedback.solve(
                   [&](const SlabField &assumed) { return round(assumed, goal.verdict); },

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/iteration.h>
 #include <strait/base/text.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/seal/flow_stage.h>
@@ -20,14 +21,6 @@ namespace strait
     // which more rounds on finer meshes make up for, with double of it more is spent on
     // states that are left again.
     constexpr unsigned long long most_on_the_way = 10000;
-
-    // A mesh that is fine around a throat serves, should that close and open again as
-    // well, until no channel leads there or one is this many times narrower elsewhere;
-    // and for a bracket until the leak rate is as many times what it was when the mesh
-    // was made, or less by as much. Half of it makes a new mesh each time. Double of it
-    // takes the pressure around a new throat from cells that are too coarse for it, and
-    // keeps more cells that no longer matter.
-    constexpr double another_gap = 2.;
   } // namespace
 
   FlowStage::FlowStage(const FluidParameters &fluid,
@@ -50,19 +43,17 @@ namespace strait
   void
   FlowStage::read_mesh(const SlabLayoutPtr &layout)
   {
-    // Of the shape factor, which effective gaps are computed with, and for which no
-    // bracket is written: half and double of it change these by a third of it, and take
-    // the mesh of uniform gap finer or coarser.
-    constexpr double    shape_accuracy = 1e-4;
-    const PeriodicGrid &grid           = layout->grid();
-    seal                               = std::make_shared<const SealMesh>(
+    const PeriodicGrid &grid = layout->grid();
+    seal                     = std::make_shared<const SealMesh>(
       read_seal_mesh(parameters.mesh_file, grid, layout->communicator()));
     flow_domain = FlowDomain(std::make_shared<const FlowRegion>(
       grid, seal->outline(.25 * std::min(grid.dx(), grid.dy())), layout->communicator()));
 
-    FluidParameters fluid    = parameters;
-    fluid.element_degree     = 2; // where the solution is smooth
-    fluid.target_accuracy    = std::min(fluid.target_accuracy, shape_accuracy);
+    // The shape factor, for which no bracket is written, and of which effective gaps take
+    // a third of the error.
+    FluidParameters fluid = parameters;
+    fluid.element_degree  = 2; // where the solution is smooth
+    fluid.target_accuracy *= looseness;
     fluid.uniform_refinement = false;
     fluid.inlet_pressure     = 1.;
     fluid.outlet_pressure    = 0.;

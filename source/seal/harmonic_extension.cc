@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <strait/base/iteration.h>
 #include <strait/contact/grid_transfer.h>
 #include <strait/seal/fluid_on_wall.h>
 #include <strait/spectral/fill_windows.h>
@@ -168,11 +169,8 @@ namespace strait
     {
       // Of the boundary values' own residual, in the norm of the preconditioner: as
       // exactly as FixedPoint remembers the pressures of earlier rounds.
-      constexpr double tolerance = std::numeric_limits<float>::epsilon();
-      // It only ends what would go on for ever: half of it would be enough where the
-      // preconditioner works, double of it fails later.
-      constexpr int          max_iterations = 1000;
-      const SlabLayoutPtr    layout         = pressure.layout_pointer();
+      constexpr double       tolerance = std::numeric_limits<float>::epsilon();
+      const SlabLayoutPtr    layout    = pressure.layout_pointer();
       const ExtensionProblem problem(flow_gap, lines);
 
       // Boundary values and springs alone, which are the right-hand side.
@@ -210,7 +208,7 @@ namespace strait
       double r_z       = precondition();
       double beta      = 0.;
       int    iteration = 0;
-      while (r_z > enough && iteration < max_iterations)
+      while (r_z > enough && iteration < iteration_limit)
         {
           for (const int k : problem.points)
             t[k] = z[k] + beta * t[k];

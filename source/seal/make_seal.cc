@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
+#include <strait/base/iteration.h>
 #include <strait/base/text.h>
 #include <strait/base/timers.h>
 #include <strait/contact/adhesion_of_scene.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
+#include <strait/base/iteration.h>
 #include <strait/seal/transition_search.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -79,8 +80,7 @@ namespace strait
           second.openness != 0.)
         {
           // What exponent makes a third point lie on the same line.
-          constexpr int n_steps = 20;
-          for (int k = 0; k < n_steps; ++k)
+          for (int k = 0; k < iteration_limit; ++k)
             zero = zero_of(first,
                            second,
                            std::clamp(exponent_of(second, side[side.size() - 3], zero),

@@ -29,7 +29,7 @@ namespace strait
         , pressure(mesh, given.field.moment_set(), GapField::Coefficient::conductivity)
         , stream(mesh, given.field.moment_set(), GapField::Coefficient::resistivity)
       {
-        mesh.refine_uniformly(2);
+        mesh.triangulation().refine_global(3);
         for (int round = 0; round < 2; ++round)
           {
             for (const auto &cell : mesh.triangulation().active_cell_iterators())

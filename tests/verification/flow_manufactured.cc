@@ -31,7 +31,7 @@ namespace strait
                    const int                level,
                    const FlowPreconditioner amg)
     {
-      constexpr int   n = 1024, log2_n = 10;
+      constexpr int   n = 1024;
       FluidParameters fluid;
       fluid.element_degree = degree;
       fluid.viscosity      = 1.;
@@ -40,7 +40,7 @@ namespace strait
       GapField field(gap.layout_pointer(), fluid);
       field.update(gap);
       FlowMesh mesh(field, fluid.direction);
-      mesh.refine_uniformly(log2_n - level);
+      mesh.triangulation().refine_global(level - 1); // of two cells a side
       PotentialProblem problem(mesh,
                                field.moment_set(),
                                GapField::Coefficient::conductivity);

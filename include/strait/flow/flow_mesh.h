@@ -98,13 +98,13 @@ namespace strait
     /** The length of the longest edge of @p cell in spacings of the grid. */
     double size_in_spacings(const dealii::CellAccessor<2> &cell) const;
 
-    /** Refine to the coarse mesh that an adaptive cycle starts from: cells of 64
-     * spacings, unless that makes too few of them. */
-    void refine_to_start();
-
-    /** Refine every cell until it has 2^exponent grid spacings or, of a seal mesh, at
-     *  most that. */
-    void refine_uniformly(int exponent);
+    /** Whether the smallest cells are no larger than the spacing of the grid, those of a
+     *  seal mesh than a cell of the box as often divided would be. */
+    bool
+    reaches_spacing() const
+    {
+      return static_cast<int>(tria.n_global_levels()) > root_exponent;
+    }
 
     /** Whether the smallest cells may be divided: until an int cannot count those of
      *  their size, or p4est has no more levels. */

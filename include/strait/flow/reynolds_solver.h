@@ -160,9 +160,9 @@ namespace strait
     FlowMesh               flow_mesh;
     PotentialProblem       pressure_problem;
     PotentialProblem       stream_problem;
-    std::vector<double>    widths; // log(upper/lower) on all meshes
-    Bracket                plain;  // without correction; says where to refine
-    unsigned long long     unknowns_needed = 0; // for the target accuracy; 0: not known
+    std::vector<double> widths; // log(upper/lower) on the meshes that reach the spacing
+    Bracket             plain;  // without correction; says where to refine
+    unsigned long long  unknowns_needed = 0; // for the target accuracy; 0: not known
   };
 } // namespace strait
 

@@ -71,9 +71,15 @@ namespace strait
      *  across the grid lines begins to be limited to zero. */
     struct Range
     {
-      double lowest  = 0.;
-      double highest = 0.;
-      bool   bends   = false;
+      double lowest   = 0.;
+      double highest  = 0.;
+      int    crossing = -1; // the grid line that there crosses the next one, if any does
+
+      bool
+      bends() const
+      {
+        return crossing >= 0;
+      }
     };
 
     /**
@@ -87,8 +93,8 @@ namespace strait
     Range range(double x0, double y0, double width, double height) const;
 
     /** Where along the flow it bends between @p from and @p to, the ends of a rectangle
-     *  of which range() says that it does. */
-    double bend(double from, double to) const;
+     *  whose Range has that @p crossing. */
+    double bend(int crossing, double from, double to) const;
 
   private:
     const GapInterpolant                &interpolant;

@@ -38,8 +38,12 @@ namespace strait
    */
   bool run_all_realisations(const Scene &scene, Log &log, bool resume = false);
 
-  /** Check @p scene as simulate() would and print sizes, memory, resolution warnings and
-   *  active effects; compute nothing but the surface. Collective. */
+  /** Check @p scene as simulate() would before it computes anything but the surface.
+   *  Throws InputError. Collective. */
+  void check_input(const Scene &scene, Log &log);
+
+  /** The same, and print sizes, memory, resolution warnings and active effects.
+   *  Collective. */
   void describe(const Scene &scene, Log &log);
 
   /** What will limit the accuracy of a leak rate, without computing anything, in a line

@@ -41,6 +41,16 @@ namespace strait
   class FlowStage
   {
   public:
+    /**
+     * A mesh that is fine around a throat serves, should that close and open again as
+     * well, until no channel leads there or one is this many times narrower elsewhere;
+     * and for a bracket until the leak rate is as many times what it was when the mesh
+     * was made, or less by as much. Half of it makes a new mesh each time. Double of it
+     * takes the pressure around a new throat from cells that are too coarse for it, and
+     * keeps more cells that no longer matter.
+     */
+    static constexpr double another_gap = 2.;
+
     /** @p log and @p timers must outlive this object. */
     FlowStage(const FluidParameters &fluid,
               const SlabLayoutPtr   &layout,

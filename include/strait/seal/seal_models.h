@@ -43,16 +43,6 @@ namespace strait
                         Log                  &log);
 
   /**
-   * How much the way to a state may decide of it, of the accuracy that is asked for: how
-   * closely contact and flow agree while the mesh is being found and for a verdict, as
-   * the contact does by itself, and how much of the load may hang on when in a step fluid
-   * was cut off. Half of it takes more rounds on meshes that are left again and halves
-   * more steps; with double of it what the rounds leave over is taken for an error of the
-   * mesh, and the step decides about as much more of what trapped fluid carries.
-   */
-  constexpr double looseness = .1;
-
-  /**
    * How much smaller than the target accuracy the width of the bracket is on the first
    * mesh, and how much on each mesh than on the one before: the gap amplifies the errors
    * of the fluid's pressure, the more so the closer it is to the threshold. Half of it
