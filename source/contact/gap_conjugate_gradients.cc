@@ -18,15 +18,12 @@ namespace strait
     /** What a step is shortened by if the energy does not fall along it, at one FFT pair
      *  if it must be formed anew. A step that closes points is shortened only if the line
      *  asks for at least as much: a whole step keeps what it closes, a shorter one opens
-     *  it again. Half of it wastes less on attempts and goes less far; double of it
-     *  opens points again in most steps. */
+     *  it again. By no more the reach of steps that close points changes at once; it has
+     *  no least value, for with one a single point that each step closes and opens again
+     *  would keep the others from moving. Half of it wastes less on attempts and goes
+     *  less far, and the reach is misled by a single step; double of it opens points
+     *  again in most steps, and the reach never learns. */
     constexpr double shorter = .4;
-
-    /** What the reach of steps that close points may change by at once; it has no least
-     *  value, for with one a single point that each step closes and opens again would
-     * keep the others from moving. Double of it learns sooner, and is misled by a single
-     * step; half of it never learns, and may stagnate where many points close. */
-    constexpr double quickest_change = 2;
 
     /** Attempts end where a step is all but nothing. */
     constexpr double shortest = std::numeric_limits<double>::epsilon();
@@ -179,9 +176,8 @@ namespace strait
             last_fall   = -length * d_r;
             // The length that was foretold was wrong by the factor `ideal`; where nothing
             // closes, the step went as far as was ideal.
-            const double change = std::clamp(is_convex ? ideal : INFINITY,
-                                             1 / quickest_change,
-                                             quickest_change);
+            const double change =
+              std::clamp(is_convex ? ideal : INFINITY, shorter, 1 / shorter);
             reach = truncated ? reach * change : 1.;
             return true;
           }
