@@ -124,7 +124,7 @@ class Patches:
             in_a_row, errors = in_endless_row(alone, np.abs(table["two_boxes_leak_rate"]),
                                               errors, 0.5 * table["two_boxes_error"])
         return (alone * length / breadth, in_a_row * length / breadth,
-                np.where(in_a_row > 0, errors, 0.))
+                np.where(in_a_row > 0, errors, np.nan))
 
     def _take_unit(self, run, seal):
         """The unit that was asked for, and what a leak rate of the scene is in it."""
@@ -154,12 +154,25 @@ def open_at_ends(along, alone):
                 if along.shape[1] > 1 else alone[:, column]
 
 
+def mean_errors(loads, errors):
+    """At each of loads that of the patches that leak there; a function of the load.
+
+    One that is sealed has none, and takes nothing off that of the others.
+    """
+    leaks = ~np.isnan(errors)
+    known = leaks.any(axis=0)
+    if not known.any():
+        return np.zeros_like
+    mean = np.nanmean(errors[:, known], axis=0)
+    return lambda load: np.interp(load, np.asarray(loads)[known], mean)
+
+
 def bands_of(seal, patches, loads):
     """The Band of each of loads that the patches cover."""
     along, across, _ = seal.columns()
     scale = patches.factor * seal.circumference / seal.width
     rng = np.random.default_rng(1)
-    errors = np.mean(patches.errors, axis=0)
+    error_at = mean_errors(seal.loads, np.array(patches.errors))
 
     def at(pool, load, columns):
         return scale * (at_loads(seal.loads, pool, load * columns) if len(seal.loads) > 1
@@ -171,7 +184,7 @@ def bands_of(seal, patches, loads):
                                       (patches.ends, along)))
         open_at_ends(k_along, k_ends)
         yield Band(k_along, k_across, seal.n_around, seal.breadth / seal.length,
-                   float(np.interp(load, seal.loads, errors)), rng)
+                   float(error_at(load)), rng)
 
 
 def crossing(loads, rates, wanted):
@@ -214,8 +227,9 @@ def verdict(load, band, seal, patches):
     most = max(parts, key=parts.get)
     more = "Realisations/Seeds" if seal.roll_off else "measure more of the surface"
     factor = f"a factor of {math.exp(parts[most]):.3g}"
-    if band.median == 0:
-        return (f"at {load} most seals do not leak at all: what leaks is decided by few "
+    if band.lower == 0:
+        share = "most" if band.median == 0 else f"{100 * band.sealed:.2g} % of"
+        return (f"at {load} {share} seals do not leak at all: what leaks is decided by few "
                 f"patches; simulate more of them ({more})")
     if most == "patches":
         return (f"most of the uncertainty at {load}, {factor} each way, comes from the number "

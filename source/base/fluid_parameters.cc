@@ -141,9 +141,9 @@ namespace strait
     theory_too.add("Molar mass", molar_mass, not_negative).meaning =
       "M: of a gas that Gas does not know, needs the section Units; 0: not known [kg/mol].";
     theory_too.when("State = gas")
-      .when("Gas | Molar mass")
+      .when("Gas | Molar mass | Output/Leak rate units")
       .add("Temperature", temperature, positive)
-      .meaning = "T, for its mean free path [K].";
+      .meaning = "T, for its mean free path and its volume in sccm [K].";
     theory_too.add("Rarefaction", rarefaction, Names{"none", "slip", "transitional"})
       .meaning =
       "Of a gas. none: it is viscous in any gap; slip: it slips along the walls, to "

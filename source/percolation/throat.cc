@@ -184,8 +184,8 @@ namespace strait
     throat.width       = across < 0 ? std::sqrt(-2 * g0 / across) : unknown;
     const double angle = .5 * std::atan2(2 * xy, xx - yy);
     const double c = std::cos(angle), s = std::sin(angle);
-    throat.spacing       = 1. / std::hypot(c / dx, s / dy);
-    throat.points_across = 2. * throat.width * std::hypot(s / dx, c / dy);
+    throat.spacing       = std::max(dx, dy);
+    throat.points_across = 2. * throat.width / throat.spacing;
     if (g0 > 0)
       throat.doubling_length = .5 * (doubling_length(around, point, {{c, s}}) +
                                      doubling_length(around, point, {{-c, -s}}));

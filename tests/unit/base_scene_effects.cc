@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
 #include "scene_text.h"
 
 using namespace strait;
@@ -65,6 +67,30 @@ TEST(Scene, TrappedFluidNeedsWhatItsLawNeeds)
   EXPECT_EQ(scene_of("", enabled + Overrides{feedback + "Bulk modulus=2"}).warnings(),
             std::vector<std::string>{"without Fluid/Wall feedback/Trapped fluid = "
                                      "compressible these have no effect: Bulk modulus"});
+}
+
+TEST(Scene, TheTemperatureOfAGasCountsInSccm)
+{
+  const Overrides gas             = {"Units/Length=m",
+                                     "Surface/Size=1e-4",
+                                     "Surface/Roll-off wavelength=5e-5",
+                                     "Surface/Short cut-off wavelength=1e-5",
+                                     "Units/Pressure=Pa",
+                                     "Units/Time=s",
+                                     "Contact/Effective modulus=1e9",
+                                     "Fluid/State=gas",
+                                     "Fluid/Viscosity=2e-5",
+                                     "Fluid/Inlet pressure=2e5",
+                                     "Fluid/Temperature=350"};
+  const auto      says_it_is_idle = [](const Scene &scene) {
+    const auto warnings = scene.warnings();
+    return std::any_of(warnings.begin(), warnings.end(), [](const std::string &warning) {
+      return warning.find("Temperature") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(says_it_is_idle(scene_of("", gas)));
+  EXPECT_FALSE(
+    says_it_is_idle(scene_of("", gas + Overrides{"Output/Leak rate units=sccm"})));
 }
 
 TEST(Scene, RealisationsOfAMapAreItsWindows)

@@ -60,7 +60,9 @@ namespace strait
         }
     }
 
-    TEST(Throat, PointsAreCountedAlongIt)
+    // On a box of 128 × 32 points, of which those along it alone were counted, the
+    // critical load was 6 % off where 0.3 % was stated.
+    TEST(Throat, PointsAreCountedByTheLargerSpacing)
     {
       const double length = .3, width = .2, g0 = .01;
       const auto   points_along = [=](const int nx, const int ny, const bool along_x) {
@@ -76,11 +78,14 @@ namespace strait
                 g0 * (1 + s * s / (length * length)) * (1 - t * t / (width * width));
             }
         const Throat throat = measure_throat(field, 0., {nx / 2, ny / 2});
-        EXPECT_NEAR(throat.points_across / (2. * width * (along_x ? ny : nx)), 1., .01);
+        EXPECT_NEAR(throat.points_across / (2. * width * std::min(nx, ny)), 1., .01);
         return throat.points;
       };
-      EXPECT_NEAR(points_along(128, 64, true) / (128 * length), 1., .01);
-      EXPECT_NEAR(points_along(128, 64, false) / (64 * length), 1., .01);
+      for (const bool along_x : {true, false})
+        {
+          EXPECT_NEAR(points_along(128, 64, along_x) / (64 * length), 1., .01);
+          EXPECT_NEAR(points_along(128, 128, along_x) / (128 * length), 1., .01);
+        }
     }
 
     TEST(FlowPath, TheThroatIsTheLastOfTheNarrowestPoints)

@@ -344,6 +344,19 @@ class OfAFolder(unittest.TestCase):
         self.write([[1., 1., 0.]] * 7 + [[1., 1., 1.]])
         self.assertIn("most seals do not leak at all", self.assess().stdout)
         self.assertEqual(float(self.table()[-1]["leak_rate_median"]), 0)
+        self.write([[1., 1., 0.]] * 4 + [[1., 1., 1.]] * 4)
+        self.assertRegex(self.assess().stdout, "at 0.4 [0-9.]+ % of seals do not leak at all: ")
+
+    def test_sealed_patches_take_nothing_off_the_error(self):
+        loads, nan = [.1, .2, .3], np.nan
+        error_at = whole_seal.mean_errors(loads, np.array([[.02, nan, nan], [.04, .08, nan]]))
+        for load, error in ((.1, .03), (.15, .055), (.2, .08), (.25, .08), (.3, .08)):
+            self.assertAlmostEqual(float(error_at(load)), error)
+        self.assertEqual(float(whole_seal.mean_errors(loads, np.full((2, 3), nan))(.2)), 0)
+        self.write([[8., 2., 0.]] * 3 + [[8., 2., 0.5]])
+        self.assess()
+        for row in self.table():
+            self.assertAlmostEqual(float(row["solution_error"]), 0.01)
 
     def test_what_depends_on_the_drop_is_pointed_out(self):
         self.write([[1., 1., 1.]] * 4)

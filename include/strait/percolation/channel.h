@@ -33,7 +33,9 @@ namespace strait
     double width           = 0.;
     double doubling_length = std::numeric_limits<double>::quiet_NaN();
 
-    /** Of the points of its level, along the channel. */
+    /** Of the points of its level, in the direction in which it is larger: points that
+     *  are close to each other in the other one bring the contact around the throat no
+     *  nearer to the true one. */
     double spacing = 0.;
 
     /** Such spacings from there to where the gap has doubled: 0 if the points do
