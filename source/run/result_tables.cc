@@ -92,8 +92,8 @@ namespace strait
           "reduce"),
          ("scatter_arrangement [1]: the same between seals of this size and surface, "
           "which nothing reduces"),
-         ("solution_error [1]: relative error of the patches' leak rates: "
-          "`leak_rate_error` where it is known, else the half width of the brackets")});
+         ("solution_error [1]: relative error of the leak rates of patches that leak, their "
+          "mean: `leak_rate_error` where it is known, else the half width of the brackets")});
     }
 
     /** The load for a wanted leak rate, likewise. */
