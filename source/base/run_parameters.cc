@@ -39,7 +39,9 @@ namespace strait
     section.when("Find threshold = true")
       .add("Largest reduced load of fits", largest_fitted, not_negative.at_most(1.))
       .meaning = "Exponents are fitted to the steps up to this value of 1 - L/L_c [1].";
-    section.add("Path", path, Names{"loading", "unloading", "cycle"}).meaning =
+    section.when("Contact/Enabled = true")
+      .add("Path", path, Names{"loading", "unloading", "cycle"})
+      .meaning =
       "From which side the threshold is approached, and the order of the steps at "
       "Reduced loads: loading (towards larger loads) or unloading; with adhesion it also "
       "says whether the first state is that of no adhesion (loading) or of full contact "
