@@ -3,6 +3,7 @@
 // exponents near it.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -83,6 +84,28 @@ namespace strait
               EXPECT_LT(std::abs(fine / found.middle() - 1.), found.grid_error) << seed;
               EXPECT_LT(found.grid_error, error) << seed;
               error = .7 * found.grid_error;
+            }
+        }
+    }
+
+    // As much of it hangs on the points that are farther from each other.
+    TEST(RoughThreshold, LongCellsDoNotMakeItSure)
+    {
+      Scene scene                            = threshold_scene(256, 1e-4);
+      scene.surface                          = SurfaceParameters();
+      scene.surface.roll_off_wavelength      = .5;
+      scene.surface.short_cut_off_wavelength = .25;
+      for (const int seed : {2, 4, 6})
+        {
+          scene.surface.seed        = seed;
+          scene.contact.grid_points = {{256, 256}};
+          const double fine         = run_sweep(scene).thresholds[0].middle();
+          for (const auto &points : {std::array{64, 16}, {16, 64}})
+            {
+              scene.contact.grid_points = points;
+              const Transition found    = run_sweep(scene).thresholds[0];
+              EXPECT_LT(std::abs(fine / found.middle() - 1.), found.grid_error) << seed;
+              EXPECT_LT(found.grid_error, .15) << seed;
             }
         }
     }
