@@ -18,10 +18,13 @@ namespace strait
     // much.
     constexpr int fewest_points = 256;
 
-    /** Not a number where it is at zero, or nowhere. */
+    /** Not a number where it is nowhere, or at the outlet's pressure, as the seal leaks
+     * by itself or stays open. */
     double
     error_by(const Transition &coarse, const Transition &found)
     {
+      if (!(found.lower < found.upper))
+        return std::nan("");
       return CoarserSeals::safety_factor *
              std::abs((coarse.middle() - found.middle()) / found.middle());
     }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
 #include <strait/base/text.h>
 #include <strait/interface/rarefied_gas.h>
@@ -263,22 +262,25 @@ namespace strait
         {"rarefied-throat", at_throat, most, advice("in the throat", at_throat)});
     }
 
+    /** The part of the box where fluid is trapped. Collective. */
+    double
+    trapped_area(const SlabField &gap, const std::vector<NodeState> &states)
+    {
+      SlabField is_trapped(gap.layout_pointer());
+      for (std::size_t k = 0; k < states.size(); ++k)
+        is_trapped[k] = states[k] == NodeState::trapped ? 1. : 0.;
+      return mean(is_trapped);
+    }
+
     void
     add_trapped_fluid(Step &step, const Scene &scene)
     {
       if (!step.flow || !step.state.fluid || step.state.fluid->lifted_off)
         return;
-      // Points stand for different areas where there are windows, which feedback
-      // excludes.
-      const auto       &trapped = step.state.fluid->trapped;
-      const auto       &states  = step.flow->channel.clusters.states;
-      const SlabLayout &layout  = step.state.gap().layout();
-      const double      area =
+      const auto  &trapped = step.state.fluid->trapped;
+      const double area =
         trapped ? trapped->guessed_area
-                     : sum(layout.communicator(),
-                      static_cast<double>(
-                        std::count(states.begin(), states.end(), NodeState::trapped))) /
-                    layout.grid().n_points();
+                : trapped_area(step.state.gap(), step.flow->channel.clusters.states);
       const double reservoirs =
         std::max(scene.fluid.inlet_pressure, scene.fluid.outlet_pressure);
       const double guessed = part_of_load(step, area * reservoirs);

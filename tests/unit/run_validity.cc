@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "scene_text.h"
+#include "window_tools.h"
 
 namespace
 {
@@ -253,6 +255,28 @@ namespace
     expect_in("trapped-fluid", verdict(gas, step));
     step.state.contact->nominal_pressure = 1.01e8;
     EXPECT_EQ(verdict(scene, step), "ok");
+  }
+
+  // Not by points, of which windows have more, and each rank has those.
+  TEST(Validity, FluidThatIsTrappedInWindowsCountsByItsAreaParallel)
+  {
+    const Scene scene = scene_of("",
+                                 in_si + Overrides{"Contact/Effective modulus=1e11",
+                                                   "Fluid/Inlet pressure=1e6",
+                                                   "Fluid/Wall feedback/Enabled=true"});
+    Step        step  = step_at(1e7, .1, 1e-6);
+    step.state.fluid.emplace();
+    step.state.contact->gap =
+      SlabField(window_tests::layout_with(32, {window_tests::window_at(8, 8, 12, 12)}));
+    step.flow->channel.clusters.states.assign(step.state.contact->gap.size(),
+                                              NodeState::trapped);
+    Log silent(MPI_COMM_WORLD, true);
+    judge_validity(step, scene, .05, silent);
+    const auto &check =
+      *std::find_if(step.checks.begin(), step.checks.end(), [](const auto &each) {
+        return each.word == "trapped-fluid";
+      });
+    EXPECT_NEAR(check.number, .1, 1e-12);
   }
 
   // In reduced units neither slopes nor a pressure difference of 1 mean anything.

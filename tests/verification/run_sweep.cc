@@ -265,6 +265,25 @@ namespace strait
         }
     }
 
+    // The outlet's pressure is said of both grids then, and tells of none.
+    TEST(ErrorBudget, ABlowOutOfASealThatLeaksHasNone)
+    {
+      Scene scene                         = saddle_scene(64);
+      scene.programme.pressures           = {.5};
+      scene.programme.find_blow_out       = true;
+      scene.programme.find_resealing      = true;
+      scene.programme.threshold_tolerance = 1e-2;
+      scene.fluid.feedback.enabled        = true;
+      scene.fluid.inlet_pressure          = .04;
+      scene.fluid.outlet_pressure         = .02;
+      scene.output.error_budget           = true;
+      SilentSweep   silent(scene);
+      const BlowOut found = silent.loads.find_blow_outs().at(0);
+      EXPECT_EQ(found.opening.upper, .02);
+      EXPECT_TRUE(std::isnan(found.opening.grid_error));
+      EXPECT_TRUE(std::isnan(found.closing->grid_error));
+    }
+
     // Every second row of these grooves is at the same height, and always sealed.
     TEST(ErrorBudget, SaysWhereFewerPointsDoNotLeak)
     {
