@@ -58,6 +58,10 @@ namespace strait
     };
     if (!can_be_coarsened(heights.grid()))
       warn_of_unknown("Contact/Grid points must be even and 64 or more to be halved");
+    // Two blow-out pressures may agree by chance.
+    const int  n_wanted = n_compared_grids(scene) > 0 && scene.programme.find_blow_out
+                            ? 2
+                            : n_compared_grids(scene);
     const bool searches = scene.programme.find_threshold &&
                           scene.fluid.mesh_file.empty() && !scene.depends_on_path();
     // Without the last level of windows, whose points are compared as well.
@@ -68,7 +72,7 @@ namespace strait
       {
         while (
           can_be_coarsened(coarse.grid()) &&
-          (size() < n_compared_grids(scene) ||
+          (size() < n_wanted ||
            (searches && std::min(coarse.grid().nx, coarse.grid().ny) > fewest_points)))
           {
             coarse = restrict_by_injection(coarse);
@@ -160,15 +164,29 @@ namespace strait
   {
     if (n_compared_grids(scene) == 0 || size() == 0)
       return;
-    const auto coarse =
-      search(seals.front(), [](SealSearch &own) { return own.find_blow_outs(); });
-    for (std::size_t k = 0; k < coarse.size(); ++k)
+    std::vector<std::vector<BlowOut>> coarse;
+    for (const CoarserSeal &seal : seals)
+      coarse.push_back(
+        search(seal, [](SealSearch &own) { return own.find_blow_outs(); }));
+    const auto set_error = [&](Transition &found, const auto &of_grid) {
+      found.grid_error = error_by(of_grid(0), found);
+      // Had they only come near by chance it would be half of the change before.
+      if (coarse.size() > 1 && !coarse[1].empty() && of_grid(0).middle() > 0.)
+        found.grid_error =
+          std::max(found.grid_error,
+                   .5 * std::abs(of_grid(1).middle() / of_grid(0).middle() - 1.));
+    };
+    for (std::size_t k = 0; k < coarse.front().size(); ++k)
       {
-        blow_outs[k].opening.grid_error =
-          error_by(coarse[k].opening, blow_outs[k].opening);
+        set_error(blow_outs[k].opening,
+                  [&](const std::size_t grid) -> const Transition & {
+                    return coarse[grid][k].opening;
+                  });
         if (blow_outs[k].closing)
-          blow_outs[k].closing->grid_error =
-            error_by(*coarse[k].closing, *blow_outs[k].closing);
+          set_error(*blow_outs[k].closing,
+                    [&](const std::size_t grid) -> const Transition & {
+                      return *coarse[grid][k].closing;
+                    });
       }
   }
 

@@ -211,8 +211,8 @@ namespace strait
       .when({"with `Output/Error budget`", scene.output.error_budget})
       .add([](const BlowOut &found) { return found.opening.grid_error; },
            "blow_out_pressure_error [1]: how far from there, relative, finer points may "
-           "have it: three times what every second point changes, which may agree by "
-           "chance; `nan` if that tells none")
+           "have it: three times what every second point changes or, if that is more, "
+           "half of what they change against every fourth; `nan` if they tell none")
       .when({"with `Output/Error budget` and `Find re-sealing`",
              scene.output.error_budget && scene.programme.find_resealing})
       .add([](const BlowOut &found) { return found.closing->grid_error; },

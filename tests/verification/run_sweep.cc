@@ -284,6 +284,36 @@ namespace strait
       EXPECT_TRUE(std::isnan(found.closing->grid_error));
     }
 
+    // Two grids may agree by chance, three hardly.
+    TEST(ErrorBudget, ABlowOutIsComparedOnThreeGrids)
+    {
+      Scene scene                            = saddle_scene(128);
+      scene.surface                          = SurfaceParameters();
+      scene.surface.seed                     = 21;
+      scene.surface.roll_off_wavelength      = .5;
+      scene.surface.short_cut_off_wavelength = .125;
+      scene.programme.pressures              = {.3045};
+      scene.programme.find_blow_out          = true;
+      scene.programme.threshold_tolerance    = 1e-2;
+      scene.fluid.feedback.enabled           = true;
+      scene.fluid.inlet_pressure             = .02;
+      std::vector<double> found;
+      double              error = 0.;
+      for (const int n : {32, 64, 128})
+        {
+          scene.contact.grid_points = {{n, n}};
+          scene.output.error_budget = n == 128;
+          SilentSweep      silent(scene);
+          const Transition opening = silent.loads.find_blow_outs().at(0).opening;
+          found.push_back(opening.middle());
+          error = opening.grid_error;
+        }
+      const double by_second = 3. * std::abs(found[1] / found[2] - 1.),
+                   by_fourth = .5 * std::abs(found[0] / found[1] - 1.);
+      EXPECT_LT(by_second, .5 * by_fourth); // here by chance
+      EXPECT_NEAR(error, by_fourth, .1 * by_fourth);
+    }
+
     // Every second row of these grooves is at the same height, and always sealed.
     TEST(ErrorBudget, SaysWhereFewerPointsDoNotLeak)
     {

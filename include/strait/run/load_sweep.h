@@ -115,7 +115,8 @@ namespace strait
      *  second one; not a number if it is not known. */
     double error_of(const Transition &critical_load) const;
 
-    /** Tell @p blow_outs the same of their pressures. Collective. */
+    /** Tell @p blow_outs the same of their pressures, by every fourth point as well.
+     *  Collective. */
     void find_errors_of(std::vector<BlowOut> &blow_outs);
 
     /** Follow the path to @p stop, where a path matters; a load that is named by its
