@@ -59,7 +59,7 @@ namespace strait
     if (!can_be_coarsened(heights.grid()))
       warn_of_unknown("Contact/Grid points must be even and 64 or more to be halved");
     // Two blow-out pressures may agree by chance.
-    const int  n_wanted = n_compared_grids(scene) > 0 && scene.programme.find_blow_out
+    const int  n_wanted = scene.output.error_budget && scene.programme.find_blow_out
                             ? 2
                             : n_compared_grids(scene);
     const bool searches = scene.programme.find_threshold &&
@@ -162,32 +162,28 @@ namespace strait
   void
   CoarserSeals::find_errors_of(std::vector<BlowOut> &blow_outs)
   {
-    if (n_compared_grids(scene) == 0 || size() == 0)
+    if (!scene.output.error_budget || size() == 0)
       return;
     std::vector<std::vector<BlowOut>> coarse;
     for (const CoarserSeal &seal : seals)
       coarse.push_back(
         search(seal, [](SealSearch &own) { return own.find_blow_outs(); }));
-    const auto set_error = [&](Transition &found, const auto &of_grid) {
-      found.grid_error = error_by(of_grid(0), found);
-      // Had they only come near by chance it would be half of the change before.
-      if (coarse.size() > 1 && !coarse[1].empty() && of_grid(0).middle() > 0.)
-        found.grid_error =
-          std::max(found.grid_error,
-                   .5 * std::abs(of_grid(1).middle() / of_grid(0).middle() - 1.));
+    const auto compare = [&](const auto &pressure_of) {
+      for (std::size_t k = 0; k < coarse.front().size(); ++k)
+        if (Transition *found = pressure_of(blow_outs[k]))
+          {
+            const Transition &second = *pressure_of(coarse[0][k]);
+            found->grid_error        = error_by(second, *found);
+            if (coarse.size() < 2 || coarse[1].empty() || !(second.middle() > 0.))
+              continue;
+            // Had they only come near by chance it would be half of the change before.
+            const double fourth = pressure_of(coarse[1][k])->middle();
+            found->grid_error =
+              std::max(found->grid_error, .5 * std::abs(fourth / second.middle() - 1.));
+          }
     };
-    for (std::size_t k = 0; k < coarse.front().size(); ++k)
-      {
-        set_error(blow_outs[k].opening,
-                  [&](const std::size_t grid) -> const Transition & {
-                    return coarse[grid][k].opening;
-                  });
-        if (blow_outs[k].closing)
-          set_error(*blow_outs[k].closing,
-                    [&](const std::size_t grid) -> const Transition & {
-                      return *coarse[grid][k].closing;
-                    });
-      }
+    compare([](BlowOut &found) { return &found.opening; });
+    compare([](BlowOut &found) { return found.closing ? &*found.closing : nullptr; });
   }
 
   void

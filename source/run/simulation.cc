@@ -44,7 +44,7 @@ namespace strait
     }
 
     /** The heights of a scene that has passed all checks. Throws what the run would
-     * before it computes anything. */
+     *  before anything is computed. */
     SlabField
     checked_heights(const Scene &scene, Log &log)
     {

@@ -264,9 +264,9 @@ namespace strait
 
     /** The part of the box where fluid is trapped. Collective. */
     double
-    trapped_area(const SlabField &gap, const std::vector<NodeState> &states)
+    trapped_area(const std::vector<NodeState> &states, const SlabLayoutPtr &layout)
     {
-      SlabField is_trapped(gap.layout_pointer());
+      SlabField is_trapped(layout);
       for (std::size_t k = 0; k < states.size(); ++k)
         is_trapped[k] = states[k] == NodeState::trapped ? 1. : 0.;
       return mean(is_trapped);
@@ -278,9 +278,9 @@ namespace strait
       if (!step.flow || !step.state.fluid || step.state.fluid->lifted_off)
         return;
       const auto  &trapped = step.state.fluid->trapped;
-      const double area =
-        trapped ? trapped->guessed_area
-                : trapped_area(step.state.gap(), step.flow->channel.clusters.states);
+      const double area    = trapped ? trapped->guessed_area
+                                     : trapped_area(step.flow->channel.clusters.states,
+                                                 step.state.gap().layout_pointer());
       const double reservoirs =
         std::max(scene.fluid.inlet_pressure, scene.fluid.outlet_pressure);
       const double guessed = part_of_load(step, area * reservoirs);

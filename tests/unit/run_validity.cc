@@ -23,6 +23,11 @@ namespace
                             "Surface/Kind=flat"};
   const Overrides helium = {"Fluid/State=gas", "Fluid/Gas=helium"};
 
+  /** A fluid that acts on the walls. */
+  const Overrides pressed = in_si + Overrides{"Contact/Effective modulus=1e11",
+                                              "Fluid/Inlet pressure=1e6",
+                                              "Fluid/Wall feedback/Enabled=true"};
+
   /** A step of a contact with a path of one gap throughout. */
   Step
   step_at(const double pressure, const double contact_area, const double gap)
@@ -235,10 +240,7 @@ namespace
 
   TEST(Validity, TrappedFluidWithFeedback)
   {
-    const Scene scene = scene_of("",
-                                 in_si + Overrides{"Contact/Effective modulus=1e11",
-                                                   "Fluid/Inlet pressure=1e6",
-                                                   "Fluid/Wall feedback/Enabled=true"});
+    const Scene scene = scene_of("", pressed);
     Step        step  = step_at(1e7, .1, 1e-6);
     step.state.fluid.emplace();
     EXPECT_EQ(verdict(scene, step), "ok");
@@ -246,12 +248,8 @@ namespace
       state = NodeState::trapped;
     EXPECT_EQ(verdict(scene, step), "trapped-fluid");
     // The absolute pressure of a gas, whatever the difference of the two reservoirs.
-    const Scene gas = scene_of("",
-                               in_si + helium +
-                                 Overrides{"Contact/Effective modulus=1e11",
-                                           "Fluid/Inlet pressure=1e6",
-                                           "Fluid/Outlet pressure=1e6",
-                                           "Fluid/Wall feedback/Enabled=true"});
+    const Scene gas =
+      scene_of("", pressed + helium + Overrides{"Fluid/Outlet pressure=1e6"});
     expect_in("trapped-fluid", verdict(gas, step));
     step.state.contact->nominal_pressure = 1.01e8;
     EXPECT_EQ(verdict(scene, step), "ok");
@@ -260,10 +258,7 @@ namespace
   // Not by points, of which windows have more, and each rank has those.
   TEST(Validity, FluidThatIsTrappedInWindowsCountsByItsAreaParallel)
   {
-    const Scene scene = scene_of("",
-                                 in_si + Overrides{"Contact/Effective modulus=1e11",
-                                                   "Fluid/Inlet pressure=1e6",
-                                                   "Fluid/Wall feedback/Enabled=true"});
+    const Scene scene = scene_of("", pressed);
     Step        step  = step_at(1e7, .1, 1e-6);
     step.state.fluid.emplace();
     step.state.contact->gap =

@@ -23,6 +23,16 @@ namespace strait
       return scene;
     }
 
+    Scene
+    rough_scene(const int n, const double short_cut_off)
+    {
+      Scene scene                            = threshold_scene(n, 1e-4);
+      scene.surface                          = SurfaceParameters();
+      scene.surface.roll_off_wavelength      = .5;
+      scene.surface.short_cut_off_wavelength = short_cut_off;
+      return scene;
+    }
+
     TEST(SaddleThreshold, CriticalLoadsOfThreeGridsAndTheirLimitParallel)
     {
       // Independent values, in units of E* amplitude/wavelength.
@@ -67,10 +77,7 @@ namespace strait
     // grids tell too little of it.
     TEST(RoughThreshold, FinerPointsHaveTheCriticalLoadWithinItsError)
     {
-      Scene scene                            = threshold_scene(512, 1e-4);
-      scene.surface                          = SurfaceParameters();
-      scene.surface.roll_off_wavelength      = .5;
-      scene.surface.short_cut_off_wavelength = 1. / 16;
+      Scene scene = rough_scene(512, 1. / 16);
       for (const int seed : {1, 2, 3, 4})
         {
           scene.surface.seed        = seed;
@@ -91,10 +98,7 @@ namespace strait
     // As much of it hangs on the points that are farther from each other.
     TEST(RoughThreshold, LongCellsDoNotMakeItSure)
     {
-      Scene scene                            = threshold_scene(256, 1e-4);
-      scene.surface                          = SurfaceParameters();
-      scene.surface.roll_off_wavelength      = .5;
-      scene.surface.short_cut_off_wavelength = .25;
+      Scene scene = rough_scene(256, .25);
       for (const int seed : {2, 4, 6})
         {
           scene.surface.seed        = seed;

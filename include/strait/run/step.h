@@ -68,9 +68,9 @@ namespace strait
     }
   };
 
-  /** With fewer grid points the contact grid's error may exceed that of a bracket of 2 %:
-   *  contact grid and interpolation change the leak rate of prm/quickstart.prm by 2 %
-   * with 2.9 points along the throat; by 10 to 27 % with 1.4 to 2.3, by 0.5 % with 6. */
+  /** With fewer grid points the contact grid's error may exceed that of a bracket of 2 %.
+   *  Contact grid and interpolation change the leak rate of prm/quickstart.prm by 2 %
+   *  with 2.9 points; by 10 to 27 % with 1.4 to 2.3, by 0.5 % with 6. */
   constexpr double least_points_along_throat = 3.;
 
   /** One limit of the model, and what a step says of it. */
