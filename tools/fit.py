@@ -133,7 +133,7 @@ def fits_of(samples, largest, has_law):
             for fit, status in local_slopes(of_slip.rows(converged(of_slip, quantity)), quantity):
                 law = getattr(closing_law(middle(fit), constant), member)
                 yield (quantity, slip_length, "local", *fit,
-                       with_slip if slip_length < 0 else law, status)
+                       with_slip if slip_length < 0 and has_law else law, status)
             fit = fit_up_to(largest, of_slip, quantity)
             if fit:
                 yield quantity, slip_length, "fit", *fit, np.nan, "ok"

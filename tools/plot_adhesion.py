@@ -5,8 +5,9 @@
     plot_adhesion.py leakage PICTURE.png LABEL=FOLDER ...   leak rates against load and 1 - L/L_c
     plot_adhesion.py contact PICTURE.png LABEL=FOLDER ...   contact of the last fields of each
 
-A folder whose steps were unloading is drawn dashed.
+Steps that were unloading are drawn dashed.
 """
+import itertools
 import pathlib
 import sys
 
@@ -15,7 +16,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from plot_common import BLUE, COLOURS, VERMILLION, use_style
-from plot_leakage import error_bars
+from plot_leakage import all_series, draw_line, error_bars
 from run_folder import is_trusted, is_uncertain, numbered
 from strait_results import read_table
 
@@ -30,18 +31,20 @@ def draw_leakage(runs):
         table = read_table(folder / "leakage.csv")
         if "reduced_load" not in table:
             raise SystemExit(f"{folder}: only runs with Find threshold can be compared.")
-        leaks = (table["leak_rate"] > 0) & is_trusted(table["status"])
-        order = np.flatnonzero(leaks)[np.argsort(table["pressure"][leaks])]
-        hollow = order[is_uncertain(table["status"][order])]
-        style = {"color": colours[label.replace(" opening", "")], "marker": "o",
-                 "linestyle": "--" if (table["branch"] == "unloading").all() else "-"}
-        for axes, name in ((left, "pressure"), (right, "reduced_load")):
-            rows = order[table[name][order] > 0]
-            axes.plot(table[name][rows], table["leak_rate"][rows], label=label, **style)
-            axes.errorbar(table[name][rows], table["leak_rate"][rows],
-                          yerr=error_bars(table, rows), fmt="none", ecolor=style["color"])
-            axes.plot(table[name][hollow], table["leak_rate"][hollow],
-                      **{**style, "linestyle": "none", "markerfacecolor": "white"})
+        leak = np.abs(table["leak_rate"])
+        leaks = (leak > 0) & np.isfinite(leak) & is_trusted(table["status"])
+        hollow = is_uncertain(table["status"])
+        colour = colours[label.replace(" opening", "")]
+        for marker, (words, _, branch, of_series) in zip(itertools.cycle("os^Dv"),
+                                                         all_series(table)):
+            for axes, name, drawn in ((left, "pressure", leaks),
+                                      (right, "reduced_load", leaks & (table["reduced_load"] > 0))):
+                rows = drawn & of_series
+                draw_line(axes, table[name][rows], leak[rows], hollow[rows], color=colour,
+                          label=f"{label}, {words}" if words else label, marker=marker,
+                          linestyle="--" if branch == "unloading" else "-")
+                axes.errorbar(table[name][rows], leak[rows], yerr=error_bars(table, rows),
+                              fmt="none", ecolor=colour)
     left.set(yscale="log", xlabel="Nominal pressure", ylabel="Leak rate")
     right.set(xscale="log", yscale="log", xlabel="1 - load / critical load")
     x = np.array([0.01, 0.1])

@@ -50,7 +50,8 @@ def draw_line(axes, x, y, hollow, **style):
     order = np.argsort(x, kind="stable")
     marker, label = style.pop("marker"), style.pop("label", None)
     axes.plot(x[order], y[order], marker=marker, label=label, **style)
-    axes.plot(x[hollow], y[hollow], marker, markerfacecolor="white", **style)
+    axes.plot(x[hollow], y[hollow], marker=marker, markerfacecolor="white",
+              **{**style, "linestyle": "none"})
 
 
 def draw_steps(axes, table, x):

@@ -36,9 +36,10 @@ class Results:
 
 
 def relative_errors(columns):
-    """Of the leak rates: the whole error where it is known, else half the bracket's width."""
+    """Of the leak rates: the whole error where it is known, else how far the bounds are."""
     rate = np.abs(columns["leak_rate"])
     with np.errstate(divide="ignore", invalid="ignore"):
-        bracket = 0.5 * (columns["leak_rate_upper"] - columns["leak_rate_lower"]) / rate
+        bracket = np.maximum(columns["leak_rate_upper"] / rate - 1,
+                             1 - columns["leak_rate_lower"] / rate)
     known = columns.get("leak_rate_error", np.full(len(rate), np.nan))
     return np.where(np.isfinite(known), known, bracket)

@@ -121,8 +121,10 @@ class Patches:
         alone = np.abs(table["leak_rate"])
         in_a_row = alone
         if "two_boxes_leak_rate" in table:
+            # Half of the bracket's width, or all of it where the rate is its upper end.
+            of_two = table["two_boxes_error"] * np.where(table["two_boxes_error"] > 0.5, 1, 0.5)
             in_a_row, errors = in_endless_row(alone, np.abs(table["two_boxes_leak_rate"]),
-                                              errors, 0.5 * table["two_boxes_error"])
+                                              errors, of_two)
         return (alone * length / breadth, in_a_row * length / breadth,
                 np.where(in_a_row > 0, errors, np.nan))
 

@@ -104,16 +104,19 @@ namespace strait
       trapped_fluid != TrappedFluidLaw::gas || !(pool_pressure < 0.),
       "Fluid/Wall feedback/Pool pressure is negative, but that of a gas is absolute; "
       "raise it.");
+    const double least = std::min(pool_pressure, least_of_reservoirs);
+    require(!keeps_trapped_fluid() || is_gas || vapour_pressure <= least,
+            "Fluid/Wall feedback/Vapour pressure is " + to_text(vapour_pressure) +
+              ", but the least of Inlet, Outlet and Pool pressure " + to_text(least) +
+              ", where the liquid would be vapour; lower Vapour pressure or raise that.");
     if (trapped_fluid != TrappedFluidLaw::compressible)
       return;
     require(bulk_modulus > 0.,
             "Fluid/Wall feedback/Trapped fluid = compressible needs Bulk "
             "modulus; give it, or set Trapped fluid = incompressible.");
-    const double least = std::min({vapour_pressure, pool_pressure, least_of_reservoirs});
-    require(bulk_modulus + bulk_modulus_slope * least > 0.,
-            "Fluid/Wall feedback/Bulk modulus is not positive at " + to_text(least) +
-              ", the least of Vapour, Pool, Inlet and Outlet pressure; raise "
-              "that or Bulk modulus.");
+    require(bulk_modulus + bulk_modulus_slope * vapour_pressure > 0.,
+            "Fluid/Wall feedback/Bulk modulus is not positive at Vapour pressure, " +
+              to_text(vapour_pressure) + "; raise that or Bulk modulus.");
   }
 
   void

@@ -187,7 +187,7 @@ namespace strait
     leakage.upper = std::min(leakage.upper, leakage.mesh_upper);
     leakage.lower = std::max(leakage.lower, leakage.mesh_lower);
     // Of a wide bracket the upper end is nearer: the lower bound waits for a channel.
-    const double best = leakage.is_wide()
+    const double best = 2. * leakage.lower < leakage.upper
                           ? leakage.upper
                           : std::sqrt(leakage.upper) * std::sqrt(leakage.lower);
     leakage.rate      = pressure_drop < 0 ? -best : best;

@@ -18,15 +18,22 @@ namespace strait
     // much.
     constexpr int fewest_points = 256;
 
-    /** Not a number where it is nowhere, or at the outlet's pressure, as the seal leaks
-     * by itself or stays open. */
+    /** How far from @p found finer points may have it, by that of every @p second point
+     * and, if it is known, of every @p fourth one. Not a number where it is nowhere, or
+     * at the outlet's pressure, as the seal leaks by itself or stays open. */
     double
-    error_by(const Transition &coarse, const Transition &found)
+    error_by(const Transition &second, const Transition *fourth, const Transition &found)
     {
       if (!(found.lower < found.upper))
         return std::nan("");
-      return CoarserSeals::safety_factor *
-             std::abs((coarse.middle() - found.middle()) / found.middle());
+      const auto change = [](const Transition &coarse, const Transition &fine) {
+        return std::abs((coarse.middle() - fine.middle()) / fine.middle());
+      };
+      const double error = CoarserSeals::safety_factor * change(second, found);
+      if (fourth == nullptr || !(second.middle() > 0.))
+        return error;
+      // Had they only come near by chance it would be half of the change before.
+      return std::max(error, .5 * change(*fourth, second));
     }
   } // namespace
 
@@ -58,12 +65,14 @@ namespace strait
     };
     if (!can_be_coarsened(heights.grid()))
       warn_of_unknown("Contact/Grid points must be even and 64 or more to be halved");
-    // Two blow-out pressures may agree by chance.
-    const int  n_wanted = scene.output.error_budget && scene.programme.find_blow_out
-                            ? 2
-                            : n_compared_grids(scene);
     const bool searches = scene.programme.find_threshold &&
                           scene.fluid.mesh_file.empty() && !scene.depends_on_path();
+    // Two transitions on a path may agree by chance.
+    const int n_wanted =
+      scene.output.error_budget && scene.depends_on_path() &&
+          (scene.programme.find_threshold || scene.programme.find_blow_out)
+        ? 2
+        : n_compared_grids(scene);
     // Without the last level of windows, whose points are compared as well.
     ContactParameters coarser = contact;
     coarser.zoom.points_along_throat /= 3.;
@@ -149,14 +158,22 @@ namespace strait
     return first;
   }
 
-  double
-  CoarserSeals::error_of(const Transition &critical_load) const
+  void
+  CoarserSeals::find_error_of(Transition &critical_load) const
   {
-    const Transition *coarse =
-      n_compared_grids(scene) > 0 && size() > 0
-        ? threshold_of(seals.front().thresholds, critical_load.slip_length)
-        : nullptr;
-    return coarse == nullptr ? std::nan("") : error_by(*coarse, critical_load);
+    const auto on_points = [&](const int halvings) {
+      return size() < halvings
+               ? nullptr
+               : threshold_of(seals[halvings - 1].thresholds, critical_load.slip_length);
+    };
+    const Transition *second = on_points(1);
+    const double      by_grids =
+      second == nullptr ? std::nan("") : error_by(*second, on_points(2), critical_load);
+    double &error = critical_load.grid_error;
+    if (scene.depends_on_path() || scene.contact.zoom.enabled)
+      error += by_grids;
+    else if (second != nullptr && by_grids > safety_factor * second->grid_error)
+      error = std::max(error, by_grids); // the law has failed there
   }
 
   void
@@ -172,14 +189,10 @@ namespace strait
       for (std::size_t k = 0; k < coarse.front().size(); ++k)
         if (Transition *found = pressure_of(blow_outs[k]))
           {
-            const Transition &second = *pressure_of(coarse[0][k]);
-            found->grid_error        = error_by(second, *found);
-            if (coarse.size() < 2 || coarse[1].empty() || !(second.middle() > 0.))
-              continue;
-            // Had they only come near by chance it would be half of the change before.
-            const double fourth = pressure_of(coarse[1][k])->middle();
-            found->grid_error =
-              std::max(found->grid_error, .5 * std::abs(fourth / second.middle() - 1.));
+            const bool has_fourth = coarse.size() > 1 && !coarse[1].empty();
+            found->grid_error     = error_by(*pressure_of(coarse[0][k]),
+                                         has_fourth ? pressure_of(coarse[1][k]) : nullptr,
+                                         *found);
           }
     };
     compare([](BlowOut &found) { return &found.opening; });

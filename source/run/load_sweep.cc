@@ -4,6 +4,7 @@
 #include <strait/run/load_sweep.h>
 #include <strait/seal/make_seal.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -52,10 +53,7 @@ namespace strait
         done.converged = done.converged && threshold.converged;
         if (std::isinf(threshold.grid_error))
           continue; // in a crease, as it has told
-        if (scene.depends_on_path())
-          threshold.grid_error = coarser.error_of(threshold);
-        else if (scene.contact.zoom.enabled)
-          threshold.grid_error += coarser.error_of(threshold);
+        coarser.find_error_of(threshold);
         if (!std::isnan(threshold.grid_error))
           log.line(format("finer points may have the critical load %.2g %% from there",
                           100. * threshold.grid_error));
@@ -81,27 +79,33 @@ namespace strait
   LoadSweep::run(const Consumer &consume)
   {
     const std::vector<LoadStop> stops   = plan_stops(scene, done.thresholds);
-    const auto                  n_steps = static_cast<int>(stops.size());
     const int                   n_known = done.n_done;
     const auto                  begin   = Timers::Clock::now();
-    while (done.n_done < n_steps)
+    while (done.n_done < n_steps())
       {
-        const LoadStop &stop       = stops[done.n_done];
+        const auto      here       = stops.begin() + done.n_done + done.n_left_out;
+        const LoadStop &stop       = *here;
         const int       n_measured = done.n_done - n_known;
         step.number                = done.n_done + 1;
         step.branch                = stop.branch;
         announce_step(step.number,
-                      n_steps,
+                      n_steps(),
                       n_measured > 0 ? Timers::seconds_since(begin) / n_measured : 0.,
                       log);
         if (!press(stop))
           {
+            const auto next_path =
+              std::find_if(here + 1, stops.end(), [](const LoadStop &later) {
+                return later.begins_anew;
+              });
+            const auto n_left_out = static_cast<int>(next_path - here);
             log.warn(
               format("the surfaces part before the pressure %.6g: "
-                     "%d steps are left out",
+                     "steps left out: %d",
                      stop.target,
-                     n_steps - done.n_done));
-            break;
+                     n_left_out));
+            done.n_left_out += n_left_out;
+            continue;
           }
         if (scene.depends_on_path() && coarser.size() > 0)
           {
@@ -110,7 +114,7 @@ namespace strait
           }
         leak();
         judge(stop);
-        report_step(step, n_steps, log);
+        report_step(step, n_steps(), log);
         ++done.n_done;
         consume(step);
       }
@@ -223,7 +227,8 @@ namespace strait
   void
   LoadSweep::transfer(StateArchive &archive)
   {
-    archive.values(done.thresholds, done.n_done, done.converged, done.jumps);
+    archive.values(
+      done.thresholds, done.n_done, done.n_left_out, done.converged, done.jumps);
     bool is_searching = seal_search != nullptr;
     archive.value(is_searching);
     if (is_searching)

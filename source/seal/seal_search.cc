@@ -55,12 +55,12 @@ namespace strait
           }
         const std::size_t begin = next;
         const Passage passage = enclose(*search, first, -2. * slip_length, side_of_path);
-        double        unknown_within = std::nan("");
-        if (!scene.depends_on_path())
-          unknown_within = search->unresolved_distance(passage, -2. * slip_length);
-        Transition &found        = result.emplace_back(between(*search, passage, begin));
+        const double  by_throat  = search->unresolved_distance(passage,
+                                                             -2. * slip_length,
+                                                             !scene.depends_on_path());
+        Transition   &found      = result.emplace_back(between(*search, passage, begin));
         found.slip_length        = slip_length;
-        found.grid_error         = unknown_within;
+        found.grid_error         = by_throat;
         const PeriodicGrid &grid = layout->grid();
         if (scene.surface.has_crease_near(found.bottleneck,
                                           2. * std::max(grid.dx(), grid.dy())))
@@ -272,7 +272,7 @@ namespace strait
 
     const bool leaks = bottleneck.value > -2. * control.slip_length;
     Throat     throat;
-    if (bottleneck.value > 0 && !scene.depends_on_path())
+    if (bottleneck.value > 0)
       throat = measure_throat(state.gap(), 0., bottleneck.point);
     const Probe result   = {bottleneck.value,
                             state.contact->contact_area,

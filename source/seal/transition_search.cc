@@ -209,7 +209,9 @@ namespace strait
   }
 
   double
-  TransitionSearch::unresolved_distance(const Passage &transition, const double level)
+  TransitionSearch::unresolved_distance(const Passage &transition,
+                                        const double   level,
+                                        const bool     may_ask)
   {
     // Spacings along a throat of which the grid knows where it closes.
     constexpr double resolved  = .5;
@@ -230,7 +232,7 @@ namespace strait
     };
     const bool has_throat = points_at(at(transition.before)) > 0.;
     for (double distance = 2. * tolerance;
-         has_throat && last_resolved() == asked.end() && distance < 1.;
+         may_ask && has_throat && last_resolved() == asked.end() && distance < 1.;
          distance *= 2.)
       ask_at((1. - distance) * middle);
     const auto last = last_resolved();

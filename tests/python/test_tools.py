@@ -228,7 +228,7 @@ class Comparisons(InAFolder):
                       "loading,0.19,0.05,1e-6,1e-6,1e-6,unresolved-throat+flow-accuracy\n"})
         _, right = plot_adhesion.draw_leakage([("a", self.folder / "runs")]).axes
         lines = [list(line.get_xdata()) for line in right.lines[:2]]
-        self.assertEqual(lines, [[0.5, 0.1], [0.1]])  # and the hollow ones of them
+        self.assertEqual(lines, [[0.1, 0.5], [0.1]])  # and the hollow ones of them
 
 
 class ExampleMap(unittest.TestCase):

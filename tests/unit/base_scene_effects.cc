@@ -59,10 +59,20 @@ TEST(Scene, TrappedFluidNeedsWhatItsLawNeeds)
   const Overrides stiff =
     liquid + Overrides{feedback + "Bulk modulus=2", feedback + "Bulk modulus slope=7"};
   EXPECT_EQ(scene_of("", stiff).fluid.feedback.bulk_modulus, 2.);
-  for (const std::string pressure : {"Fluid/Wall feedback/Vapour pressure=-1",
-                                     "Fluid/Wall feedback/Pool pressure=-1",
-                                     "Fluid/Outlet pressure=-1"})
-    expect_in("Bulk modulus is not positive", error_of("", stiff + Overrides{pressure}));
+  const std::string vapour = feedback + "Vapour pressure=-1";
+  expect_in("Bulk modulus is not positive", error_of("", stiff + Overrides{vapour}));
+  for (const std::string pressure : {"Fluid/Wall feedback/Pool pressure=-.1",
+                                     "Fluid/Inlet pressure=-.1",
+                                     "Fluid/Outlet pressure=-.1"})
+    {
+      expect_in(
+        "Vapour pressure is 0, but the least of Inlet, Outlet and Pool pressure "
+        "-0.1",
+        error_of("", stiff + Overrides{pressure}));
+      const std::string law = feedback + "Trapped fluid=incompressible";
+      scene_of("", enabled + Overrides{law, vapour, pressure});
+      scene_of("", enabled + Overrides{pressure}); // drained: there is none
+    }
   // The law decides which parameters count.
   EXPECT_EQ(scene_of("", enabled + Overrides{feedback + "Bulk modulus=2"}).warnings(),
             std::vector<std::string>{"without Fluid/Wall feedback/Trapped fluid = "

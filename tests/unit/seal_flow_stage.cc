@@ -36,14 +36,22 @@ namespace strait
       return {solved.leakage.rate, flow.change_by_interpolation(solved)};
     }
 
-    TEST(Leakage, MayBeOffByAllOfAWideBracketWhoseUpperEndItIs)
+    TEST(Leakage, MayBeOffByAsMuchAsItsFurtherBoundIs)
     {
       Leakage leakage;
-      leakage.upper = 1.;
-      leakage.lower = .98;
-      EXPECT_NEAR(leakage.relative_error(), .01, 1e-15);
+      EXPECT_EQ(leakage.relative_error(), 0.); // sealed
+      leakage.lower = 1.;
+      leakage.upper = 1.21;
+      leakage.rate  = -1.1; // towards the inlet
+      EXPECT_NEAR(leakage.relative_error(), .1, 1e-15);
       leakage.lower = .1;
+      leakage.rate = leakage.upper = 1.;
       EXPECT_NEAR(leakage.relative_error(), .9, 1e-15);
+      leakage.rate  = 1.;
+      leakage.upper = 1.4; // a gas, of whose rate the bounds are not
+      EXPECT_NEAR(leakage.relative_error(), .9, 1e-15);
+      leakage.lower = .98;
+      EXPECT_NEAR(leakage.relative_error(), .4, 1e-15);
     }
 
     // Of a throat that is open, and of one that is nearly closed, where a mesh for the

@@ -97,7 +97,16 @@ namespace strait
       for (const SearchStart first : {SearchStart{1.25}, {1.6}, {1.43605, 3e-5}})
         EXPECT_NEAR(within(first, 0.) / expected, 1., .1); // the law is not quite this
 
-      // Nothing is known of a throat without points.
+      // Of a throat that was seen only where its points decide nothing is known, unless
+      // more may be asked.
+      int              n_asked = 0;
+      TransitionSearch next_to_it(constriction_on_points(1.436, 8., n_asked), 1e-5);
+      const Passage    near   = next_to_it.enclose({1.43605, 3e-5}, 0.);
+      const int        n_near = n_asked;
+      EXPECT_TRUE(std::isnan(next_to_it.unresolved_distance(near, 0., false)));
+      EXPECT_EQ(n_asked, n_near);
+
+      // Nor of one without points.
       int              n_probes = 0;
       TransitionSearch search(constriction(1.436, n_probes), 1e-5);
       const Passage    found = search.enclose({1.25}, 0.);

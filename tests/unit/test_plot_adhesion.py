@@ -45,12 +45,26 @@ class Comparison(unittest.TestCase):
         """Only what leaks below the threshold is drawn, and unloading is dashed."""
         left, right = plot_adhesion.draw_leakage(self.runs).axes
         lines = [line for line in right.lines if line.get_label() in ("long", "long opening")]
-        self.assertEqual([list(line.get_xdata()) for line in lines], 2 * [[0.5, 0.05]])
+        self.assertEqual([list(line.get_xdata()) for line in lines], 2 * [[0.05, 0.5]])
         self.assertEqual([line.get_linestyle() for line in lines], ["-", "--"])
         self.assertEqual(lines[0].get_color(), lines[1].get_color())
         self.assertEqual(left.get_yscale(), "log")
         bracket = left.collections[0].get_segments()[0]
         np.testing.assert_allclose(bracket[:, 1], [9e-4, 1.2e-3])
+
+    def test_tension_slip_and_outflow(self):
+        """Leak rates under tension are drawn, one line a slip length, whatever their sign."""
+        path = self.runs[0][1] / "leakage.csv"
+        rows = [("0.2", "0.3", "0", 1e-6), ("0.2", "0.3", "-0.1", 1e-7), ("0", "1", "0", 1e-3),
+                ("0", "1", "-0.1", 1e-4), ("-0.1", "1.3", "0", 1e-2)]
+        path.write_text(HEADER.replace("step", "slip_length,step") + "".join(
+            f"{slip},{k},loading,{load},{reduced},{-leak},{leak},{leak},ok\n"
+            for k, (load, reduced, slip, leak) in enumerate(rows)), encoding="utf-8")
+        left, _ = plot_adhesion.draw_leakage(self.runs[:1]).axes
+        lines = [line for line in left.lines if len(line.get_xdata())]
+        self.assertEqual([list(line.get_xdata()) for line in lines], [[-0.1, 0, 0.2], [0, 0.2]])
+        np.testing.assert_allclose(lines[1].get_ydata(), [1e-4, 1e-7])
+        self.assertEqual(lines[1].get_label(), "long, $d_0$ = -0.1")
 
     def test_contact(self):
         """The fields of the last step, not of the last name in the alphabet."""

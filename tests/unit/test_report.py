@@ -15,6 +15,7 @@ import numpy as np
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
 sys.path.insert(0, str(TOOLS))
 from report_page import Column, readable  # noqa: E402
+from report_results import relative_errors  # noqa: E402
 
 SCENE = """subsection Surface
   set Kind = self-affine
@@ -203,6 +204,17 @@ class Report(unittest.TestCase):
             result = self.run_script(*arguments)
             self.assertEqual(result.returncode, 1)
             self.assertNotIn("Traceback", result.stderr)
+
+
+class Errors(unittest.TestCase):
+    def test_as_far_as_the_further_bound(self):
+        """A bracket, a wide one with the rate at its end, a gas's, one whose error is known."""
+        rate = np.array([1., -1., 1., 1.])
+        known = np.array([np.nan, np.nan, np.nan, 0.5])
+        errors = relative_errors({"leak_rate": rate, "leak_rate_error": known,
+                                  "leak_rate_lower": np.array([0.9, 0.1, 0.98, 0.9]),
+                                  "leak_rate_upper": np.array([1.1, 1., 1.36, 1.1])})
+        np.testing.assert_allclose(errors, [0.1, 0.9, 0.36, 0.5])
 
 
 class Columns(unittest.TestCase):

@@ -60,6 +60,26 @@ namespace strait
       EXPECT_LT(errors.back(), 2e-3);
     }
 
+    // What a throat tells of itself is refuted where finer points keep it open.
+    TEST(CreaseThreshold, ErrorOfTheGridHoldsWhereTheThroatMisleads)
+    {
+      Scene scene              = threshold_scene(64, 1e-3);
+      scene.surface            = SurfaceParameters();
+      scene.surface.kind       = SurfaceKind::expression;
+      scene.surface.expression = "0.2*(abs(sin(pi*x)) + abs(sin(pi*y)))";
+
+      scene.output.error_budget = true;
+      const Sweep coarse        = run_sweep(scene);
+      scene.contact.grid_points = {{128, 128}};
+      scene.output.error_budget = false;
+      const Sweep       fine    = run_sweep(scene);
+      const Transition &found   = coarse.thresholds.front(),
+                       &finer   = fine.thresholds.front();
+      EXPECT_GT(finer.middle() / found.middle() - 1., .15);
+      EXPECT_GT(found.grid_error, finer.middle() / found.middle() - 1.);
+      EXPECT_LT(found.grid_error, 1.);
+    }
+
     TEST(SaddleThreshold, SealsForSureOnlyBeyondWhatFinerPointsMayChange)
     {
       Scene scene                 = threshold_scene(128, 1e-5);

@@ -4,6 +4,8 @@
 
 #include <strait/base/fluid_parameters.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -48,18 +50,12 @@ namespace strait
       return upper > 0 ? (upper - lower) / upper : 0.;
     }
 
-    /** By how much the rate may be off: half of that, or all of it where the bracket is
-     *  so wide that the rate is its upper end. */
+    /** How far the rate is, relative, from that bound which is further away. */
     double
     relative_error() const
     {
-      return (is_wide() ? 1. : .5) * relative_width();
-    }
-
-    bool
-    is_wide() const
-    {
-      return 2. * lower < upper;
+      const double size = std::abs(rate);
+      return size > 0 ? std::max(upper - size, size - lower) / size : 0.;
     }
   };
 

@@ -111,12 +111,12 @@ namespace strait
      *  where that of the grid itself is sought. Collective. */
     SearchStart find_critical_loads(SearchStart first);
 
-    /** What the points may get wrong of @p critical_load, relative, by that of every
-     *  second one; not a number if it is not known. */
-    double error_of(const Transition &critical_load) const;
+    /** Add to the error of @p critical_load, which its throat has told, what coarser
+     *  points tell where a path or windows matter; elsewhere that takes its place where
+     *  finer points have refuted what the throat said on theirs. */
+    void find_error_of(Transition &critical_load) const;
 
-    /** Tell @p blow_outs the same of their pressures, by every fourth point as well.
-     *  Collective. */
+    /** Find those of the pressures of @p blow_outs. Collective. */
     void find_errors_of(std::vector<BlowOut> &blow_outs);
 
     /** Follow the path to @p stop, where a path matters; a load that is named by its
@@ -188,10 +188,11 @@ namespace strait
   /** How far a sweep has come. */
   struct SweepProgress
   {
-    std::vector<Transition> thresholds;       // once they were sought
-    std::vector<Jump>       jumps;            // of the state of an adhesive contact
-    int                     n_done    = 0;    // steps
-    bool                    converged = true; // all of these, and of the searches
+    std::vector<Transition> thresholds;        // once they were sought
+    std::vector<Jump>       jumps;             // of the state of an adhesive contact
+    int                     n_done     = 0;    // steps
+    int                     n_left_out = 0;    // since surfaces had parted
+    bool                    converged  = true; // all steps, and of the searches
 
     double surface_energy = 0.; // the scene's, or what was found to match an area
   };
@@ -231,7 +232,8 @@ namespace strait
     int
     n_steps() const
     {
-      return static_cast<int>(plan_stops(scene, done.thresholds).size());
+      return static_cast<int>(plan_stops(scene, done.thresholds).size()) -
+             done.n_left_out;
     }
 
     /**
