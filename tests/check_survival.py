@@ -77,6 +77,10 @@ subsection Load programme
   set Path = cycle
 end
 """
+PARTING = ADHESIVE.replace("0.02, 0.04, 0.06, 0.08\n  set Path = cycle", """0.02, -0.5
+  set Find threshold = true
+  set Threshold tolerance = 1e-3
+  set Reduced loads = 0.3, 0.2, 0.1, 0.05""")
 MATCHED = ADHESIVE.replace("Surface energy = 0.004", "Match area at pressure = 0.03")
 YIELDING = ROUGH + """
 subsection Contact
@@ -308,6 +312,10 @@ class Survival(unittest.TestCase):
 
     def test_stopped_with_adhesion(self):
         self.stopped_and_resumed(ADHESIVE, [1, 4, 10])
+
+    def test_stopped_after_a_pull_off(self):
+        self.stopped_and_resumed(PARTING, [3, 5])
+        self.assertEqual(n_rows(self.path("stopped")), 10)  # of 12: two are left out
 
     def test_stopped_with_matched_adhesion(self):
         self.stopped_and_resumed(MATCHED, [1])
