@@ -56,8 +56,9 @@ namespace strait
     ParameterSection effect = section.when("Enabled = true");
     effect.add("Tolerance", tolerance, positive.below(1.)).meaning =
       "Change of the fluid pressure (rms, over that of a reservoir, of the load where "
-      "reservoirs have none, or its own if that is more) below which contact and flow agree; the leak rate then changes by less "
-      "than that or a tenth of Fluid/Target accuracy, whichever is more [1].";
+      "reservoirs have none, or its own if that is more) below which contact and flow "
+      "agree; the leak rate then changes by less than that or a tenth of Fluid/Target "
+      "accuracy, whichever is more [1].";
     effect.add("Maximum iterations", maximum_iterations, any_number.at_least(1)).meaning =
       "Rounds of contact and flow after which a step counts as not converged [1].";
     effect.add("Acceleration", plain_rounds, Names{"anderson", "none"}).meaning =

@@ -166,14 +166,19 @@ namespace strait
                ? nullptr
                : threshold_of(seals[halvings - 1].thresholds, critical_load.slip_length);
     };
-    const Transition *second = on_points(1);
-    const double      by_grids =
-      second == nullptr ? std::nan("") : error_by(*second, on_points(2), critical_load);
+    const Transition *second  = on_points(1);
+    const bool        adds_up = scene.depends_on_path() || scene.contact.zoom.enabled;
+    // Points that are too far apart for the surface are to refute nothing.
+    const double by_grids =
+      second == nullptr
+        ? std::nan("")
+        : error_by(*second, adds_up ? on_points(2) : nullptr, critical_load);
     double &error = critical_load.grid_error;
-    if (scene.depends_on_path() || scene.contact.zoom.enabled)
+    if (adds_up)
       error += by_grids;
-    else if (second != nullptr && by_grids > safety_factor * second->grid_error)
-      error = std::max(error, by_grids); // the law has failed there
+    else if (second != nullptr &&
+             by_grids / safety_factor > safety_factor * second->grid_error)
+      error = std::max(error, by_grids);
   }
 
   void

@@ -132,8 +132,8 @@ namespace strait
         "critical_load_error [1]: how far from there, relative, finer points may have it: "
         "1 − L/L_c at which half a spacing is left along the throat, and in windows and "
         "where the past matters what every second point changes as well, times three, or "
-        "half of what they change against every fourth if that is more; elsewhere these "
-        "alone where coarser points had told less than that; where the past matters `nan` "
+        "half of what they change against every fourth if that is more; elsewhere three "
+        "times what they change if that is more than three times what they told; where the past matters `nan` "
         "without `Output/Error budget`; `inf` in a crease of the surface, which only the "
         "points close")
       .add(&Transition::contact_area,

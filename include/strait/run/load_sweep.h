@@ -113,7 +113,7 @@ namespace strait
 
     /** Add to the error of @p critical_load, which its throat has told, what coarser
      *  points tell where a path or windows matter; elsewhere that takes its place where
-     *  finer points have refuted what the throat said on theirs. */
+     *  the throat on every second point was off by more than an estimate may be. */
     void find_error_of(Transition &critical_load) const;
 
     /** Find those of the pressures of @p blow_outs. Collective. */
