@@ -18,6 +18,12 @@ namespace strait
     // much.
     constexpr int fewest_points = 256;
 
+    double
+    change(const Transition &coarse, const Transition &fine)
+    {
+      return std::abs((coarse.middle() - fine.middle()) / fine.middle());
+    }
+
     /** How far from @p found finer points may have it, by that of every @p second point
      * and, if it is known, of every @p fourth one. Not a number where it is nowhere, or
      * at the outlet's pressure, as the seal leaks by itself or stays open. */
@@ -26,9 +32,6 @@ namespace strait
     {
       if (!(found.lower < found.upper))
         return std::nan("");
-      const auto change = [](const Transition &coarse, const Transition &fine) {
-        return std::abs((coarse.middle() - fine.middle()) / fine.middle());
-      };
       const double error = CoarserSeals::safety_factor * change(second, found);
       if (fourth == nullptr || !(second.middle() > 0.))
         return error;
@@ -166,19 +169,15 @@ namespace strait
                ? nullptr
                : threshold_of(seals[halvings - 1].thresholds, critical_load.slip_length);
     };
-    const Transition *second  = on_points(1);
-    const bool        adds_up = scene.depends_on_path() || scene.contact.zoom.enabled;
-    // Points that are too far apart for the surface are to refute nothing.
-    const double by_grids =
-      second == nullptr
-        ? std::nan("")
-        : error_by(*second, adds_up ? on_points(2) : nullptr, critical_load);
-    double &error = critical_load.grid_error;
-    if (adds_up)
-      error += by_grids;
+    const Transition *second = on_points(1);
+    double           &error  = critical_load.grid_error;
+    if (scene.depends_on_path() || scene.contact.zoom.enabled)
+      error +=
+        second == nullptr ? std::nan("") : error_by(*second, on_points(2), critical_load);
+    // Every fourth point may be too far from the next for the surface, and refutes none.
     else if (second != nullptr &&
-             by_grids / safety_factor > safety_factor * second->grid_error)
-      error = std::max(error, by_grids);
+             change(*second, critical_load) > safety_factor * second->grid_error)
+      error = std::max(error, error_by(*second, nullptr, critical_load));
   }
 
   void

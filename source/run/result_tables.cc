@@ -93,8 +93,8 @@ namespace strait
          ("scatter_arrangement [1]: the same between seals of this size and surface, "
           "which nothing reduces"),
          ("solution_error [1]: relative error of the leak rates of patches that leak, their "
-          "mean: `leak_rate_error` where it is known, else how far the further of their bounds "
-          "is")});
+          "mean: `leak_rate_error` where it is known, else how far the further of their "
+          "bounds is")});
     }
 
     /** The load for a wanted leak rate, likewise. */
@@ -133,9 +133,9 @@ namespace strait
         "1 − L/L_c at which half a spacing is left along the throat, and in windows and "
         "where the past matters what every second point changes as well, times three, or "
         "half of what they change against every fourth if that is more; elsewhere three "
-        "times what they change if that is more than three times what they told; where the past matters `nan` "
-        "without `Output/Error budget`; `inf` in a crease of the surface, which only the "
-        "points close")
+        "times what they change if that is more than three times what they told; where "
+        "the past matters `nan` without `Output/Error budget`; `inf` in a crease of the "
+        "surface, which only the points close")
       .add(&Transition::contact_area,
            "contact_area [1]: fraction in contact at the lower one")
       .add([](const Transition &t) { return t.bottleneck[0]; },

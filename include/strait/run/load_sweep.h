@@ -237,7 +237,7 @@ namespace strait
     }
 
     /**
-     * Run all steps that are not done, or those before the surfaces part under tension.
+     * Run all steps that are not done, on each path those before the surfaces part.
      * Collective.
      * @return whether all of them converged.
      */
