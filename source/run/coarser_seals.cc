@@ -70,12 +70,15 @@ namespace strait
       warn_of_unknown("Contact/Grid points must be even and 64 or more to be halved");
     const bool searches = scene.programme.find_threshold &&
                           scene.fluid.mesh_file.empty() && !scene.depends_on_path();
+    // Of a formula or a map nobody has told that it has no creases.
+    const bool is_tested = searches && (scene.surface.kind == SurfaceKind::expression ||
+                                        scene.surface.kind == SurfaceKind::file);
     // Two transitions on a path may agree by chance.
     const int n_wanted =
       scene.output.error_budget && scene.depends_on_path() &&
           (scene.programme.find_threshold || scene.programme.find_blow_out)
         ? 2
-        : n_compared_grids(scene);
+        : std::max(n_compared_grids(scene), is_tested ? 1 : 0);
     // Without the last level of windows, whose points are compared as well.
     ContactParameters coarser = contact;
     coarser.zoom.points_along_throat /= 3.;

@@ -68,10 +68,8 @@ namespace strait
       scene.surface.kind       = SurfaceKind::expression;
       scene.surface.expression = "0.2*(abs(sin(pi*x)) + abs(sin(pi*y)))";
 
-      scene.output.error_budget = true;
       const Sweep coarse        = run_sweep(scene);
       scene.contact.grid_points = {{128, 128}};
-      scene.output.error_budget = false;
       const Sweep       fine    = run_sweep(scene);
       const Transition &found   = coarse.thresholds.front(),
                        &finer   = fine.thresholds.front();
