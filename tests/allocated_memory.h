@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_allocated_memory_h
-#define strait_tests_allocated_memory_h
+#pragma once
 
 #include <cstddef>
 
@@ -13,5 +12,3 @@ namespace strait
   std::size_t most_allocated_memory();
   void        forget_most_allocated_memory();
 } // namespace strait
-
-#endif

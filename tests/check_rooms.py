@@ -87,11 +87,10 @@ def check_mirror(project):
 
 def check_guard(project):
     for path in files_of(os.path.join(project, "include"), ".h"):
-        relative = os.path.relpath(path, os.path.join(project, "include"))
-        guard = re.sub(r"[/.]", "_", relative)
         with open(path, encoding="utf-8") as file:
-            if f"#ifndef {guard}\n#define {guard}\n" not in file.read():
-                yield f"include/{relative}: the include guard must be {guard}"
+            if "\n#pragma once\n" not in file.read():
+                relative = os.path.relpath(path, os.path.join(project, "include"))
+                yield f"include/{relative}: has no line #pragma once"
 
 
 def units_of(project):

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_helium_h
-#define strait_tests_helium_h
+#pragma once
 
 #include <strait/base/fluid_parameters.h>
 
@@ -31,5 +30,3 @@ namespace strait
     return fluid;
   }
 } // namespace strait
-
-#endif

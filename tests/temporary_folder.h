@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_temporary_folder_h
-#define strait_tests_temporary_folder_h
+#pragma once
 
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
@@ -46,5 +45,3 @@ namespace strait::test
     std::string folder;
   };
 } // namespace strait::test
-
-#endif

@@ -25,10 +25,8 @@ class House(unittest.TestCase):
             file.write(LICENCE + text)
 
     def unit(self, name, of_header, of_source):
-        guard = "strait_" + name.replace("/", "_") + "_h"
         lines = [f"#include <strait/{other}.h>\n" for other in of_header]
-        self.write(f"include/strait/{name}.h", f"#ifndef {guard}\n#define {guard}\n"
-                   + "".join(lines) + "#endif\n")
+        self.write(f"include/strait/{name}.h", "#pragma once\n" + "".join(lines))
         self.write(f"source/{name}.cc", "".join(
             f"#include <strait/{other}.h>\n" for other in [name, *of_source]))
 

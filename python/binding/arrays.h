@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_python_arrays_h
-#define strait_python_arrays_h
+#pragma once
 
 #include <strait/spectral/slab_field.h>
 
@@ -31,5 +30,3 @@ namespace strait::python
    *  names the array. Collective. */
   SlabField as_field(const SlabLayoutPtr &layout, const Array &array, const char *what);
 } // namespace strait::python
-
-#endif

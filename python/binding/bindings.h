@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_python_bindings_h
-#define strait_python_bindings_h
+#pragma once
 
 #include <strait/base/scene.h>
 #include <strait/seal/flow_stage.h>
@@ -66,5 +65,3 @@ namespace strait::python
   void bind_states(py::module_ &module);
   void bind_seal(py::module_ &module);
 } // namespace strait::python
-
-#endif

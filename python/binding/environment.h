@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_python_environment_h
-#define strait_python_environment_h
+#pragma once
 
 #include <mpi.h>
 #include <pybind11/pybind11.h>
@@ -63,5 +62,3 @@ namespace strait::python
     struct sigaction terminate = {}, user = {}, file_size = {};
   };
 } // namespace strait::python
-
-#endif

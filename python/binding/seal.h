@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_python_seal_h
-#define strait_python_seal_h
+#pragma once
 
 #include <strait/base/log.h>
 #include <strait/base/timers.h>
@@ -102,5 +101,3 @@ namespace strait::python
     bool                       is_used    = false;
   };
 } // namespace strait::python
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_reference_hertz_h
-#define strait_tests_reference_hertz_h
+#pragma once
 
 namespace strait::reference
 {
@@ -27,5 +26,3 @@ namespace strait::reference
     double pressure(double r) const;
   };
 } // namespace strait::reference
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_reference_manufactured_flow_h
-#define strait_tests_reference_manufactured_flow_h
+#pragma once
 
 namespace strait::reference
 {
@@ -21,5 +20,3 @@ namespace strait::reference
     double pressure(double x, double y);
   } // namespace manufactured_flow
 } // namespace strait::reference
-
-#endif

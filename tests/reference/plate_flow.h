@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_reference_plate_flow_h
-#define strait_tests_reference_plate_flow_h
+#pragma once
 
 namespace strait::reference
 {
@@ -50,5 +49,3 @@ namespace strait::reference
     double resistance(double half_length) const;
   };
 } // namespace strait::reference
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_reference_pressed_wall_h
-#define strait_tests_reference_pressed_wall_h
+#pragma once
 
 namespace strait
 {
@@ -33,5 +32,3 @@ namespace strait
     double leak_rate_ratio() const;
   };
 } // namespace strait
-
-#endif

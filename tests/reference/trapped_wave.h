@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_reference_trapped_wave_h
-#define strait_tests_reference_trapped_wave_h
+#pragma once
 
 namespace strait::reference
 {
@@ -21,5 +20,3 @@ namespace strait::reference
     double fluid_pressure(double load) const;
   };
 } // namespace strait::reference
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_reference_wavy_contact_h
-#define strait_tests_reference_wavy_contact_h
+#pragma once
 
 namespace strait::reference
 {
@@ -59,5 +58,3 @@ namespace strait::reference
     double curvature_radius(double amplitude, double wavelength);
   } // namespace square_saddle
 } // namespace strait::reference
-
-#endif

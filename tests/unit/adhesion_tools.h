@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the tests of adhesion share: its methods and parameters.
-#ifndef strait_tests_adhesion_tools_h
-#define strait_tests_adhesion_tools_h
+#pragma once
 
 #include "contact_tools.h"
 
@@ -23,5 +22,3 @@ namespace contact_tests
     return parameters;
   }
 } // namespace contact_tests
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the tests of contact share: heights and independent checks of a solution.
-#ifndef strait_tests_contact_tools_h
-#define strait_tests_contact_tools_h
+#pragma once
 
 #include <strait/base/collective.h>
 #include <strait/contact/contact_solver.h>
@@ -124,5 +123,3 @@ namespace contact_tests
     return std::max(maximum(MPI_COMM_WORLD, wrong), range / rms(heights));
   }
 } // namespace contact_tests
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_passage_width_h
-#define strait_tests_passage_width_h
+#pragma once
 
 #include <strait/seal/transition_search.h>
 
@@ -17,5 +16,3 @@ namespace strait
            std::max(passage.before, passage.beyond);
   }
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_unit_scene_text_h
-#define strait_tests_unit_scene_text_h
+#pragma once
 
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
@@ -73,5 +72,3 @@ namespace strait::test
     EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' not in: " << text;
   }
 } // namespace strait::test
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_unit_surface_test_tools_h
-#define strait_tests_unit_surface_test_tools_h
+#pragma once
 
 #include <strait/base/collective.h>
 #include <strait/base/exceptions.h>
@@ -130,5 +129,3 @@ namespace strait::test
     return result;
   }
 } // namespace strait::test
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Grids with windows of finer points, and gaps on them that depend on the place alone.
-#ifndef strait_tests_window_tools_h
-#define strait_tests_window_tools_h
+#pragma once
 
 #include <strait/spectral/slab_field.h>
 
@@ -93,5 +92,3 @@ namespace window_tests
     };
   }
 } // namespace window_tests
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the tests of windows around throats share.
-#ifndef strait_tests_zoom_tools_h
-#define strait_tests_zoom_tools_h
+#pragma once
 
 #include <strait/seal/place_windows.h>
 
@@ -82,5 +81,3 @@ namespace zoom_tests
       }
   }
 } // namespace zoom_tests
-
-#endif

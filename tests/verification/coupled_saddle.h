@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The saddle whose throat lies in the middle of the box, under a fluid that presses.
-#ifndef strait_tests_coupled_saddle_h
-#define strait_tests_coupled_saddle_h
+#pragma once
 
 #include "run_fixture.h"
 
@@ -21,5 +20,3 @@ namespace strait
     return scene;
   }
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_flow_fixture_h
-#define strait_tests_flow_fixture_h
+#pragma once
 
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/bottleneck.h>
@@ -75,5 +74,3 @@ namespace strait
     return solver.run(given.channel, observer);
   }
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_run_fixture_h
-#define strait_tests_run_fixture_h
+#pragma once
 
 #include <strait/run/load_sweep.h>
 #include <strait/run/simulation.h>
@@ -100,5 +99,3 @@ namespace strait
     return scene;
   }
 } // namespace strait
-
-#endif

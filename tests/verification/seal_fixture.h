@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_tests_seal_fixture_h
-#define strait_tests_seal_fixture_h
+#pragma once
 
 #include <string>
 
@@ -59,5 +58,3 @@ namespace strait
     return solver.run(given.channel, observer);
   }
 } // namespace strait
-
-#endif

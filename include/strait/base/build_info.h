@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_build_info_h
-#define strait_base_build_info_h
+#pragma once
 
 #include <string>
 
@@ -17,5 +16,3 @@ namespace strait
    *  folder, and tools/ of the source tree. Empty if there is none. */
   std::string find_script(const std::string &name);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_collective_h
-#define strait_base_collective_h
+#pragma once
 
 #include <mpi.h>
 
@@ -160,5 +159,3 @@ namespace strait
     return received;
   }
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_command_line_h
-#define strait_base_command_line_h
+#pragma once
 
 #include <string>
 #include <vector>
@@ -32,5 +31,3 @@ namespace strait
    *  its head. Throws InputError if they are not there. */
   std::string list_of_scenes();
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_contact_parameters_h
-#define strait_base_contact_parameters_h
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -124,5 +123,3 @@ namespace strait
     void take_elastic_constants();
   };
 } // namespace strait
-
-#endif

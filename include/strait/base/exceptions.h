@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_exceptions_h
-#define strait_base_exceptions_h
+#pragma once
 
 #include <stdexcept>
 #include <string>
@@ -40,5 +39,3 @@ namespace strait
     using std::runtime_error::runtime_error;
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_files_h
-#define strait_base_files_h
+#pragma once
 
 #include <mpi.h>
 
@@ -35,5 +34,3 @@ namespace strait
    *  not known. */
   [[noreturn]] void throw_unfinished(const std::string &what, int error = 0);
 } // namespace strait
-
-#endif

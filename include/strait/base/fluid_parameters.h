@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_fluid_parameters_h
-#define strait_base_fluid_parameters_h
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -147,5 +146,3 @@ namespace strait
                        const UnitParameters  &units,
                        const FluidParameters &fluid);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_iteration_h
-#define strait_base_iteration_h
+#pragma once
 
 namespace strait
 {
@@ -20,5 +19,3 @@ namespace strait
    *  double of it such a failure is only told later. */
   inline constexpr int iteration_limit = 500;
 } // namespace strait
-
-#endif

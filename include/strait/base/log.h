@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_log_h
-#define strait_base_log_h
+#pragma once
 
 #include <mpi.h>
 
@@ -89,5 +88,3 @@ namespace strait
     std::vector<std::string>              all_warnings;
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_memory_h
-#define strait_base_memory_h
+#pragma once
 
 #include <cstddef>
 
@@ -17,5 +16,3 @@ namespace strait
    */
   void *allocate(std::size_t size) noexcept;
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_parameter_table_h
-#define strait_base_parameter_table_h
+#pragma once
 
 #include <strait/base/scene_text.h>
 #include <strait/base/text.h>
@@ -331,5 +330,3 @@ namespace strait
     Parameter &append(Parameter parameter);
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_rounding_h
-#define strait_base_rounding_h
+#pragma once
 
 namespace strait
 {
@@ -8,5 +7,3 @@ namespace strait
    * doubles and texts of nine digits were exact. Half and double of it decide alike. */
   inline constexpr double rounding = 1e-9;
 } // namespace strait
-
-#endif

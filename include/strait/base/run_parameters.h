@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_run_parameters_h
-#define strait_base_run_parameters_h
+#pragma once
 
 #include <string>
 #include <vector>
@@ -122,5 +121,3 @@ namespace strait
     void bind(ParameterSection section);
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_scene_h
-#define strait_base_scene_h
+#pragma once
 
 #include <strait/base/contact_parameters.h>
 #include <strait/base/fluid_parameters.h>
@@ -117,5 +116,3 @@ namespace strait
    *  tables in Markdown ("md"). Throws InputError for another format. */
   void print_parameters(std::ostream &out, const std::string &format);
 } // namespace strait
-
-#endif

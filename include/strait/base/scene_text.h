@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_scene_text_h
-#define strait_base_scene_text_h
+#pragma once
 
 #include <string>
 #include <vector>
@@ -34,5 +33,3 @@ namespace strait
    *  "Section/Subsection/Parameter=value". Throws InputError for another form. */
   SceneEntry lex_override(const std::string &text, const std::string &folder);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_signals_h
-#define strait_base_signals_h
+#pragma once
 
 #include <mpi.h>
 
@@ -33,5 +32,3 @@ namespace strait
       at_interruption_points();
   }
 } // namespace strait
-
-#endif

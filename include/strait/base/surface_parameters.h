@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_surface_parameters_h
-#define strait_base_surface_parameters_h
+#pragma once
 
 #include <array>
 #include <limits>
@@ -114,5 +113,3 @@ namespace strait
   std::string
   scene_pair(const SurfaceParameters &parameters, double along_x, double along_y);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_table_h
-#define strait_base_table_h
+#pragma once
 
 #include <strait/base/text.h>
 
@@ -140,5 +139,3 @@ namespace strait
     std::vector<std::function<std::string(const Row &)>> values; // of all columns
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_text_h
-#define strait_base_text_h
+#pragma once
 
 #include <algorithm>
 #include <iterator>
@@ -57,5 +56,3 @@ namespace strait
   /** "; did you mean 'NAME'?", or @p otherwise if @p name is empty. */
   std::string suggestion(const std::string &name, const std::string &otherwise = "");
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_timers_h
-#define strait_base_timers_h
+#pragma once
 
 #include <chrono>
 #include <list>
@@ -62,5 +61,3 @@ namespace strait
     Node             *innermost  = &total_time;
   };
 } // namespace strait
-
-#endif

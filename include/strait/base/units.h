@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_base_units_h
-#define strait_base_units_h
+#pragma once
 
 #include <optional>
 #include <string>
@@ -74,5 +73,3 @@ namespace strait
     void bind(ParameterSection section);
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_adhesion_law_h
-#define strait_contact_adhesion_law_h
+#pragma once
 
 #include <strait/base/contact_parameters.h>
 
@@ -38,5 +37,3 @@ namespace strait
     evaluate(std::size_t n, const double *gap, double *traction, double *curvature) const;
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_adhesion_of_scene_h
-#define strait_contact_adhesion_of_scene_h
+#pragma once
 
 #include <strait/base/contact_parameters.h>
 #include <strait/contact/adhesion_law.h>
@@ -51,5 +50,3 @@ namespace strait
   SceneAdhesion adhesion_of_scene(const ContactParameters &parameters,
                                   const SlabField         &heights);
 } // namespace strait
-
-#endif

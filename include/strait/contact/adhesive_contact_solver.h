@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_adhesive_contact_solver_h
-#define strait_contact_adhesive_contact_solver_h
+#pragma once
 
 #include <strait/base/contact_parameters.h>
 #include <strait/base/run_parameters.h>
@@ -60,5 +59,3 @@ namespace strait
     const double            traction_scale; // rms of K h, or what a flat surface has
   };
 } // namespace strait
-
-#endif

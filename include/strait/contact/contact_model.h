@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_contact_model_h
-#define strait_contact_contact_model_h
+#pragma once
 
 #include <strait/contact/contact_state.h>
 
@@ -40,5 +39,3 @@ namespace strait
                                Digits              digits         = Digits::all) = 0;
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_contact_problem_h
-#define strait_contact_contact_problem_h
+#pragma once
 
 #include <strait/base/collective.h>
 #include <strait/spectral/slab_layout.h>
@@ -89,5 +88,3 @@ namespace strait
     return total;
   }
 } // namespace strait
-
-#endif

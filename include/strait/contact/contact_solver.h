@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_contact_solver_h
-#define strait_contact_contact_solver_h
+#pragma once
 
 #include <strait/base/contact_parameters.h>
 #include <strait/contact/contact_model.h>
@@ -68,5 +67,3 @@ namespace strait
     std::unique_ptr<ZoomedProblem> zoomed;
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_contact_state_h
-#define strait_contact_contact_state_h
+#pragma once
 
 #include <strait/spectral/slab_field.h>
 #include <strait/spectral/state_archive.h>
@@ -171,5 +170,3 @@ namespace strait
   /** Put @p state in an archive, or take it out. Collective. */
   void transfer(StateArchive &archive, ContactState &state, const SlabLayoutPtr &layout);
 } // namespace strait
-
-#endif

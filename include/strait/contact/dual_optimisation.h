@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_dual_optimisation_h
-#define strait_contact_dual_optimisation_h
+#pragma once
 
 #include <strait/contact/contact_problem.h>
 #include <strait/contact/contact_state.h>
@@ -92,5 +91,3 @@ namespace strait
     double *const           gap;      // on the way anything
   };
 } // namespace strait
-
-#endif

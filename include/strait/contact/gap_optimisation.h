@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_gap_optimisation_h
-#define strait_contact_gap_optimisation_h
+#pragma once
 
 #include <strait/contact/contact_state.h>
 #include <strait/contact/half_space_problem.h>
@@ -174,5 +173,3 @@ namespace strait
     double smallest_gap      = 0;
   };
 } // namespace strait
-
-#endif

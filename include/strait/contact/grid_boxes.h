@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_grid_boxes_h
-#define strait_contact_grid_boxes_h
+#pragma once
 
 #include <strait/spectral/slab_layout.h>
 
@@ -195,5 +194,3 @@ namespace strait
     std::vector<float> line, other_line; // scratch
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_grid_transfer_h
-#define strait_contact_grid_transfer_h
+#pragma once
 
 #include <strait/spectral/slab_field.h>
 
@@ -38,5 +37,3 @@ namespace strait
    *  by row. Collective if the parent is the grid. */
   std::vector<double> around_window(const SlabField &field, int w);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_half_space_problem_h
-#define strait_contact_half_space_problem_h
+#pragma once
 
 #include <strait/contact/adhesion_law.h>
 #include <strait/contact/contact_problem.h>
@@ -104,5 +103,3 @@ namespace strait
     std::vector<float> moved, line; // scratch: for all points, for those of a row
   };
 } // namespace strait
-
-#endif

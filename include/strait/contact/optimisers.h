@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_optimisers_h
-#define strait_contact_optimisers_h
+#pragma once
 
 #include <strait/base/contact_parameters.h>
 #include <strait/contact/dual_optimisation.h>
@@ -184,5 +183,3 @@ namespace strait
    */
   ContactSolution find_pressure(ContactMethod method, const DualTask &task);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_pyramid_extension_h
-#define strait_contact_pyramid_extension_h
+#pragma once
 
 #include <strait/contact/grid_boxes.h>
 
@@ -68,5 +67,3 @@ namespace strait
     std::vector<std::unique_ptr<GridBoxes>> levels; // the finest first
   };
 } // namespace strait
-
-#endif

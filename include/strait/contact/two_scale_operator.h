@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_two_scale_operator_h
-#define strait_contact_two_scale_operator_h
+#pragma once
 
 #include <strait/spectral/fourier_transform.h>
 
@@ -80,5 +79,3 @@ namespace strait
     std::vector<float>           box_symbol; // ky by kx, both >= 0
   };
 } // namespace strait
-
-#endif

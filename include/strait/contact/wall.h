@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_wall_h
-#define strait_contact_wall_h
+#pragma once
 
 #include <strait/spectral/slab_field.h>
 
@@ -46,5 +45,3 @@ namespace strait
     SlabField    undeformed; // empty before the first fluid or indentation
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_wave_response_h
-#define strait_contact_wave_response_h
+#pragma once
 
 #include <strait/spectral/periodic_grid.h>
 
@@ -44,5 +43,3 @@ namespace strait
     };
   }
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_window_transfer_h
-#define strait_contact_window_transfer_h
+#pragma once
 
 #include <strait/spectral/slab_layout.h>
 
@@ -64,5 +63,3 @@ namespace strait
     std::vector<Number>           between; // the window's rows, the patch's columns
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_zoomed_preconditioner_h
-#define strait_contact_zoomed_preconditioner_h
+#pragma once
 
 #include <strait/contact/pyramid_extension.h>
 #include <strait/contact/two_scale_operator.h>
@@ -70,5 +69,3 @@ namespace strait
     std::vector<float>                 room;  // for the points of all windows
   };
 } // namespace strait
-
-#endif

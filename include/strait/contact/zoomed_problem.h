@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_contact_zoomed_problem_h
-#define strait_contact_zoomed_problem_h
+#pragma once
 
 #include <strait/contact/half_space_problem.h>
 #include <strait/contact/zoomed_preconditioner.h>
@@ -122,5 +121,3 @@ namespace strait
     std::vector<float>     room, pressed; // scratch; the step that is responded to
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_flow_element_matrix_h
-#define strait_flow_element_matrix_h
+#pragma once
 
 #include <strait/interface/moment_set.h>
 
@@ -54,5 +53,3 @@ namespace strait
     dealii::FullMatrix<double> curl_matrix;
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_flow_flow_mesh_h
-#define strait_flow_flow_mesh_h
+#pragma once
 
 #include <strait/base/fluid_parameters.h>
 #include <strait/flow/seal_mesh.h>
@@ -122,5 +121,3 @@ namespace strait
     Triangulation       tria;
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_flow_hierarchical_correction_h
-#define strait_flow_hierarchical_correction_h
+#pragma once
 
 #include <strait/flow/potential_problem.h>
 
@@ -61,5 +60,3 @@ namespace strait
     FreedNodes             nodes;
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_flow_leakage_h
-#define strait_flow_leakage_h
+#pragma once
 
 #include <strait/base/fluid_parameters.h>
 
@@ -76,5 +75,3 @@ namespace strait
   ConstrictionReport report_constrictions(const Channel        &channel,
                                           const ReynoldsSolver &solver);
 } // namespace strait
-
-#endif

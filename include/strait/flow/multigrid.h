@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_flow_multigrid_h
-#define strait_flow_multigrid_h
+#pragma once
 
 #include <strait/base/fluid_parameters.h>
 
@@ -77,5 +76,3 @@ namespace strait
     return result;
   }
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_flow_potential_problem_h
-#define strait_flow_potential_problem_h
+#pragma once
 
 #include <strait/flow/flow_mesh.h>
 #include <strait/flow/multigrid.h>
@@ -240,5 +239,3 @@ namespace strait
     std::unique_ptr<Transfer> transfer; // to the mesh that is being made
   };
 } // namespace strait
-
-#endif

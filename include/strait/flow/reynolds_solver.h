@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_flow_reynolds_solver_h
-#define strait_flow_reynolds_solver_h
+#pragma once
 
 #include <strait/flow/hierarchical_correction.h>
 #include <strait/flow/leakage.h>
@@ -165,5 +164,3 @@ namespace strait
     unsigned long long  unknowns_needed = 0; // for the target accuracy; 0: not known
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_flow_seal_mesh_h
-#define strait_flow_seal_mesh_h
+#pragma once
 
 #include <strait/percolation/flow_region.h>
 
@@ -106,5 +105,3 @@ namespace strait
    *  none, or if they lie on a straight line or are fewer than three. */
   std::optional<SealMesh::Circle> fit_circle(const std::vector<dealii::Point<2>> &points);
 } // namespace strait
-
-#endif

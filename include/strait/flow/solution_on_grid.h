@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_flow_solution_on_grid_h
-#define strait_flow_solution_on_grid_h
+#pragma once
 
 #include <strait/flow/flow_mesh.h>
 #include <strait/spectral/slab_field.h>
@@ -80,5 +79,3 @@ namespace strait
    */
   FlowAtPoints flow_at_points(const ReynoldsSolver &solver, const PointRows &rows);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_interface_cell_quadrature_h
-#define strait_interface_cell_quadrature_h
+#pragma once
 
 #include <strait/base/fluid_parameters.h>
 #include <strait/interface/gap_interpolant.h>
@@ -104,5 +103,3 @@ namespace strait
     dealii::QGauss<2> coarse, fine; // of p + 1 and p + 2 points along each axis
   };
 } // namespace strait
-
-#endif

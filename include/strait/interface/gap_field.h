@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_interface_gap_field_h
-#define strait_interface_gap_field_h
+#pragma once
 
 #include <strait/interface/cell_quadrature.h>
 #include <strait/interface/gap_interpolant.h>
@@ -198,5 +197,3 @@ namespace strait
     mutable std::map<Coefficient, Known> known;
   };
 } // namespace strait
-
-#endif

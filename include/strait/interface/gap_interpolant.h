@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_interface_gap_interpolant_h
-#define strait_interface_gap_interpolant_h
+#pragma once
 
 #include <strait/base/fluid_parameters.h>
 #include <strait/spectral/periodic_grid.h>
@@ -118,5 +117,3 @@ namespace strait
     double operator()(double x, double y) const;
   };
 } // namespace strait
-
-#endif

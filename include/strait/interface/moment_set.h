@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_interface_moment_set_h
-#define strait_interface_moment_set_h
+#pragma once
 
 #include <array>
 #include <vector>
@@ -86,5 +85,3 @@ namespace strait
     std::array<std::vector<Transfer>, 4> of_children;
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_interface_rarefied_flow_h
-#define strait_interface_rarefied_flow_h
+#pragma once
 
 #include <strait/interface/rarefied_gas.h>
 #include <strait/percolation/flow_path.h>
@@ -123,5 +122,3 @@ namespace strait
   std::shared_ptr<const RarefiedFlow> make_rarefied_flow(const FluidParameters &fluid,
                                                          const FlowPath        &path);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_interface_rarefied_gas_h
-#define strait_interface_rarefied_gas_h
+#pragma once
 
 #include <strait/base/fluid_parameters.h>
 
@@ -53,5 +52,3 @@ namespace strait
     double      slip;  // σ √π/2
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_percolation_bottleneck_h
-#define strait_percolation_bottleneck_h
+#pragma once
 
 #include <strait/percolation/flow_region.h>
 #include <strait/spectral/slab_field.h>
@@ -33,5 +32,3 @@ namespace strait
   /** Where @p point of a field on @p layout lies, in the box [length]. */
   std::array<double, 2> position_of(const SlabLayout &layout, const GridPoint &point);
 } // namespace strait
-
-#endif

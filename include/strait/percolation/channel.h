@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_percolation_channel_h
-#define strait_percolation_channel_h
+#pragma once
 
 #include <strait/percolation/clusters.h>
 #include <strait/percolation/flow_path.h>
@@ -136,5 +135,3 @@ namespace strait
   SlabField
   percolating_gap(SlabField open_gap, const Clusters &clusters, const FlowDomain &domain);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_percolation_clusters_h
-#define strait_percolation_clusters_h
+#pragma once
 
 #include <strait/percolation/flow_region.h>
 #include <strait/spectral/slab_field.h>
@@ -67,5 +66,3 @@ namespace strait
                          const FlowDomain &domain,
                          bool              tells_trapped = false);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_percolation_flow_lattice_h
-#define strait_percolation_flow_lattice_h
+#pragma once
 
 #include <strait/percolation/lattice_levels.h>
 #include <strait/spectral/slab_field.h>
@@ -277,5 +276,3 @@ namespace strait
       }
   }
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_percolation_flow_path_h
-#define strait_percolation_flow_path_h
+#pragma once
 
 #include <strait/percolation/flow_region.h>
 #include <strait/spectral/slab_field.h>
@@ -58,5 +57,3 @@ namespace strait
   std::vector<FlowPath>
   find_flow_paths(const SlabField &gap, const FlowDomain &domain, unsigned int n_paths);
 } // namespace strait
-
-#endif

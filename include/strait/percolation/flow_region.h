@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_percolation_flow_region_h
-#define strait_percolation_flow_region_h
+#pragma once
 
 #include <strait/base/fluid_parameters.h>
 #include <strait/spectral/periodic_grid.h>
@@ -140,5 +139,3 @@ namespace strait
     std::shared_ptr<const FlowRegion> region; // null: the whole box
   };
 } // namespace strait
-
-#endif

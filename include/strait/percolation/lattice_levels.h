@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_percolation_lattice_levels_h
-#define strait_percolation_lattice_levels_h
+#pragma once
 
 #include <strait/percolation/flow_region.h>
 #include <strait/spectral/slab_field.h>
@@ -168,5 +167,3 @@ namespace strait
     std::vector<Level> levels;
   };
 } // namespace strait
-
-#endif

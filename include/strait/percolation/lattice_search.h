@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_percolation_lattice_search_h
-#define strait_percolation_lattice_search_h
+#pragma once
 
 #include <strait/base/collective.h>
 #include <strait/percolation/flow_lattice.h>
@@ -193,5 +192,3 @@ namespace strait
     return result;
   }
 } // namespace strait
-
-#endif

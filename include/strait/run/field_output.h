@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_run_field_output_h
-#define strait_run_field_output_h
+#pragma once
 
 #include <strait/base/scene.h>
 #include <strait/run/step.h>
@@ -41,5 +40,3 @@ namespace strait
                               const SlabField    &heights,
                               const ContactState &contact);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_run_guards_h
-#define strait_run_guards_h
+#pragma once
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
@@ -38,5 +37,3 @@ namespace strait
   /** The same of the rms slope of the surface. */
   void check_slope(const Scene &scene, double rms_slope, Log &log);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_run_load_sweep_h
-#define strait_run_load_sweep_h
+#pragma once
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
@@ -279,5 +278,3 @@ namespace strait
     Step                              step; // the last that was done
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_run_output_directory_h
-#define strait_run_output_directory_h
+#pragma once
 
 #include <strait/base/collective.h>
 #include <strait/base/log.h>
@@ -106,5 +105,3 @@ namespace strait
   /** Pictures and report.html, as the scene asks; a failure is a warning. */
   void draw_results(const Scene &scene, Log &log);
 } // namespace strait
-
-#endif

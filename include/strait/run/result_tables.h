@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_run_result_tables_h
-#define strait_run_result_tables_h
+#pragma once
 
 #include <strait/base/scene.h>
 #include <strait/base/table.h>
@@ -65,5 +64,3 @@ namespace strait
   /** Print the reference of all tables. Throws InputError if @p format is not "md". */
   void print_columns(std::ostream &out, const std::string &format);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_run_run_state_h
-#define strait_run_run_state_h
+#pragma once
 
 #include <strait/base/scene.h>
 #include <strait/run/run_summary.h>
@@ -58,5 +57,3 @@ namespace strait
    *  another scene, or a run of this one that can be resumed. Collective. */
   void refuse_to_replace_results(const Scene &scene, MPI_Comm comm);
 } // namespace strait
-
-#endif

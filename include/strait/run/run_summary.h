@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_run_run_summary_h
-#define strait_run_run_summary_h
+#pragma once
 
 #include <strait/seal/transition_search.h>
 
@@ -20,5 +19,3 @@ namespace strait
     Transition threshold = {0., std::nan(""), std::nan(""), std::nan("")};
   };
 } // namespace strait
-
-#endif

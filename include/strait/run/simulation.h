@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_run_simulation_h
-#define strait_run_simulation_h
+#pragma once
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
@@ -53,5 +52,3 @@ namespace strait
    */
   std::string limiting_error(const Scene &scene, double rms_slope);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_run_step_h
-#define strait_run_step_h
+#pragma once
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
@@ -165,5 +164,3 @@ namespace strait
   /** A line on a step that is done. */
   void report_step(const Step &step, int n_steps, Log &log);
 } // namespace strait
-
-#endif

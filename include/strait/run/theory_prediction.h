@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_run_theory_prediction_h
-#define strait_run_theory_prediction_h
+#pragma once
 
 #include <strait/base/scene.h>
 #include <strait/seal/transition_search.h>
@@ -58,5 +57,3 @@ namespace strait
     PerssonTheory coarse; // the difference to it estimates the error
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_fixed_point_h
-#define strait_seal_fixed_point_h
+#pragma once
 
 #include <cstddef>
 #include <functional>
@@ -82,5 +81,3 @@ namespace strait
     bool                    has_last = false; // on a rank without values as well
   };
 } // namespace strait
-
-#endif

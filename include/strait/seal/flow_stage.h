@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_flow_stage_h
-#define strait_seal_flow_stage_h
+#pragma once
 
 #include <strait/base/fluid_parameters.h>
 #include <strait/base/log.h>
@@ -154,5 +153,3 @@ namespace strait
     double meshed_leak_rate = 0.;                      // likewise; 0: it was discarded
   };
 } // namespace strait
-
-#endif

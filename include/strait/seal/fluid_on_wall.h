@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_fluid_on_wall_h
-#define strait_seal_fluid_on_wall_h
+#pragma once
 
 #include <strait/base/scene.h>
 #include <strait/percolation/clusters.h>
@@ -145,5 +144,3 @@ namespace strait
     bool                        has_extended; // so that the assumed pressure is a start
   };
 } // namespace strait
-
-#endif

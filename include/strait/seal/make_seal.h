@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_make_seal_h
-#define strait_seal_make_seal_h
+#pragma once
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
@@ -41,5 +40,3 @@ namespace strait
   /** Which steps are too long for the accuracy that the scene asks for. */
   StepRule step_rule(const Scene &scene);
 } // namespace strait
-
-#endif

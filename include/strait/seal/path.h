@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_path_h
-#define strait_seal_path_h
+#pragma once
 
 #include <strait/base/contact_parameters.h>
 #include <strait/base/log.h>
@@ -90,5 +89,3 @@ namespace strait
                  Aim              aim,
                  const StepRule  &rule);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_place_windows_h
-#define strait_seal_place_windows_h
+#pragma once
 
 #include <strait/base/contact_parameters.h>
 #include <strait/percolation/channel.h>
@@ -30,5 +29,3 @@ namespace strait
                                          const std::vector<ThroatOnPath> &throats,
                                          const ZoomParameters            &zoom);
 } // namespace strait
-
-#endif

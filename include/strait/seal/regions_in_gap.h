@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_regions_in_gap_h
-#define strait_seal_regions_in_gap_h
+#pragma once
 
 #include <strait/percolation/clusters.h>
 #include <strait/seal/trapped_fluid.h>
@@ -80,5 +79,3 @@ namespace strait
     std::vector<double> widest; // the largest gap of each
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_seal_models_h
-#define strait_seal_seal_models_h
+#pragma once
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
@@ -50,5 +49,3 @@ namespace strait
    */
   constexpr double mesh_fraction = .25;
 } // namespace strait
-
-#endif

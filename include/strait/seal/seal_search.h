@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_seal_search_h
-#define strait_seal_seal_search_h
+#pragma once
 
 #include <strait/base/log.h>
 #include <strait/base/scene.h>
@@ -105,5 +104,3 @@ namespace strait
     std::size_t              next = 0;
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_seal_state_h
-#define strait_seal_seal_state_h
+#pragma once
 
 #include <strait/contact/contact_state.h>
 #include <strait/seal/trapped_fluid.h>
@@ -123,5 +122,3 @@ namespace strait
   /** Put @p state in an archive, or take it out; a given gap is left out. Collective. */
   void transfer(StateArchive &archive, SealState &state, const SlabLayoutPtr &layout);
 } // namespace strait
-
-#endif

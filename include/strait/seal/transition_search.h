@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_transition_search_h
-#define strait_seal_transition_search_h
+#pragma once
 
 #include <strait/base/text.h>
 
@@ -184,5 +183,3 @@ namespace strait
     double                  latest = unknown; // that was asked
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_trapped_fluid_h
-#define strait_seal_trapped_fluid_h
+#pragma once
 
 #include <strait/base/fluid_parameters.h>
 
@@ -51,5 +50,3 @@ namespace strait
                           double                    volume,
                           double                    pressure);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_wall_feedback_h
-#define strait_seal_wall_feedback_h
+#pragma once
 
 #include <strait/base/fluid_parameters.h>
 #include <strait/seal/fixed_point.h>
@@ -127,5 +126,3 @@ namespace strait
     double                   last_leak_rate = 0; // 0: there was none
   };
 } // namespace strait
-
-#endif

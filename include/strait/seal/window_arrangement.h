@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_seal_window_arrangement_h
-#define strait_seal_window_arrangement_h
+#pragma once
 
 #include <strait/percolation/flow_region.h>
 #include <strait/spectral/slab_field.h>
@@ -62,5 +61,3 @@ namespace strait
     std::vector<Placed> placed;
   };
 } // namespace strait
-
-#endif

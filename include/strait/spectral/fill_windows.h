@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_spectral_fill_windows_h
-#define strait_spectral_fill_windows_h
+#pragma once
 
 #include <strait/spectral/slab_field.h>
 
@@ -15,5 +14,3 @@ namespace strait
   /** Give each point that a window covers the value of the window's point that it is. */
   void copy_to_covered(SlabField &field);
 } // namespace strait
-
-#endif

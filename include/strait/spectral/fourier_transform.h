@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_spectral_fourier_transform_h
-#define strait_spectral_fourier_transform_h
+#pragma once
 
 #include <strait/spectral/slab_field.h>
 
@@ -190,5 +189,3 @@ namespace strait
   /** In double precision. */
   using FourierTransform = BasicFourierTransform<double>;
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_spectral_periodic_grid_h
-#define strait_spectral_periodic_grid_h
+#pragma once
 
 #include <cmath>
 #include <cstdint>
@@ -89,5 +88,3 @@ namespace strait
     }
   };
 } // namespace strait
-
-#endif

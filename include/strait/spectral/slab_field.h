@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_spectral_slab_field_h
-#define strait_spectral_slab_field_h
+#pragma once
 
 #include <strait/base/collective.h>
 #include <strait/spectral/slab_layout.h>
@@ -239,5 +238,3 @@ namespace strait
     std::vector<double> neighbours;
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_spectral_slab_layout_h
-#define strait_spectral_slab_layout_h
+#pragma once
 
 #include <strait/spectral/periodic_grid.h>
 
@@ -288,5 +287,3 @@ namespace strait
   /** The layout of the grid of @p layout with @p windows in place of its own. */
   SlabLayoutPtr with_windows(const SlabLayout &layout, std::vector<ZoomWindow> windows);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_spectral_state_archive_h
-#define strait_spectral_state_archive_h
+#pragma once
 
 #include <strait/spectral/slab_field.h>
 
@@ -176,5 +175,3 @@ namespace strait
     return exists;
   }
 } // namespace strait
-
-#endif

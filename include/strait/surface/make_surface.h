@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_surface_make_surface_h
-#define strait_surface_make_surface_h
+#pragma once
 
 #include <strait/base/surface_parameters.h>
 #include <strait/spectral/slab_field.h>
@@ -34,5 +33,3 @@ namespace strait
                          const SlabLayoutPtr     &layout,
                          Remarks                 *remarks = nullptr);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_surface_map_processing_h
-#define strait_surface_map_processing_h
+#pragma once
 
 #include <strait/base/surface_parameters.h>
 #include <strait/spectral/slab_field.h>
@@ -87,5 +86,3 @@ namespace strait
                            std::optional<bool>     &have_unit,
                            Remarks                 &remarks);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_surface_map_writer_h
-#define strait_surface_map_writer_h
+#pragma once
 
 #include <strait/spectral/slab_field.h>
 
@@ -18,5 +17,3 @@ namespace strait
                         const SlabField   &heights,
                         const std::string &unit);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_surface_read_scene_h
-#define strait_surface_read_scene_h
+#pragma once
 
 #include <strait/base/scene.h>
 #include <strait/spectral/periodic_grid.h>
@@ -18,5 +17,3 @@ namespace strait
   /** The grid that @p scene asks for. */
   PeriodicGrid grid_of(const Scene &scene);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_surface_self_affine_surface_h
-#define strait_surface_self_affine_surface_h
+#pragma once
 
 #include <strait/base/surface_parameters.h>
 #include <strait/spectral/slab_field.h>
@@ -63,5 +62,3 @@ namespace strait
   std::vector<std::string> check_resolution(const SurfaceParameters &parameters,
                                             const PeriodicGrid      &grid);
 } // namespace strait
-
-#endif

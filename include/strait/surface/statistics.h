@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_surface_statistics_h
-#define strait_surface_statistics_h
+#pragma once
 
 #include <strait/spectral/slab_field.h>
 
@@ -62,5 +61,3 @@ namespace strait
    */
   std::optional<SelfAffineFit> fit_self_affine(const std::vector<SpectrumBin> &spectrum);
 } // namespace strait
-
-#endif

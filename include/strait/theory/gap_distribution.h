@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_theory_gap_distribution_h
-#define strait_theory_gap_distribution_h
+#pragma once
 
 #include <strait/spectral/slab_field.h>
 
@@ -37,5 +36,3 @@ namespace strait
    *  1 − 1/n of the area. @p n > 1; two is Bruggeman's theory in the plane. */
   double effective_cubed_gap(const GapDistribution &gaps, double n);
 } // namespace strait
-
-#endif

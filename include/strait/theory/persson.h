@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_theory_persson_h
-#define strait_theory_persson_h
+#pragma once
 
 #include <strait/theory/gap_distribution.h>
 #include <strait/theory/radial_spectrum.h>
@@ -101,5 +100,3 @@ namespace strait
     int                                      fineness;
   };
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_theory_radial_spectrum_h
-#define strait_theory_radial_spectrum_h
+#pragma once
 
 #include <strait/base/surface_parameters.h>
 #include <strait/spectral/slab_field.h>
@@ -72,5 +71,3 @@ namespace strait
    *  is flat. Collective. */
   RadialSpectrum measured_spectrum(const SlabField &heights);
 } // namespace strait
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef strait_surface_readers_height_map_h
-#define strait_surface_readers_height_map_h
+#pragma once
 
 #include <strait/base/units.h>
 
@@ -125,5 +124,3 @@ namespace strait
    */
   HeightMap read_values(const std::string &file, const StoredValues &stored);
 } // namespace strait
-
-#endif
