@@ -26,100 +26,84 @@ namespace strait
 
     /**
      * On cells of the grid's quadtree, from the moments that the bridge knows; potentials
-     * are polynomials on each of the @p n_parts of a cell, itself or its four children.
+     * are polynomials on each of the parts of a cell, itself or its four children.
      */
-    class GridCoefficient : public CellCoefficient
+    CellCoefficient
+    take_on_grid(const FlowMesh             &mesh,
+                 const unsigned int          degree,
+                 const FiniteElement<2>     &fe,
+                 const GapField::Coefficient kind,
+                 const GapField             &gap)
     {
-    public:
-      GridCoefficient(const FlowMesh             &mesh_,
-                      const MomentSet            &set,
-                      const GapField::Coefficient coefficient_,
-                      const unsigned int          n_parts_)
-        : mesh(mesh_)
-        , element(set)
-        , coefficient(coefficient_)
-        , n_parts(n_parts_)
-      {
-      }
-
-      void
-      update(const GapField &gap) override
-      {
-        // In spacings of its grid, which is that of the mesh or a coarser one.
-        const int coarser = mesh.grid().n_halvings() - gap.layout().grid().n_halvings();
-        cells.clear();
-        for (const auto &cell : mesh.triangulation().active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              GridCell here = mesh.grid_cell(*cell);
-              here.exponent -= coarser;
-              if (n_parts == 1)
-                cells.push_back(here);
-              for (int child = 0; n_parts == 4 && child < 4; ++child)
-                cells.push_back(here.child(child));
-            }
-        answers = gap.ask(coefficient, cells);
-      }
-
-      double
-      mean(const std::size_t cell) const override
-      {
-        double sum = 0;
-        for (unsigned int part = 0; part < n_parts; ++part)
-          sum += answers[n_parts * cell + part][0];
-        return sum / n_parts;
-      }
-
-      void
-      stiffness(const std::size_t cell, FullMatrix<double> &matrix) const override
-      {
-        // Of cells and of children alike: it depends on the ratio of both only.
-        const auto [width, height] = mesh.edges(cells.front());
-        if (n_parts == 1)
-          return element.stiffness(&answers(cell, 0), width, height, matrix);
-        FullMatrix<double> small(4, 4);
-        matrix = 0.;
-        for (std::size_t child = 0; child < 4; ++child)
+      const bool is_parted = fe.degree > degree;
+      // In spacings of its grid, which is that of the mesh or a coarser one.
+      const int coarser = mesh.grid().n_halvings() - gap.layout().grid().n_halvings();
+      std::vector<GridCell> parts; // of one cell after the other
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+        if (cell->is_locally_owned())
           {
-            element.stiffness(&answers(4 * cell + child, 0), width, height, small);
-            for (unsigned int i = 0; i < 4; ++i)
-              for (unsigned int j = 0; j < 4; ++j)
-                matrix(child_corners[child][i], child_corners[child][j]) += small(i, j);
+            GridCell here = mesh.grid_cell(*cell);
+            here.exponent -= coarser;
+            if (!is_parted)
+              parts.push_back(here);
+            for (int child = 0; is_parted && child < 4; ++child)
+              parts.push_back(here.child(child));
           }
-      }
+      const CellAnswers answers = gap.ask(kind, parts);
 
-    private:
-      const FlowMesh       &mesh;
-      ElementMatrix         element;
-      GapField::Coefficient coefficient;
-      unsigned int          n_parts; // of a cell: 1 or 4
-      std::vector<GridCell> cells;   // or their children, four after four
-      CellAnswers           answers;
-    };
+      CellCoefficient     result;
+      const ElementMatrix element{MomentSet(degree)};
+      FullMatrix<double>  matrix(fe.n_dofs_per_cell()), small(4);
+      const std::size_t   n_parts = is_parted ? 4 : 1;
+      for (std::size_t part = 0; part < parts.size(); part += n_parts)
+        {
+          // Of cells and of children alike: it depends on the ratio of both only.
+          const auto [width, height] = mesh.edges(parts.front());
+          double sum                 = 0.;
+          for (std::size_t k = 0; k < n_parts; ++k)
+            sum += answers[part + k][0];
+          if (!is_parted)
+            element.stiffness(&answers(part, 0), width, height, matrix);
+          else
+            matrix = 0.;
+          for (std::size_t child = 0; is_parted && child < 4; ++child)
+            {
+              element.stiffness(&answers(part + child, 0), width, height, small);
+              for (unsigned int i = 0; i < 4; ++i)
+                for (unsigned int j = 0; j < 4; ++j)
+                  matrix(child_corners[child][i], child_corners[child][j]) += small(i, j);
+            }
+          result.means.push_back(sum / static_cast<double>(n_parts));
+          for (unsigned int i = 0; i < matrix.m(); ++i)
+            result.entries.insert(result.entries.end(),
+                                  &matrix(i, 0),
+                                  &matrix(i, 0) + i + 1);
+        }
+      return result;
+    }
 
     /**
      * On the cells of a seal mesh, by Gauss quadrature of the gap in parts of at most one
      * grid spacing, and in cells that are smaller than four in quarters of one, enlarged
      * by what twice as large parts find otherwise.
      */
-    class MappedCoefficient : public CellCoefficient
+    class SealCells
     {
     public:
-      MappedCoefficient(const FlowMesh             &mesh_,
-                        const FiniteElement<2>     &fe_,
-                        const GapField::Coefficient coefficient_,
-                        const unsigned int          degree_)
+      SealCells(const FlowMesh             &mesh_,
+                const FiniteElement<2>     &fe_,
+                const GapField::Coefficient kind_,
+                const unsigned int          degree_)
         : mesh(mesh_)
         , fe(fe_)
-        , coefficient(coefficient_)
+        , kind(kind_)
         , degree(degree_)
-        , fewest_parts(static_cast<int>(fe.degree / degree))
-        , n(fe.n_dofs_per_cell())
       {
       }
 
-      void
-      update(const GapField &gap) override
+      /** On all cells, from @p gap. */
+      CellCoefficient
+      take(const GapField &gap)
       {
         const auto &tria = mesh.triangulation();
         double      low = std::numeric_limits<double>::infinity(), high = -low;
@@ -130,9 +114,9 @@ namespace strait
               low            = std::min(low, box.lower_bound(1));
               high           = std::max(high, box.upper_bound(1));
             }
-        const GapRows rows = gap.rows(low, high);
-        means.clear();
-        entries.clear();
+        const GapRows       rows         = gap.rows(low, high);
+        const auto          fewest_parts = static_cast<int>(fe.degree / degree);
+        CellCoefficient     result;
         std::vector<double> sums;
         for (const auto &cell : tria.active_cell_iterators())
           if (cell->is_locally_owned())
@@ -155,24 +139,10 @@ namespace strait
                   for (double &entry : sums)
                     entry *= factor;
                 }
-              means.push_back(mean);
-              entries.insert(entries.end(), sums.begin(), sums.end());
+              result.means.push_back(mean);
+              result.entries.insert(result.entries.end(), sums.begin(), sums.end());
             }
-      }
-
-      double
-      mean(const std::size_t cell) const override
-      {
-        return means[cell];
-      }
-
-      void
-      stiffness(const std::size_t cell, FullMatrix<double> &matrix) const override
-      {
-        const double *entry = entries.data() + cell * (n * (n + 1) / 2);
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j <= i; ++j)
-            matrix(i, j) = matrix(j, i) = *entry++;
+        return result;
       }
 
     private:
@@ -205,13 +175,13 @@ namespace strait
                 const FEValues<2>   &at,
                 std::vector<double> &sums) const
       {
-        double area = 0., total = 0.;
+        const unsigned int n    = fe.n_dofs_per_cell();
+        double             area = 0., total = 0.;
         sums.assign(n * (n + 1) / 2, 0.);
         for (const unsigned int q : at.quadrature_point_indices())
           {
             const Point<2> &x = at.quadrature_point(q);
-            const double    c =
-              gap.coefficient_of(coefficient, rows(x[0], x[1])) * at.JxW(q);
+            const double    c = gap.coefficient_of(kind, rows(x[0], x[1])) * at.JxW(q);
             area += at.JxW(q);
             total += c;
             if (!(c > 0))
@@ -227,26 +197,30 @@ namespace strait
       const FlowMesh         &mesh;
       const MappingQ<2>       bilinear{1};
       const FiniteElement<2> &fe;
-      GapField::Coefficient   coefficient;
-      unsigned int            degree;       // of a potential on each of these parts
-      int                     fewest_parts; // of a cell along an edge, a power of two
-      unsigned int            n;            // unknowns of a cell
+      GapField::Coefficient   kind;
+      unsigned int            degree; // of a potential on each of these parts
       std::map<std::pair<int, bool>, std::unique_ptr<FEValues<2>>>
-                          values; // by number of parts, and for curved cells
-      std::vector<double> means;
-      std::vector<double> entries; // of the lower halves of the matrices
+        values; // by number of parts, and for curved cells
     };
   } // namespace
 
-  std::unique_ptr<CellCoefficient>
-  make_coefficient(const FlowMesh             &mesh,
-                   const MomentSet            &set,
-                   const FiniteElement<2>     &fe,
-                   const GapField::Coefficient coefficient)
+  CellCoefficient
+  coefficient_on_cells(const FlowMesh             &mesh,
+                       const unsigned int          degree,
+                       const FiniteElement<2>     &fe,
+                       const GapField::Coefficient kind,
+                       const GapField             &gap)
   {
-    if (mesh.seal() != nullptr)
-      return std::make_unique<MappedCoefficient>(mesh, fe, coefficient, set.degree());
-    const unsigned int n_parts = fe.degree > set.degree() ? 4 : 1;
-    return std::make_unique<GridCoefficient>(mesh, set, coefficient, n_parts);
+    return mesh.seal() == nullptr ? take_on_grid(mesh, degree, fe, kind, gap)
+                                  : SealCells(mesh, fe, kind, degree).take(gap);
+  }
+
+  void
+  CellCoefficient::stiffness(const std::size_t cell, FullMatrix<double> &matrix) const
+  {
+    const double *entry = entries.data() + cell * (matrix.m() * (matrix.m() + 1) / 2);
+    for (unsigned int i = 0; i < matrix.m(); ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        matrix(i, j) = matrix(j, i) = *entry++;
   }
 } // namespace strait

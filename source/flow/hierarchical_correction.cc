@@ -184,9 +184,8 @@ namespace strait
     // Half as many steps leave a wider bracket and hence more cells, twice as many cost
     // more than the cells that they save; each costs about as much as the one before.
     constexpr unsigned int n_steps = 4;
-    const auto             coefficient =
-      make_coefficient(mesh, MomentSet(1), fe, problem.coefficient_kind());
-    coefficient->update(gap);
+    const CellCoefficient  coefficient =
+      coefficient_on_cells(mesh, 1, fe, problem.coefficient_kind(), gap);
     Vector              x(layout), r(layout), diagonal(layout);
     RimSystems          systems(nodes);
     double              energy = 0.;
@@ -204,10 +203,10 @@ namespace strait
                                           ? at_reservoir
                                           : !at_reservoir && mesh.seal() != nullptr;
             }
-        const bool is_closed = !(coefficient->mean(c) > 0);
+        const bool is_closed = !(coefficient.means[c] > 0);
         if (!is_closed)
           {
-            coefficient->stiffness(c, matrix);
+            coefficient.stiffness(c, matrix);
             matrix *= problem.coefficient_weight(c);
           }
         problem.cell_values(c, vertices);

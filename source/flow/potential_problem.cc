@@ -19,7 +19,6 @@ namespace strait
     , mesh(mesh_)
     , fe(set.degree())
     , dofs(mesh.triangulation())
-    , coefficient(make_coefficient(mesh, set, fe, coefficient_))
     , cell_matrix(fe.n_dofs_per_cell(), fe.n_dofs_per_cell())
   {
   }
@@ -117,7 +116,7 @@ namespace strait
   {
     if (transfer || ghosted.size() == 0)
       number_unknowns();
-    coefficient->update(gap);
+    coefficient = coefficient_on_cells(mesh, fe.degree, fe, kind_of_coefficient, gap);
     conductivity_weights.clear();
   }
 
@@ -133,7 +132,7 @@ namespace strait
       if (is_active(c))
         {
           const Iterator &cell = owned_cells[c];
-          coefficient->stiffness(c, local_matrix);
+          coefficient.stiffness(c, local_matrix);
           local_matrix *= coefficient_weight(c);
           affine.assign(n, 0.);
           add_background(cell, affine);
@@ -225,7 +224,7 @@ namespace strait
   PotentialProblem::cell_energy(const std::size_t          cell,
                                 const std::vector<double> &values) const
   {
-    coefficient->stiffness(cell, cell_matrix);
+    coefficient.stiffness(cell, cell_matrix);
     return coefficient_weight(cell) * ElementMatrix::energy(cell_matrix, values);
   }
 

@@ -16,34 +16,31 @@
 
 namespace strait
 {
-  /** The coefficient of a potential problem on the owned cells of a mesh, in the order of
-   *  iteration: what the element matrices need to know of the gap. */
-  class CellCoefficient
+  /** The coefficient c of a potential problem on the owned cells of a mesh, in the order
+   *  of iteration. */
+  struct CellCoefficient
   {
-  public:
-    virtual ~CellCoefficient() = default;
+    std::vector<double> means; // over a cell; zero where nothing flows
 
-    /** Take it from @p gap, on the grid of the mesh or one with half, a quarter … of its
-     * points each way, on all cells of the current mesh. Collective. */
-    virtual void update(const GapField &gap) = 0;
+    /** Of A_ij = ∫ c ∇φ_i·∇φ_j the lower halves, row by row. */
+    std::vector<double> entries;
 
-    /** Its mean over a cell; zero where nothing flows. */
-    virtual double mean(std::size_t cell) const = 0;
-
-    /** A_ij = ∫ c ∇φ_i·∇φ_j of a cell. */
-    virtual void stiffness(std::size_t                 cell,
-                           dealii::FullMatrix<double> &matrix) const = 0;
+    /** A of a cell. */
+    void stiffness(std::size_t cell, dealii::FullMatrix<double> &matrix) const;
   };
 
   /**
-   * The coefficient on the cells of @p mesh: of the box, exactly; of a seal mesh, by
-   * quadrature. The potentials are those of @p fe: FE_Q of the degree of @p set, or
-   * FE_Q_iso_Q1(2) with the set of degree 1, bilinear on the four children of a cell.
+   * Take the coefficient from @p gap on the cells of @p mesh: of the box, exactly, the
+   * gap being on the grid of the mesh or one with half, a quarter … of its points each
+   * way; of a seal mesh, by quadrature. The potentials are those of @p fe: FE_Q of that
+   * @p degree, or FE_Q_iso_Q1(2) with a degree of 1, bilinear on the four
+   * children of a cell. Collective.
    */
-  std::unique_ptr<CellCoefficient> make_coefficient(const FlowMesh                 &mesh,
-                                                    const MomentSet                &set,
-                                                    const dealii::FiniteElement<2> &fe,
-                                                    GapField::Coefficient coefficient);
+  CellCoefficient coefficient_on_cells(const FlowMesh                 &mesh,
+                                       unsigned int                    degree,
+                                       const dealii::FiniteElement<2> &fe,
+                                       GapField::Coefficient           kind,
+                                       const GapField                 &gap);
 
   /** How a linear system is to be solved. */
   struct LinearAccuracy
@@ -142,21 +139,21 @@ namespace strait
     double
     unweighted_mean(const std::size_t cell) const
     {
-      return coefficient->mean(cell);
+      return coefficient.means[cell];
     }
 
     /** The same with them. */
     double
     mean_coefficient(const std::size_t cell) const
     {
-      return coefficient_weight(cell) * coefficient->mean(cell);
+      return coefficient_weight(cell) * coefficient.means[cell];
     }
 
     /** True where the coefficient does not vanish. */
     bool
     is_active(const std::size_t cell) const
     {
-      return coefficient->mean(cell) > 0;
+      return coefficient.means[cell] > 0;
     }
 
     /** Which of the two problems this is. */
@@ -229,7 +226,7 @@ namespace strait
     std::vector<Iterator>              owned_cells;
     dealii::AffineConstraints<double>  constraints;
     Vector                             distributed, ghosted; // the solution
-    std::unique_ptr<CellCoefficient>   coefficient;
+    CellCoefficient                    coefficient;
     mutable dealii::FullMatrix<double> cell_matrix;          // for cell_energy()
     std::vector<double>                conductivity_weights; // empty: all one
     Vector                             angles; // of a ring, with ghost values
