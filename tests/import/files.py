@@ -106,6 +106,10 @@ COMPLETE = {
     "points_y_first.csv": "Y [um],X [um],Z [um]\n" + points_in_order(",", "yxz"),
     "points_z_first.csv": "Z [um],X [um],Y [um]\n" + points_in_order(",", "zxy"),
     "points_y_first.txt": "# Y (um) X (um) Z (um)\n" + points_in_order(" ", "yxz"),
+    "points_position_y_first.csv": "Pos. Y (um),Pos. X (um),Height (um)\n"
+                                   + points_in_order(",", "yxz"),
+    "points_iy_first.csv": "iy [um],ix [um],height [um]\n" + points_in_order(",", "yxz"),
+    "points_rows.csv": "Row (um),Col (um),Height (um)\n" + points_in_order(",", "yxz"),
     "points_rows.txt": "# xy unit: um\n# z unit: um\n# row column height\n"
                        + points_in_order(" ", "yxz"),
     "axes.txt": "# xy unit: um\n# z unit: um\n" + axes("\t", "y/x"),

@@ -196,6 +196,15 @@ class Text(Case):
         self.check_refusal(path, "--as axes.*--as matrix")
         self.check_refusal(path, "no first row.* of equal steps", "--as", "axes", *files.IN_NM)
 
+    def test_empty_corner(self):
+        """A first point that was not measured is no corner of axes."""
+        text = ";".join(["", *files.rows(";").split(";")[1:]])
+        path = self.write("corner.txt", "Width: 24 um\nHeight: 10 um\nUnit: um\n" + text)
+        heights, *_ = self.read(path)
+        expected = files.MICRONS * 1e-6
+        expected[0, 0] = np.nan
+        np.testing.assert_allclose(heights, expected)
+
     def test_absent_point(self):
         lines = files.points(" ").splitlines()
         del lines[files.HOLE[0] * files.NX + files.HOLE[1]]
@@ -230,6 +239,43 @@ class Arrays(Case):
         x[-1] += 60
         files.write_netcdf(path, x, y, files.MICRONS)
         self.check_refusal(path, "coordinates 'x' without equal steps")
+
+    def test_scales_of_netcdf4(self):
+        """Dimensions are known by their names, also those without coordinates, and in each group
+        by its own."""
+        import h5py
+
+        path = os.path.join(self.folder, "map.h5")
+        of_map = {"unit": "um", "lx": 24., "ly": 10., "lateral_unit": "um"}
+        none = "This is a netCDF dimension but not a netCDF variable."
+        lines = {"x": 2. * np.arange(files.NX), "y": 1. * np.arange(files.NY)[::-1]}
+        for written in ("", "x", "y", "xy"):
+            with self.subTest(written), h5py.File(path, "w") as file:
+                file["fine/heights"] = (files.MICRONS[::-1] if "y" in written
+                                        else files.MICRONS).T
+                file["fine/heights"].attrs.update(of_map if written != "xy" else {"unit": "um"})
+                for axis, (name, line) in enumerate(lines.items()):
+                    other = file.create_dataset(name, data=5. * line)
+                    other.attrs["units"] = "mm"
+                    other.make_scale(name)
+                    scale = file.create_dataset(f"fine/{name}", data=line * (name in written))
+                    scale.attrs["units"] = "um"
+                    scale.make_scale(name if name in written else none)
+                    file["fine/heights"].dims[axis].attach_scale(scale)
+            self.check_map(path)
+
+    def test_unwritten_parts_of_hdf5(self):
+        import h5py
+
+        path = os.path.join(self.folder, "map.h5")
+        with h5py.File(path, "w") as file:
+            data = file.create_dataset("height", files.MICRONS.shape, "f4", chunks=(1, 1),
+                                       fillvalue=-9999.)
+            data.attrs.update({"unit": "um", "lx": 24., "ly": 10., "lateral_unit": "um"})
+            for place, value in np.ndenumerate(files.MICRONS):
+                if place != files.HOLE:
+                    data[place] = value
+        self.check_map(path, hole=True)
 
     def test_contradictions(self):
         import h5py
@@ -528,6 +574,26 @@ class Program(Case):
                                  text=True, capture_output=True, check=False)
         self.assertEqual(refused.returncode, 2)
         self.assertIn("has the attribute scale_factor: type", refused.stderr)
+
+    def test_both_readers_find_the_same_marks_and_axes(self):
+        """A mark in double precision of heights in single, below a dimension X that is the first."""
+        path = os.path.join(self.folder, "map.nc")
+        heights = files.MICRONS.copy()
+        heights[files.HOLE] = -9999.1
+        with netcdf_file(path, "w") as file:
+            for name, n, step in (("X", files.NX, 2), ("Y", files.NY, 1)):
+                file.createDimension(name, n)
+                along = file.createVariable(name, "f8", (name,))
+                along[:], along.unit = step * np.arange(n), "um"
+            stored = file.createVariable("heights", "f4", ("X", "Y"))
+            stored[:], stored.unit, stored._FillValue = heights.T, "um", -9999.1
+        self.check_map(path, hole=True)
+        scene = self.write("scene.prm", f"subsection Surface\n set Kind = file\n set File = {path}\n"
+                           " set Largest missing share = 0.1\nend\n")
+        said = subprocess.run([PROGRAM, scene, "--dry-run"], text=True, capture_output=True,
+                              check=False, cwd=self.folder).stdout
+        self.assertIn("on a box of 2.4e-05 × 1e-05,", said)
+        self.assertRegex(said, "1 .*missing")
 
     def test_names_the_command_of_the_import(self):
         path = self.write("map.x3p", files.x3p())

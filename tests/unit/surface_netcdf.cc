@@ -121,19 +121,27 @@ namespace
 
   TEST(NetcdfReader, CoordinatesAndLengthAgree)
   {
-    // The last of the coordinates along x, which are 0, 10 and 20 for a length of 30, and
-    // of those along y, 0 and 20, which are for a length of 40 in each case.
-    const auto with_last_x = [](const std::string &bytes) {
-      return replaced(canonical_map(), std::string("\x40\x34\0\0\0\0\0\0", 8), bytes);
+    // The last two of the coordinates along x, which are 0, 10 and 20 for a length of 30;
+    // the last one also of those along y, 0 and 20, which are for a length of 40 in each
+    // case.
+    const auto with_x = [](const std::string &second, const std::string &third) {
+      const std::string rest(6, '\0');
+      return replaced(replaced(canonical_map(), "\x40\x34" + rest, third + rest),
+                      "\x40\x24" + rest,
+                      second + rest);
     };
-    for (const char *bytes : {"\x40\x44\0\0\0\0\0\0", "\xc0\x34\0\0\0\0\0\0"})
+    const std::string zero(2, '\0');
+    for (const auto &[second, third] : {std::pair{"\x40\x34", "\x40\x44"}, // 20, 40
+                                        {"\xc0\x24", "\xc0\x34"}})         // −10, −20
       EXPECT_TRUE(
-        mentions(complaint_of_map(with_last_x({bytes, 8})),
+        mentions(complaint_of_map(with_x(second, third)),
                  "has coordinates 'x' that do not rise in steps of its length"));
     // Of a map that begins and ends with a point, as long as three of its two steps.
-    EXPECT_DOUBLE_EQ(
-      read_map(with_last_x(std::string("\x40\x3e\0\0\0\0\0\0", 8))).size->at(0), 45.);
-    EXPECT_EQ(read_map(with_last_x(std::string(8, '\0'))).size->at(0), 30.);
+    EXPECT_DOUBLE_EQ(read_map(with_x("\x40\x2e", "\x40\x3e")).size->at(0), 45.);
+    EXPECT_EQ(read_map(with_x(zero, zero)).size->at(0), 30.);
+    for (const std::string &second : {std::string("\x40\x2e"), zero}) // 15, 0
+      EXPECT_TRUE(mentions(complaint_of_map(with_x(second, "\x40\x34")),
+                           "has coordinates 'x' without equal steps"));
   }
 
   TEST(NetcdfReader, DamagedFiles)

@@ -137,10 +137,10 @@ def _is_regular(values):
     return bool((abs(values - line) <= abs(line[1] - line[0]) / 20).all())
 
 
-def _netcdf_channel(name, values, dimensions, attributes, coordinates):
+def _netcdf_channel(name, values, dimensions, attributes, coordinates, of_file=None):
     """The dimension called x, or else the last, runs along x; both are turned to go up."""
     attributes = {"_FillValue": _numbers(_UNWRITTEN.get(values.dtype.str[1:], "")), **attributes}
-    if dimensions[0] == "x":
+    if dimensions[0].lower() == "x":
         values, dimensions = values.T, dimensions[::-1]
     refusal = ""
     for axis, dimension in enumerate(dimensions):
@@ -156,7 +156,7 @@ def _netcdf_channel(name, values, dimensions, attributes, coordinates):
     lx, dx, metres_x, periodic_x = _side(nx, coordinates.get(dimensions[1]))
     ly, dy, metres_y, periodic_y = _side(ny, coordinates.get(dimensions[0]))
     of_all = _first(coordinates.get(dimensions[1], (None, {}))[1], "length_unit")
-    channel = _map(name, values, attributes, {"units": of_all} if of_all else None)
+    channel = _map(name, values, attributes, {"units": of_all} if of_all else of_file)
     if lx and ly:
         units = (metres_x, metres_y) if metres_x and metres_y else None
         channel.disputed = (channel.disputed or dispute("x", nx, lx, dx)
@@ -193,9 +193,9 @@ def _attributes(thing):
         if getattr(value, "dtype", None) is None or value.dtype.kind in "SUOifub")
 
 
-def _dimensions(data):
-    """Names of the dimensions of a NetCDF-4 variable."""
-    return [list(scale.keys())[0] if scale.keys() else "" for scale in data.dims]
+def _unwritten(data):
+    """The mark of what was never written, which attributes may name otherwise."""
+    return {} if data.fillvalue == 0 else {"_FillValue": _numbers(data.fillvalue)}
 
 
 def read_hdf5(path):
@@ -218,12 +218,17 @@ def read_hdf5(path):
         file.visititems(visit)
         for name, data in arrays:
             check_extents(*data.shape, n_bytes)
-            dimensions = [dimension.rsplit("/", 1)[-1] for dimension in _dimensions(data)]
-            if any(dimension in coordinates for dimension in dimensions):
-                channels.append(_netcdf_channel(name, data[:], dimensions, _attributes(data),
-                                                coordinates))
+            attributes = {**_unwritten(data), **_attributes(data)}
+            # Of a NetCDF-4 variable; another group may have others of the same names.
+            scales = [scale[0].name if len(scale) else "" for scale in data.dims]
+            if any(scales):
+                dimensions = [scale.rsplit("/", 1)[-1] for scale in scales]
+                known = {dimension: coordinates[scale[1:]]
+                         for dimension, scale in zip(dimensions, scales) if scale[1:] in coordinates}
+                channels.append(_netcdf_channel(name, data[:], dimensions, attributes, known,
+                                                of_file))
             else:
-                channels.append(_map(name, data[:], _attributes(data), of_file))
+                channels.append(_map(name, data[:], attributes, of_file))
     return [found for found in channels if found.name == "heights"] or channels
 
 

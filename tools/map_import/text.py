@@ -100,13 +100,16 @@ def _metres_of_column(name, of_header):
 
 
 def _in_order(table, names):
-    """The table and its names with x and y in front, where names say which columns these are."""
-    meant = [re.match(r"[^\W\d_]*", name.lower())[0] for name in names]
-    for x, y in (("x", "y"), ("column", "row")):
-        if x in meant and y in meant:
-            front = [meant.index(x), meant.index(y)]
-            order = front + [i for i in range(len(names)) if i not in front]
-            return table[:, order], [names[i] for i in order]
+    """The table and its names with x and y in front, where names say which columns these are: two
+    that have a word in common but for x and y, or column and row."""
+    said = [re.findall(r"[^\W\d_]+", re.sub(r"[\[(].*", "", name.lower())) for name in names]
+    for x, y in (("x", "y"), ("column", "row"), ("col", "row")):
+        for i, words in enumerate(said):
+            twins = {word.replace(x, y, 1) for word in words if x in word}
+            for j, others in enumerate(said):
+                if i != j and twins.intersection(others):
+                    order = [i, j, *(k for k in range(len(names)) if k not in (i, j))]
+                    return table[:, order], [names[k] for k in order]
     return table, names
 
 
@@ -188,7 +191,7 @@ def _check_for_axes(table, header, corner, edges):
         return any(_is_uniform(lines[0, i:], words[0][i:lines.shape[1]])
                    and not _is_uniform(lines[1, i:], words[1][i:lines.shape[1]]) for i in (0, 1))
 
-    row = corner is not None or stands_out(table[:2], edges[0])
+    row = bool(corner) or stands_out(table[:2], edges[0])
     column = stands_out(table.T[:2], edges[1])
     if row:
         raise Refused("begins with a row of equal steps: it may be the x of the columns (--as axes) "

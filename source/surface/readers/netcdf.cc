@@ -204,16 +204,23 @@ namespace strait
           reject_for_import(file, std::string("has the attribute ") + name);
     }
 
-    double
-    value_at(const std::string &file, const Variable &variable, const std::uint64_t i)
+    /** The coordinates along the dimension @p along; throws unless their steps are equal,
+     *  to a twentieth. */
+    std::vector<double>
+    coordinates(const std::string &file, const Variable &variable, const Dimension &along)
     {
-      const std::uint64_t n_bytes = bytes_of(variable.type);
-      char                bytes[8]{};
-      std::ifstream       stream(file, std::ios::binary);
-      stream.seekg(static_cast<std::streamoff>(variable.begin + i * n_bytes));
-      if (!stream.read(bytes, static_cast<std::streamsize>(n_bytes)))
-        reject_height_map(file, "is too short: copy or import it again.");
-      return decode(bytes, variable.type);
+      const auto decode_one = [&](const char *at) { return decode(at, variable.type); };
+      std::vector<double> x =
+        read_values(
+          file, {along.n, 1, false, variable.begin, bytes_of(variable.type), decode_one})
+          .values;
+      const double step = (x.back() - x.front()) / static_cast<double>(along.n - 1);
+      for (std::size_t i = 0; i < x.size(); ++i)
+        if (!(std::abs(x[i] - x.front() - static_cast<double>(i) * step) <=
+              std::abs(step) / 20.))
+          reject_for_import(file,
+                            "has coordinates '" + along.name + "' without equal steps");
+      return x;
     }
 
     /**
@@ -239,11 +246,11 @@ namespace strait
       if (along.name != name || along.n < 2 || !is_number(variable.type))
         return stated;
       require_plain(file, variable, {"scale_factor", "add_offset"});
-      const double rise =
-        value_at(file, variable, along.n - 1) - value_at(file, variable, 0);
-      const auto   n      = static_cast<double>(along.n);
-      const double step   = rise / (n - 1);
-      const double length = stated.value_or(n * step);
+      const std::vector<double> x      = coordinates(file, variable, along);
+      const double              rise   = x.back() - x.front();
+      const auto                n      = static_cast<double>(along.n);
+      const double              step   = rise / (n - 1);
+      const double              length = stated.value_or(n * step);
       // Equal numbers are those of a dimension to which none were written.
       if (rise == 0)
         return stated;
@@ -307,9 +314,11 @@ namespace strait
     const Variable     &heights    = find_heights(header, file);
     const Dimension    &outer      = header.dimensions[heights.dimensions[0]];
     const Dimension    &inner      = header.dimensions[heights.dimensions[1]];
-    const bool          x_is_outer = outer.name == "x";
-    const double        fill       = heights["_FillValue"].number.value_or(usual_fill);
-    const auto          value      = [&](const char *bytes) {
+    const bool          x_is_outer = outer.name == "x" || outer.name == "X";
+    // In the precision that is stored, whatever the attribute has.
+    const double stated = heights["_FillValue"].number.value_or(usual_fill);
+    const double fill  = heights.type == type_float ? static_cast<float>(stated) : stated;
+    const auto   value = [&](const char *bytes) {
       const double number = decode(bytes, heights.type);
       return number == fill ? std::numeric_limits<double>::quiet_NaN() : number;
     };
