@@ -97,6 +97,12 @@ namespace strait
   {
   }
 
+  Log::Log(Log *whole)
+    : Log(whole->comm, whole->stream, Screen::silent)
+  {
+    shows_progress = whole;
+  }
+
   Log::~Log()
   {
     clear_live();
@@ -137,6 +143,8 @@ namespace strait
   void
   Log::progress(const std::string &text)
   {
+    if (shows_progress != nullptr)
+      shows_progress->progress(text);
     if (!on_root || screen == Screen::silent)
       return;
     live           = current_stage + text;

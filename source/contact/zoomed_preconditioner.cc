@@ -71,10 +71,8 @@ namespace strait
         values,
         [&](const std::size_t parent) { return values[parent]; },
         [](std::size_t) { return 1.f; });
-    for (int w = 0; w < n_windows; ++w)
-      layout->for_each_covered(w, [&](const std::size_t parent, std::size_t) {
-        values[parent] = 0;
-      });
+    layout->for_each_covered(
+      [&](const std::size_t parent, std::size_t) { values[parent] = 0; });
   }
 
   /** Give the parent's points the weighted means and the weights of the window's. */

@@ -155,11 +155,8 @@ namespace strait
   void
   ZoomedOperator<Number>::clear_covered(Number *values) const
   {
-    for (const auto &window : windows)
-      layout().for_each_covered(window->number,
-                                [values](const std::size_t parent, std::size_t) {
-                                  values[parent] = 0;
-                                });
+    layout().for_each_covered(
+      [values](const std::size_t parent, std::size_t) { values[parent] = 0; });
   }
 
   /** Give each parent the mean of what its windows have; what it has itself at points

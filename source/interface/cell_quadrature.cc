@@ -53,14 +53,6 @@ namespace strait
     using Values     = std::array<double, max_points * max_points>;
     using Quadrature = dealii::Quadrature<2>;
 
-    /** The integral of one coefficient. */
-    struct Sum
-    {
-      CoefficientLaw law;
-      double        *moments;
-      double         scale = 0.; // of the integral
-    };
-
     const CellQuadrature &quadrature;
     const CellGap        &gap;
     const Square         &square;
@@ -86,9 +78,13 @@ namespace strait
     /** Add a part, which may be divided @p n_divisions times, to the sums from @p begin
      *  to @p end, which are put into another order. */
     void
-    add(const Part &part, Look look, const int n_divisions, Sum *begin, Sum *end) const
+    add(const Part &part,
+        Look        look,
+        const int   n_divisions,
+        Integral   *begin,
+        Integral   *end) const
     {
-      end = std::partition(begin, end, [&](Sum &sum) {
+      end = std::partition(begin, end, [&](Integral &sum) {
         return !take(part, look, n_divisions > 0, sum);
       });
       if (begin != end)
@@ -108,7 +104,7 @@ namespace strait
   private:
     /** Add a part to @p sum, unless it has to be divided for that and may be. */
     bool
-    take(const Part &part, Look &look, const bool may_divide, Sum &sum) const
+    take(const Part &part, Look &look, const bool may_divide, Integral &sum) const
     {
       const CellGap::Range &range   = look.range;
       const double          trusted = range.bends() ? even_ratio : trusted_ratio;
@@ -270,14 +266,12 @@ namespace strait
     const Sums    sums{*this, cell, square};
     if (!GapInterpolant::may_be_open(gap))
       {
-        for (const auto &[law, moments] : integrals)
-          if (law.is_resistivity)
-            sums.add_constant(part, law(0.), moments);
+        for (const Integral &integral : integrals)
+          if (integral.law.is_resistivity)
+            sums.add_constant(part, integral.law(0.), integral.moments);
         return;
       }
-    boost::container::small_vector<Sums::Sum, 2> all;
-    for (const auto &[law, moments] : integrals)
-      all.push_back({law, moments});
+    boost::container::small_vector<Integral, 2> all(integrals.begin(), integrals.end());
     sums.add(
       part, sums.look_at(part), most_divisions, all.data(), all.data() + all.size());
   }

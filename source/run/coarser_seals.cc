@@ -56,7 +56,7 @@ namespace strait
                              Log                     &log_)
     : scene(scene_)
     , log(log_)
-    , silent(heights.layout().communicator(), true)
+    , progress_only(&log_)
   {
     if (!scene.fluid.enabled)
       return;
@@ -108,8 +108,8 @@ namespace strait
     const SlabLayoutPtr       &layout = heights.layout_pointer();
     std::unique_ptr<FlowStage> flow;
     if (scene.fluid.feedback.enabled)
-      flow = std::make_unique<FlowStage>(scene.fluid, layout, silent, timers);
-    SealModel model = make_seal(scene, contact, heights, flow.get(), silent);
+      flow = std::make_unique<FlowStage>(scene.fluid, layout, progress_only, timers);
+    SealModel model = make_seal(scene, contact, heights, flow.get(), progress_only);
     return {layout, std::move(flow), {scene, std::move(model)}, {}, {}};
   }
 
@@ -117,7 +117,8 @@ namespace strait
   auto
   CoarserSeals::search(const CoarserSeal &seal, const Find &find)
   {
-    SealSearch search(scene, seal.path.model, seal.layout, scene.fluid.direction, silent);
+    SealSearch search(
+      scene, seal.path.model, seal.layout, scene.fluid.direction, progress_only);
     try
       {
         return find(search);
@@ -137,6 +138,9 @@ namespace strait
   {
     for (auto seal = seals.rbegin(); seal != seals.rend(); ++seal)
       {
+        log.stage(format("critical load on %d × %d points",
+                         seal->layout->grid().nx,
+                         seal->layout->grid().ny));
         if (seal->thresholds.empty())
           seal->thresholds = search(*seal, [&](SealSearch &own) {
             auto found = own.find_critical_loads(first);
@@ -149,10 +153,7 @@ namespace strait
         if (seal->thresholds.empty())
           continue;
         const double load = seal->thresholds.front().middle();
-        log.progress(format("  critical load on %d × %d points: %.8g",
-                            seal->layout->grid().nx,
-                            seal->layout->grid().ny,
-                            load));
+        log.progress(format(": %.8g", load));
         if (scene.depends_on_path()) // on which each begins as the grid itself does
           continue;
         // As far away as finer points may have it.

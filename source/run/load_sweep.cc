@@ -44,10 +44,11 @@ namespace strait
   const std::vector<Transition> &
   LoadSweep::find_thresholds()
   {
-    const auto scope = timers.scope("threshold");
+    const auto        scope = timers.scope("threshold");
+    const SearchStart first =
+      coarser.find_critical_loads(search_start(scene, contact, surface.rms_slope));
     log.stage("critical load");
-    done.thresholds = seal_search->find_critical_loads(
-      coarser.find_critical_loads(search_start(scene, contact, surface.rms_slope)));
+    done.thresholds = seal_search->find_critical_loads(first);
     for (Transition &threshold : done.thresholds)
       {
         done.converged = done.converged && threshold.converged;

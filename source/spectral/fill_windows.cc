@@ -89,12 +89,10 @@ namespace strait
   void
   copy_to_covered(SlabField &field)
   {
-    for (int w = static_cast<int>(field.layout().windows().size()) - 1; w >= 0; --w)
-      field.layout().for_each_covered(w,
-                                      [&field](const std::size_t parent,
-                                               const std::size_t own) {
-                                        field[parent] = field[own];
-                                      });
+    field.layout().for_each_covered(
+      [&field](const std::size_t parent, const std::size_t own) {
+        field[parent] = field[own];
+      });
   }
 
   void

@@ -144,9 +144,8 @@ namespace
       with_windows(*make_layout({n, n, 1., 1.}, MPI_COMM_WORLD),
                    {window_at(-1, 1, 20, 14, 24, 24)});
     SlabField p = sample(layout, narrow), u(layout);
-    layout->for_each_covered(0, [&](const std::size_t parent, std::size_t) {
-      p[parent] = 0.;
-    });
+    layout->for_each_covered(
+      [&](const std::size_t parent, std::size_t) { p[parent] = 0.; });
     const SlabField flat(layout);
     ZoomedProblem   problem(flat, 1.);
     problem.apply(p.data(), u.data());

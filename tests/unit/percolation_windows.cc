@@ -276,7 +276,7 @@ namespace
     // Beside the channel the closed points of each level are raised, of the grid only
     // where the window does not know better.
     const SlabLayout &layout = gap.layout();
-    layout.for_each_covered(0, [&](const std::size_t k, const std::size_t in_window) {
+    layout.for_each_covered([&](const std::size_t k, const std::size_t in_window) {
       EXPECT_EQ(kept[k], kept[in_window]);
     });
     const auto in_window = [&](const int ix, const int iy) {

@@ -30,6 +30,10 @@ namespace strait
     /** On @p stream, which must live longer than this object. */
     Log(MPI_Comm comm, std::ostream &stream, Screen screen);
 
+    /** Of a part of the work that @p whole, which must live longer, tells of: shows its
+     *  progress, and nothing else. */
+    explicit Log(Log *whole);
+
     /** Removes the live line. */
     ~Log();
 
@@ -79,6 +83,7 @@ namespace strait
     MPI_Comm                              comm;
     std::ostream                         &stream;
     Screen                                screen;
+    Log                                  *shows_progress = nullptr; // of this one
     bool                                  on_root;
     int                                   width; // of the live line, in characters
     std::string                           current_stage, live;

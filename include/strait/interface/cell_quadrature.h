@@ -60,6 +60,7 @@ namespace strait
   {
     CoefficientLaw law;
     double        *moments;
+    double         scale = 0.; // of what was added so far
   };
 
   /**

@@ -155,7 +155,7 @@ namespace strait
 
     const Scene             &scene;
     Log                     &log;
-    Log                      silent;
+    Log                      progress_only;
     Timers                   timers; // of what is not told
     std::vector<CoarserSeal> seals;  // every second point first
   };

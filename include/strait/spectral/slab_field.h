@@ -148,21 +148,77 @@ namespace strait
    */
   std::vector<double> fetch_rows(const SlabField &field, const std::vector<int> &rows);
 
-  /** The same of any array of @p row_length numbers a row, double, float or std::int64_t,
-   *  laid out like @p layout. */
+  /** The same of any array of @p row_length numbers a row, laid out
+   *  like @p layout. */
   template <class Number>
-  std::vector<Number> fetch_rows(const SlabLayout       &layout,
-                                 const Number           *local_rows,
-                                 int                     row_length,
-                                 const std::vector<int> &rows);
+  std::vector<Number>
+  fetch_rows(const SlabLayout       &layout,
+             const Number           *local_rows,
+             const int               row_length,
+             const std::vector<int> &rows)
+  {
+    const int                ny = layout.grid().ny;
+    std::vector<std::size_t> order(rows.size()); // by number, and thus by owner
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    const auto wrapped = [&](const std::size_t k) { return ((rows[k] % ny) + ny) % ny; };
+    std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) {
+      return wrapped(a) < wrapped(b);
+    });
+    std::vector<int> wanted, n_wanted(layout.n_ranks());
+    for (const std::size_t k : order)
+      {
+        wanted.push_back(wrapped(k));
+        ++n_wanted[layout.owner_of_row(wrapped(k))];
+      }
+    const Parcels<int> asked = exchange(layout.communicator(), wanted, n_wanted);
 
-  /** The adjoint, for double or float: add row k of @p values to the row rows[k], which
+    const auto          length = static_cast<std::size_t>(row_length);
+    std::vector<Number> outgoing(asked.items.size() * length);
+    for (std::size_t k = 0; k < asked.items.size(); ++k)
+      std::copy_n(local_rows + (asked.items[k] - layout.first_row()) * length,
+                  length,
+                  outgoing.data() + k * length);
+    const std::vector<Number> incoming =
+      exchange(layout.communicator(), outgoing, asked.counts, row_length).items;
+
+    std::vector<Number> result(incoming.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+      std::copy_n(incoming.data() + k * length,
+                  length,
+                  result.data() + order[k] * length);
+    return result;
+  }
+
+  /** The adjoint: add row k of @p values to the row rows[k], which
    * is not negative, of the rank that owns it, one rank after the other. Collective. */
   template <class Number>
-  void add_rows(const SlabLayout          &layout,
-                const std::vector<int>    &rows,
-                const std::vector<Number> &values,
-                Number                    *local_rows);
+  void
+  add_rows(const SlabLayout          &layout,
+           const std::vector<int>    &rows,
+           const std::vector<Number> &values,
+           Number                    *local_rows)
+  {
+    const int           nx = layout.grid().nx;
+    std::vector<Number> outgoing;
+    std::vector<int>    n_outgoing(layout.n_ranks());
+    for (int rank = 0; rank < layout.n_ranks(); ++rank)
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        if (const int row = rows[k] % layout.grid().ny; layout.owner_of_row(row) == rank)
+          {
+            // Each row behind its number.
+            outgoing.push_back(static_cast<Number>(row));
+            outgoing.insert(outgoing.end(), &values[k * nx], &values[k * nx] + nx);
+            ++n_outgoing[rank];
+          }
+    const std::vector<Number> incoming =
+      exchange(layout.communicator(), outgoing, n_outgoing, nx + 1).items;
+    for (std::size_t at = 0; at < incoming.size(); at += nx + 1)
+      {
+        const auto row = static_cast<std::size_t>(incoming[at]) - layout.first_row();
+        for (int i = 0; i < nx; ++i)
+          local_rows[row * nx + i] += incoming[at + 1 + i];
+      }
+  }
 
   /** Collective: the whole grid of a field on rank 0 (empty elsewhere), row by row. */
   std::vector<double> gather_on_root(const SlabField &field);

@@ -188,9 +188,9 @@ namespace strait
     void for_each_around(int w, int margin, const Visit &visit) const;
 
     /** Call visit(k_parent, k_window) with the positions of the values of both for each
-     *  point of this rank that window @p w covers. */
+     *  point of this rank that a window covers, of each window before its parent's. */
     template <class Visit>
-    void for_each_covered(int w, const Visit &visit) const;
+    void for_each_covered(const Visit &visit) const;
 
     /** The point of a window that is the same as @p point, if one covers that. */
     std::optional<GridPoint> finer(const GridPoint &point) const;
@@ -268,14 +268,12 @@ namespace strait
 
   template <class Visit>
   void
-  SlabLayout::for_each_covered(const int w, const Visit &visit) const
+  SlabLayout::for_each_covered(const Visit &visit) const
   {
-    for_each_around(w, 0, [&](const int a, const int b, const std::size_t k) {
-      visit(k,
-            starts_of_windows[w] +
-              static_cast<std::size_t>(3 * b + 1) * zoom_windows[w].n_columns() + 3 * a +
-              1);
-    });
+    for (int w = static_cast<int>(zoom_windows.size()) - 1; w >= 0; --w)
+      for_each_around(w, 0, [&](const int a, const int b, const std::size_t k) {
+        visit(k, index_of({3 * a + 1, 3 * b + 1, w}));
+      });
   }
 
   /** Layouts are shared by the fields that use them. */
