@@ -152,10 +152,15 @@ namespace strait
   Parameter &
   ParameterTable::find(const SceneEntry &entry)
   {
+    // By the name that --set takes where that is what was written.
+    const bool is_whole = entry.name.find('/') != std::string::npos;
+    const auto called   = [&](const Parameter &parameter) {
+      return (is_whole ? parameter.section + "/" : "") + parameter.name;
+    };
     std::vector<std::string> siblings, names;
     for (Parameter &parameter : parameters)
       {
-        names.push_back(parameter.name);
+        names.push_back(called(parameter));
         if (parameter.section != entry.section)
           continue;
         if (parameter.name == entry.name)
@@ -165,8 +170,10 @@ namespace strait
     std::string       nearest   = nearest_name(entry.name, siblings);
     const std::string elsewhere = nearest_name(entry.name, names);
     for (const Parameter &parameter : parameters)
-      if (nearest.empty() && parameter.name == elsewhere)
-        nearest = parameter.section + "/" + parameter.name;
+      if (nearest.empty() && called(parameter) == elsewhere)
+        nearest = is_whole
+                    ? "set " + parameter.name + "' in 'subsection " + parameter.section
+                    : parameter.section + "/" + parameter.name;
     throw InputError(entry.place + ": unknown parameter '" + entry.name + "' " +
                      (entry.section.empty() ? "outside every subsection"
                                             : "in subsection '" + entry.section + "'") +

@@ -19,6 +19,9 @@ TEST(Scene, UnknownNamesSuggestTheNearest)
     error_of("set Viscosity = 1\n"),
     "a.prm:1: unknown parameter 'Viscosity' outside every subsection; did you mean "
     "'Fluid/Viscosity'?");
+  EXPECT_EQ(error_of("set Surface/Seed = 5\n"),
+            "a.prm:1: unknown parameter 'Surface/Seed' outside every subsection; did you "
+            "mean 'set Seed' in 'subsection Surface'?");
   expect_in("strait --parameters",
             error_of("subsection Fluid\n set Colour of the car = 1\nend\n"));
   expect_in("--set \"Fluid/Viscosty=1\": unknown parameter 'Viscosty'",
