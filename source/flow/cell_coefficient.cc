@@ -44,10 +44,11 @@ namespace strait
           {
             GridCell here = mesh.grid_cell(*cell);
             here.exponent -= coarser;
-            if (!is_parted)
+            if (is_parted)
+              for (int child = 0; child < 4; ++child)
+                parts.push_back(here.child(child));
+            else
               parts.push_back(here);
-            for (int child = 0; is_parted && child < 4; ++child)
-              parts.push_back(here.child(child));
           }
       const CellAnswers answers = gap.ask(kind, parts);
 
@@ -55,6 +56,9 @@ namespace strait
       const ElementMatrix element{MomentSet(degree)};
       FullMatrix<double>  matrix(fe.n_dofs_per_cell()), small(4);
       const std::size_t   n_parts = is_parted ? 4 : 1;
+      result.means.reserve(parts.size() / n_parts);
+      result.entries.reserve(parts.size() / n_parts *
+                             (matrix.m() * (matrix.m() + 1) / 2));
       for (std::size_t part = 0; part < parts.size(); part += n_parts)
         {
           // Of cells and of children alike: it depends on the ratio of both only.
@@ -62,17 +66,20 @@ namespace strait
           double sum                 = 0.;
           for (std::size_t k = 0; k < n_parts; ++k)
             sum += answers[part + k][0];
-          if (!is_parted)
-            element.stiffness(&answers(part, 0), width, height, matrix);
-          else
-            matrix = 0.;
-          for (std::size_t child = 0; is_parted && child < 4; ++child)
+          if (is_parted)
             {
-              element.stiffness(&answers(part + child, 0), width, height, small);
-              for (unsigned int i = 0; i < 4; ++i)
-                for (unsigned int j = 0; j < 4; ++j)
-                  matrix(child_corners[child][i], child_corners[child][j]) += small(i, j);
+              matrix = 0.;
+              for (std::size_t child = 0; child < 4; ++child)
+                {
+                  const auto &corners = child_corners[child];
+                  element.stiffness(&answers(part + child, 0), width, height, small);
+                  for (unsigned int i = 0; i < 4; ++i)
+                    for (unsigned int j = 0; j < 4; ++j)
+                      matrix(corners[i], corners[j]) += small(i, j);
+                }
             }
+          else
+            element.stiffness(&answers(part, 0), width, height, matrix);
           result.means.push_back(sum / static_cast<double>(n_parts));
           for (unsigned int i = 0; i < matrix.m(); ++i)
             result.entries.insert(result.entries.end(),

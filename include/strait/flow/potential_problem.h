@@ -33,8 +33,8 @@ namespace strait
    * Take the coefficient from @p gap on the cells of @p mesh: of the box, exactly, the
    * gap being on the grid of the mesh or one with half, a quarter … of its points each
    * way; of a seal mesh, by quadrature. The potentials are those of @p fe: FE_Q of that
-   * @p degree, or FE_Q_iso_Q1(2) with a degree of 1, bilinear on the four
-   * children of a cell. Collective.
+   * @p degree, or FE_Q_iso_Q1(2) with a degree of 1, bilinear on the four children of a
+   * cell. Collective.
    */
   CellCoefficient coefficient_on_cells(const FlowMesh                 &mesh,
                                        unsigned int                    degree,

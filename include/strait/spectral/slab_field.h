@@ -4,6 +4,7 @@
 #include <strait/base/collective.h>
 #include <strait/spectral/slab_layout.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -148,8 +149,7 @@ namespace strait
    */
   std::vector<double> fetch_rows(const SlabField &field, const std::vector<int> &rows);
 
-  /** The same of any array of @p row_length numbers a row, laid out
-   *  like @p layout. */
+  /** The same of any array of @p row_length numbers a row, laid out like @p layout. */
   template <class Number>
   std::vector<Number>
   fetch_rows(const SlabLayout       &layout,
@@ -189,8 +189,8 @@ namespace strait
     return result;
   }
 
-  /** The adjoint: add row k of @p values to the row rows[k], which
-   * is not negative, of the rank that owns it, one rank after the other. Collective. */
+  /** The adjoint: add row k of @p values to the row rows[k], which is not negative, of
+   * the rank that owns it, one rank after the other. Collective. */
   template <class Number>
   void
   add_rows(const SlabLayout          &layout,

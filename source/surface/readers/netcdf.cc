@@ -204,23 +204,24 @@ namespace strait
           reject_for_import(file, std::string("has the attribute ") + name);
     }
 
-    /** The coordinates along the dimension @p along; throws unless their steps are equal,
-     *  to a twentieth. */
-    std::vector<double>
-    coordinates(const std::string &file, const Variable &variable, const Dimension &along)
+    /** What the coordinates along the dimension @p along rise by, from the first to the
+     *  last; throws unless their steps are equal, to a twentieth. */
+    double
+    rise_of(const std::string &file, const Variable &variable, const Dimension &along)
     {
       const auto decode_one = [&](const char *at) { return decode(at, variable.type); };
-      std::vector<double> x =
+      const std::vector<double> x =
         read_values(
           file, {along.n, 1, false, variable.begin, bytes_of(variable.type), decode_one})
           .values;
-      const double step = (x.back() - x.front()) / static_cast<double>(along.n - 1);
+      const double rise = x.back() - x.front();
+      const double step = rise / static_cast<double>(along.n - 1);
       for (std::size_t i = 0; i < x.size(); ++i)
         if (!(std::abs(x[i] - x.front() - static_cast<double>(i) * step) <=
               std::abs(step) / 20.))
           reject_for_import(file,
                             "has coordinates '" + along.name + "' without equal steps");
-      return x;
+      return rise;
     }
 
     /**
@@ -246,11 +247,10 @@ namespace strait
       if (along.name != name || along.n < 2 || !is_number(variable.type))
         return stated;
       require_plain(file, variable, {"scale_factor", "add_offset"});
-      const std::vector<double> x      = coordinates(file, variable, along);
-      const double              rise   = x.back() - x.front();
-      const auto                n      = static_cast<double>(along.n);
-      const double              step   = rise / (n - 1);
-      const double              length = stated.value_or(n * step);
+      const double rise   = rise_of(file, variable, along);
+      const auto   n      = static_cast<double>(along.n);
+      const double step   = rise / (n - 1);
+      const double length = stated.value_or(n * step);
       // Equal numbers are those of a dimension to which none were written.
       if (rise == 0)
         return stated;
