@@ -94,10 +94,10 @@ namespace strait
                       const double       level,
                       const Side         side) const
   {
-    Passage found = scene.contact.zoom.enabled ? search.enclose_surely(first, level)
-                                               : search.enclose(first, level);
     if (!scene.depends_on_path())
-      return found;
+      return scene.contact.zoom.enabled ? search.enclose_surely(first, level)
+                                        : search.enclose(first, level);
+    Passage    found     = search.enclose(first, level);
     const bool from_open = side == Side::open;
     if (!from_open)
       std::swap(found.before, found.beyond);

@@ -18,7 +18,7 @@ namespace strait
   namespace
   {
     /** The first bytes. The number is another one whenever the items have changed. */
-    const std::string signature = "strait checkpoint 30\n";
+    const std::string signature = "strait checkpoint 31\n";
 
     std::string
     name_beside(const std::string &path)
