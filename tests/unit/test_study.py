@@ -3,6 +3,7 @@
 """Tests of tools/study: all its cases run in one folder, one after the other."""
 import csv
 import pathlib
+import runpy
 import subprocess
 import sys
 import tempfile
@@ -50,6 +51,15 @@ class Study(unittest.TestCase):
         self.assertEqual([(row["refinement"], float(row["accuracy"])) for row in rows],
                          [("adaptive", 0.01), ("adaptive", 0.1), ("adaptive", 0.05),
                           ("uniform", 0.1), ("uniform", 0.05)])
+
+    def test_curves_are_those_of_one_tolerance(self):
+        drawn = runpy.run_path(str(TOOLS / "study"), run_name="study")["drawn"]
+        _, rows = self.study("--tolerances", "1e-4", "1e-6")
+        self.assertEqual(len(rows), 6)
+        rows = [{**row, "tolerance": float(row["tolerance"]),
+                 "is_reference": int(row["is_reference"])} for row in rows]
+        self.assertEqual([(row["refinement"], row["tolerance"]) for row in drawn(rows)],
+                         2 * [("adaptive", 1e-6)] + 2 * [("uniform", 1e-6)])
 
     def test_what_is_varied_cannot_be_set(self):
         for text in ("Fluid/Target accuracy=0.3", "Contact/Grid  points = 96"):
