@@ -3,8 +3,11 @@
 #include <strait/base/iteration.h>
 #include <strait/seal/transition_search.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -122,61 +125,6 @@ namespace strait
                                      double(std::numeric_limits<float>::max()));
       return std::copysign(std::pow(size, 1. / power_of_gap), openness > 0 ? 1. : -1.);
     }
-
-    /**
-     * Asks for the openness above a level between an open and a sealed value until they
-     * are as near to each other as @p tolerance, relative.
-     *
-     * The root of the secant is asked, with a smaller openness at an end that stays (the
-     * method of Anderson and Björck, BIT 13, 1973), but no farther from the middle than
-     * leaves a few questions more than halving takes (projected as by Oliveira and
-     * Takahashi, ACM Trans. Math. Softw. 47, 2020).
-     */
-    Passage
-    narrow(const std::function<double(double)> &openness,
-           Point                                open,
-           Point                                sealed,
-           const double                         tolerance)
-    {
-      // Questions. Half as many take more where the openness is smooth, twice as many
-      // where it jumps.
-      constexpr double more_than_halving = 4.;
-
-      const auto is_narrow = [&]() {
-        return sealed.value - open.value <= tolerance * sealed.value;
-      };
-      if (is_narrow()) // or in the wrong order, where answers disagree
-        return {open.value, sealed.value};
-      open.openness   = straightened(open.openness);
-      sealed.openness = straightened(sealed.openness);
-
-      // Of the bracket, if it is to be narrow in time.
-      const double wanted = tolerance * sealed.value;
-      double       widest =
-        wanted * std::exp2(more_than_halving +
-                           std::ceil(std::log2((sealed.value - open.value) / wanted)));
-      Point asked = {};
-      while (!is_narrow())
-        {
-          widest *= .5;
-          const double width  = sealed.value - open.value;
-          const double middle = open.value + .5 * width;
-          const double slack  = std::max(widest - .5 * width, 0.);
-          const double part   = open.openness / (open.openness - sealed.openness);
-          const double before = asked.openness;
-          asked.value         = middle + std::clamp((part - .5) * width, -slack, slack);
-          asked.openness      = straightened(openness(asked.value));
-          Point &near         = asked.openness > 0. ? open : sealed;
-          Point &far          = asked.openness > 0. ? sealed : open;
-          if (asked.openness * before > 0.)
-            {
-              const double left = 1. - asked.openness / near.openness;
-              far.openness *= left > 0. ? left : .5;
-            }
-          near = asked;
-        }
-      return {open.value, sealed.value};
-    }
   } // namespace
 
   TransitionSearch::TransitionSearch(Ask ask_, const double tolerance_, Name name_)
@@ -213,10 +161,24 @@ namespace strait
             "; switch the search off to run Load programme/Pressures alone.");
         ask_at(value);
       }
-    return narrow([&](const double value) { return ask_at(value).openness - level; },
-                  known.open.back(),
-                  known.sealed.back(),
-                  tolerance);
+    const auto openness = [&](const double value) {
+      return straightened(ask_at(value).openness - level);
+    };
+    const auto is_narrow = [&](const double lower, const double upper) {
+      return upper - lower <= tolerance * upper;
+    };
+    const Point open = known.open.back(), sealed = known.sealed.back();
+    if (is_narrow(open.value, sealed.value)) // or in the wrong order: answers disagree
+      return {open.value, sealed.value};
+    auto       n_steps = std::numeric_limits<std::uintmax_t>::max();
+    const auto found   = boost::math::tools::toms748_solve(openness,
+                                                         open.value,
+                                                         sealed.value,
+                                                         straightened(open.openness),
+                                                         straightened(sealed.openness),
+                                                         is_narrow,
+                                                         n_steps);
+    return {found.first, found.second};
   }
 
   Passage

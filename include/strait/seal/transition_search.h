@@ -104,9 +104,8 @@ namespace strait
    * found to grow as (L/L_c − 1)^0.63. As long as all answers are on one side, a power
    * law through two of them foretells the transition; a third one tells its exponent,
    * which is 1 within a grid spacing of closing. Once it is enclosed, the root of v^(5/6)
-   * is sought, in no more than one question more than halving takes: v jumps where
-   * contact and fluid have two states. Every value that was asked serves later searches
-   * at other levels of the openness.
+   * is sought by the method of Alefeld, Potra and Shi (ACM Trans. Math. Softw. 21, 1995).
+   * Every value that was asked serves later searches at other levels of the openness.
    *
    * Where it counts as well what the seal was before, steps matter: a state that a small
    * step keeps may be lost by a large one. Then the transition is where small steps along
