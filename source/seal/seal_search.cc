@@ -97,6 +97,7 @@ namespace strait
     if (!scene.depends_on_path())
       return scene.contact.zoom.enabled ? search.enclose_surely(first, level)
                                         : search.enclose(first, level);
+    // Where the state is lost the steps along the path tell, with all windows.
     Passage    found     = search.enclose(first, level);
     const bool from_open = side == Side::open;
     if (!from_open)

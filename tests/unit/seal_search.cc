@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a search asks of a seal whose critical load is known.
-#include <strait/percolation/bottleneck.h>
 #include <strait/seal/seal_search.h>
+#include <strait/spectral/slab_field.h>
 
 #include <gtest/gtest.h>
 
@@ -19,16 +19,16 @@ namespace strait
     SealState
     closing_saddle(const SlabLayoutPtr &layout, const Control &control)
     {
-      SlabField   pressure(layout), gap(layout);
-      std::size_t k = 0;
-      layout->for_each_point([&](const GridPoint &point) {
-        const auto [x, y]    = position_of(*layout, point);
-        const double opening = critical_load - control.target +
-                               .5 * (std::cos(2. * M_PI * x) - std::cos(2. * M_PI * y));
-        gap[k]      = std::max(opening, 0.);
-        pressure[k] = std::max(-opening, 0.);
-        ++k;
+      SlabField gap = sample(layout, [&](const double x, const double y) {
+        return critical_load - control.target +
+               .5 * (std::cos(2. * M_PI * x) - std::cos(2. * M_PI * y));
       });
+      SlabField pressure(layout);
+      for (std::size_t k = 0; k < gap.size(); ++k)
+        {
+          pressure[k] = std::max(-gap[k], 0.);
+          gap[k]      = std::max(gap[k], 0.);
+        }
       SealState state;
       state.control = control;
       state.contact.emplace(std::move(pressure), std::move(gap));
